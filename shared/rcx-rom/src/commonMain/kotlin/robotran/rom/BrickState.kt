@@ -1,0 +1,57 @@
+package robotran.rom
+
+/**
+ * What can be seen, heard and measured of a brick at one moment.
+ *
+ * @property milliseconds virtual time since the brick was switched on.
+ * @property glass what the LCD shows: its memory as it was at the last refresh.
+ * @property motors the output ports A, B and C, in this order.
+ * @property pressed the buttons that are held down.
+ * @property selectedSlot the program that Run will start, from 0, as the LCD's program digit shows it.
+ * @property sounding true while a tone is being played.
+ */
+data class BrickState(
+    val milliseconds: Long,
+    val poweredOn: Boolean,
+    val glass: LcdGlass,
+    val motors: List<MotorState>,
+    val pressed: Set<BrickButton>,
+    val selectedSlot: Int,
+    val run: RunState,
+    val sounding: Boolean,
+)
+
+/** The four buttons on the brick's face. */
+enum class BrickButton { ON_OFF, VIEW, PRGM, RUN }
+
+/** What the brick is doing with its program. */
+sealed interface RunState {
+    /** No program has been started since the brick was switched on. */
+    data object Idle : RunState
+
+    /** A program is running; [sourceLine] is the line it is at, from 1, 0 if there is none. */
+    data class Running(val sourceLine: Int) : RunState
+
+    /** The program came to its end, or somebody stopped it. */
+    data class Ended(val stopped: Boolean) : RunState
+
+    /** The program could not go on. */
+    data class Failed(val failure: ProgramFailure) : RunState
+}
+
+/** The output ports; [code] is the number the ROM knows the motor by. */
+enum class MotorPort(val code: Int) { A(0x2000), B(0x2001), C(0x2002) }
+
+/** What a motor is told to do; [code] is the ROM's number for it. */
+enum class MotorMode(val code: Int) { FORWARD(1), BACKWARD(2), BRAKE(3), FLOAT(4) }
+
+/**
+ * What an output port is told to do.
+ *
+ * @property power 0..7; the port is switched on in power + 1 of 8 milliseconds.
+ */
+data class MotorState(
+    val port: MotorPort,
+    val mode: MotorMode,
+    val power: Int,
+)

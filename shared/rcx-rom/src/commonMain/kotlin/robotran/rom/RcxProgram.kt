@@ -1,0 +1,48 @@
+package robotran.rom
+
+/** A program that can be loaded into a slot of the brick, whatever language it was written in. */
+interface RcxProgram {
+    /** The name a pupil knows it by, usually that of its file. */
+    val name: String
+
+    /** Begins a new run from the first statement. The run acts on the robot only through [rom]. */
+    fun start(rom: Rom): ProgramRun
+}
+
+/** One run of an [RcxProgram]: it advances only when it is told to, so it can be paused, stepped and stopped at any time. */
+interface ProgramRun {
+    /** The line about to be executed, or the last one once the run is over; from 1, 0 if there is none. */
+    val sourceLine: Int
+
+    /**
+     * Executes at most [steps] steps (a step is a statement or a bytecode) and returns early when the program waits, ends or fails.
+     * Must not be called again after [ProgramStatus.Ended] or [ProgramStatus.Failed].
+     */
+    fun resume(steps: Int): ProgramStatus
+}
+
+/** How a [ProgramRun] stands after a [ProgramRun.resume]. */
+sealed interface ProgramStatus {
+    /** The budget is used up; there is more to do. */
+    data object Running : ProgramStatus
+
+    /** Nothing to do until the brick's clock, [Rom.milliseconds], has reached [untilMilliseconds]. */
+    data class Waiting(val untilMilliseconds: Long) : ProgramStatus
+
+    /** The program came to its end. */
+    data object Ended : ProgramStatus
+
+    /** The program cannot go on. */
+    data class Failed(val failure: ProgramFailure) : ProgramStatus
+}
+
+/**
+ * Why a program could not go on.
+ *
+ * @property message one sentence in a learner's words.
+ * @property sourceLine the line it happened on, from 1; 0 if there is none.
+ */
+data class ProgramFailure(
+    val message: String,
+    val sourceLine: Int,
+)
