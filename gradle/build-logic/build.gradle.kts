@@ -5,6 +5,8 @@ plugins {
 
 dependencies {
     implementation(libs.plugin.kotlin)
+    implementation(libs.plugin.kotlin.compose)
+    implementation(libs.plugin.compose)
 }
 
 gradlePlugin {
@@ -16,6 +18,14 @@ gradlePlugin {
         create("core") {
             id = "robotran.core"
             implementationClass = "robotran.build.CorePlugin"
+        }
+        create("compose") {
+            id = "robotran.compose"
+            implementationClass = "robotran.build.ComposePlugin"
+        }
+        create("desktop") {
+            id = "robotran.desktop"
+            implementationClass = "robotran.build.DesktopPlugin"
         }
     }
 }
