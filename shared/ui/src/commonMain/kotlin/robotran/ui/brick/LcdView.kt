@@ -15,7 +15,18 @@ import robotran.ui.resources.display_blank
 /** The display, segment by segment, read out as the text it shows. */
 @Composable
 internal fun LcdView(glass: LcdGlass, modifier: Modifier = Modifier) {
+    Canvas(modifier.describing(glass)) { drawLcd(glass) }
+}
+
+/** The same display cut down to its row of digits. */
+@Composable
+internal fun LcdNumbers(glass: LcdGlass, modifier: Modifier = Modifier) {
+    Canvas(modifier.describing(glass)) { drawLcdNumbers(glass) }
+}
+
+@Composable
+private fun Modifier.describing(glass: LcdGlass): Modifier {
     val description =
         if (glass.text.isEmpty()) stringResource(Res.string.display_blank) else stringResource(Res.string.display, glass.text)
-    Canvas(modifier.testTag("lcd").semantics { contentDescription = description }) { drawLcd(glass) }
+    return testTag("lcd").semantics { contentDescription = description }
 }
