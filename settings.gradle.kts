@@ -18,3 +18,5 @@ rootProject.name = "robotran"
 
 include(":shared:rcx-rom")
 include(":shared:robolang")
+include(":shared:physics")
+include(":shared:world")

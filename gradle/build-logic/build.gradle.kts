@@ -5,6 +5,10 @@ plugins {
 
 dependencies {
     implementation(libs.plugin.kotlin)
+    implementation(libs.plugin.kotlin.serialization)
+    implementation(libs.asm)
+    // Only the worker that compiles the physics sees it at run time.
+    compileOnly(libs.teavm.tooling)
 }
 
 gradlePlugin {
@@ -16,6 +20,18 @@ gradlePlugin {
         create("core") {
             id = "robotran.core"
             implementationClass = "robotran.build.CorePlugin"
+        }
+        create("physics") {
+            id = "robotran.physics"
+            implementationClass = "robotran.build.physics.PhysicsPlugin"
+        }
+        create("physicsWeb") {
+            id = "robotran.physics-web"
+            implementationClass = "robotran.build.physics.PhysicsWebPlugin"
+        }
+        create("texts") {
+            id = "robotran.texts"
+            implementationClass = "robotran.build.texts.TextsPlugin"
         }
     }
 }
