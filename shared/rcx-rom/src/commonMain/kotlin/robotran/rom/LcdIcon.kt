@@ -44,7 +44,11 @@ enum class LcdIcon(internal val segments: List<LcdSegment>) {
 
     /** The crossed-out battery. */
     LOW_BATTERY(0xEF47, 0),
+
+    /** The near waves of the infrared, lit at both ranges. */
     INFRARED_SHORT(0xEF49, 2),
+
+    /** The far waves of the infrared, lit at long range beside the near ones. */
     INFRARED_LONG(0xEF49, 3),
 
     /** The minus sign to the left of the four digits of the main number. */
@@ -61,4 +65,8 @@ enum class LcdIcon(internal val segments: List<LcdSegment>) {
     ;
 
     constructor(address: Int, bit: Int) : this(listOf(LcdSegment(address, bit)))
+
+    /** The icon's name as written in a sentence, such as `motor A forward`. */
+    val words: String
+        get() = name.split('_').joinToString(" ") { if (it.length == 1) it else it.lowercase() }
 }

@@ -1,8 +1,6 @@
 package robotran.rom
 
-/**
- * Where the digits' segments live in the LCD's memory. Sources: leJOS `TextLCD.java`, brickOS `dlcd.h`.
- */
+/** Where the digits' segments live in the LCD's memory. Sources: leJOS `TextLCD.java`, brickOS `dlcd.h`. */
 internal object LcdLayout {
     /** The first byte of the LCD's memory. */
     const val FIRST_ADDRESS = 0xEF43
@@ -21,24 +19,22 @@ internal object LcdLayout {
 
     /** The segments of each digit, from the right, in the order of the seven mask bits described at [LcdGlass.digit]. */
     val digitSegments: List<List<LcdSegment>> = listOf(
-        digit(horizontal = 0xEF44, middle = 5, top = 4, bottom = 7, right = 0xEF45, 5, 7, left = 0xEF47, 5, 7),
-        digit(horizontal = 0xEF43, middle = 5, top = 4, bottom = 7, right = 0xEF47, 1, 3, left = 0xEF48, 5, 7),
-        digit(horizontal = 0xEF44, middle = 1, top = 0, bottom = 3, right = 0xEF48, 1, 3, left = 0xEF49, 5, 7),
-        digit(horizontal = 0xEF46, middle = 1, top = 0, bottom = 3, right = 0xEF4B, 1, 3, left = 0xEF4B, 5, 7),
-        digit(horizontal = 0xEF46, middle = 5, top = 4, bottom = 7, right = 0xEF4A, 1, 3, left = 0xEF4A, 5, 7),
+        digit(middleTopBottom = 0xEF44 to listOf(5, 4, 7), right = 0xEF45 to listOf(5, 7), left = 0xEF47 to listOf(5, 7)),
+        digit(middleTopBottom = 0xEF43 to listOf(5, 4, 7), right = 0xEF47 to listOf(1, 3), left = 0xEF48 to listOf(5, 7)),
+        digit(middleTopBottom = 0xEF44 to listOf(1, 0, 3), right = 0xEF48 to listOf(1, 3), left = 0xEF49 to listOf(5, 7)),
+        digit(middleTopBottom = 0xEF46 to listOf(1, 0, 3), right = 0xEF4B to listOf(1, 3), left = 0xEF4B to listOf(5, 7)),
+        digit(middleTopBottom = 0xEF46 to listOf(5, 4, 7), right = 0xEF4A to listOf(1, 3), left = 0xEF4A to listOf(5, 7)),
     )
 
+    /** Each argument is an address and the bits of its segments; those of the sides are the upper and the lower one. */
     private fun digit(
-        horizontal: Int, middle: Int, top: Int, bottom: Int,
-        right: Int, topRight: Int, bottomRight: Int,
-        left: Int, topLeft: Int, bottomLeft: Int,
-    ) = listOf(
-        LcdSegment(horizontal, middle),
-        LcdSegment(right, topRight),
-        LcdSegment(horizontal, top),
-        LcdSegment(left, topLeft),
-        LcdSegment(left, bottomLeft),
-        LcdSegment(horizontal, bottom),
-        LcdSegment(right, bottomRight),
-    )
+        middleTopBottom: Pair<Int, List<Int>>,
+        right: Pair<Int, List<Int>>,
+        left: Pair<Int, List<Int>>,
+    ): List<LcdSegment> {
+        val (middle, top, bottom) = middleTopBottom.second.map { LcdSegment(middleTopBottom.first, it) }
+        val (topRight, bottomRight) = right.second.map { LcdSegment(right.first, it) }
+        val (topLeft, bottomLeft) = left.second.map { LcdSegment(left.first, it) }
+        return listOf(middle, topRight, top, topLeft, bottomLeft, bottom, bottomRight)
+    }
 }
