@@ -5,13 +5,13 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.StrokeJoin
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
+import kotlin.math.max
 import robotran.world.Ink
 import robotran.world.InkStroke
-import robotran.world.Penbot
 
 /** The lines the pen has left, as wide as the pen is. */
 internal fun DrawScope.drawInk(ink: Ink, transform: SheetTransform) {
-    val width = Penbot.PEN_WIDTH_CENTIMETRES.toFloat() * transform.pixelsPerCentimetre
+    val width = max(PEN_WIDTH_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_WIDTH_PIXELS)
     for (stroke in ink.strokes) drawStroke(stroke, width, transform)
 }
 
@@ -28,3 +28,9 @@ private fun DrawScope.drawStroke(stroke: InkStroke, width: Float, transform: She
     }
     drawPath(path, SheetColours.INK, style = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round))
 }
+
+/** A broad felt-tip pen. */
+private const val PEN_WIDTH_CENTIMETRES = 0.3f
+
+/** In a picture so small that the line would vanish. */
+private const val LEAST_WIDTH_PIXELS = 1f
