@@ -33,6 +33,10 @@ gradlePlugin {
             id = "robotran.compose"
             implementationClass = "robotran.build.ComposePlugin"
         }
+        create("web") {
+            id = "robotran.web"
+            implementationClass = "robotran.build.WebAppPlugin"
+        }
         create("desktop") {
             id = "robotran.desktop"
             implementationClass = "robotran.build.DesktopPlugin"

@@ -68,7 +68,7 @@ object CodeStyle {
     ): FileCollection =
         project.fileTree(project.rootDir) {
             it.include(pattern)
-            it.exclude("**/build/**", "**/.*/**")
+            it.exclude("*/build/**", "shared/*/build/**", "gradle/build-logic/build/**", "**/.*/**")
         }
 
     private fun paths(
