@@ -5,9 +5,15 @@ plugins {
 
 dependencies {
     implementation(libs.plugin.kotlin)
+    testImplementation(libs.kotlin.test)
+}
+
+tasks.test {
+    useJUnitPlatform()
 }
 
 gradlePlugin {
+    testSourceSets() // none: the tests are plain unit tests, and an embedded Gradle has no TestKit
     plugins {
         create("root") {
             id = "robotran.root"
