@@ -23,5 +23,9 @@ gradlePlugin {
             id = "robotran.core"
             implementationClass = "robotran.build.CorePlugin"
         }
+        create("testPrograms") {
+            id = "robotran.test-programs"
+            implementationClass = "robotran.build.TestProgramsPlugin"
+        }
     }
 }
