@@ -3,15 +3,11 @@ package robotran.robolang
 /** Compares what a program does with what its comments say; each difference is a sentence with the program's path. */
 internal fun differences(program: TestProgram): List<String> {
     val expected = Expectations(program.text)
-    return when (val result = readRobolang(program.path, program.text, testCalibration)) {
+    val differences = when (val result = readRobolang(program.path, program.text, testCalibration)) {
         is RobolangResult.Mistaken -> differencesOfMistakes(expected, result.diagnostics)
-        is RobolangResult.Ready ->
-            if (expected.errors.isEmpty()) {
-                differencesOfRun(expected, runToEnd(result.program))
-            } else {
-                listOf("has no mistakes, but should have ${expected.errors}")
-            }
-    }.map { "${program.path} $it" }
+        is RobolangResult.Ready -> differencesOfReady(expected, result.program)
+    }
+    return differences.map { "${program.path} $it" }
 }
 
 private fun differencesOfMistakes(expected: Expectations, diagnostics: List<Diagnostic>): List<String> {
@@ -22,6 +18,13 @@ private fun differencesOfMistakes(expected: Expectations, diagnostics: List<Diag
         listOf("should have the mistakes\n${expected.errors.joinToString("\n")}\nbut has\n${actual.joinToString("\n")}")
     }
 }
+
+private fun differencesOfReady(expected: Expectations, program: RobolangProgram): List<String> =
+    if (expected.errors.isEmpty()) {
+        differencesOfRun(expected, runToEnd(program))
+    } else {
+        listOf("has no mistakes, but should have ${expected.errors}")
+    }
 
 private fun differencesOfRun(expected: Expectations, rom: RecordingRom): List<String> = buildList {
     if (expected.calls.isNotEmpty()) {

@@ -1,9 +1,10 @@
 package robotran.robolang
 
+import io.kotest.common.ExperimentalKotest
 import io.kotest.core.spec.style.StringSpec
 import io.kotest.matchers.collections.shouldBeEmpty
-import io.kotest.matchers.comparables.shouldBeLessThan
 import io.kotest.matchers.collections.shouldBeSortedWith
+import io.kotest.matchers.comparables.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
@@ -23,6 +24,7 @@ import robotran.rom.ProgramStatus
 import kotlin.time.Duration.Companion.seconds
 import kotlin.time.measureTime
 
+@OptIn(ExperimentalKotest::class)
 class RobolangPropertyTest : StringSpec({
     val config = PropTestConfig(seed = 2005, iterations = 5_000)
 
@@ -93,7 +95,10 @@ private fun checkReading(source: String) {
             val status = result.program.start(RecordingRom()).resume(100)
             (status is ProgramStatus.Failed) shouldBe false
         }
-        is RobolangResult.Mistaken -> checkDiagnostics(result.diagnostics, source.removePrefix("\uFEFF").lines())
+
+        is RobolangResult.Mistaken -> {
+            checkDiagnostics(result.diagnostics, source.removePrefix("\uFEFF").lines())
+        }
     }
 }
 

@@ -22,7 +22,7 @@ class SuggestionTest {
     @Test
     fun `one slip is forgiven for every three letters`() {
         assertEquals("end", suggestion("edn", candidates))
-        assertEquals("backward", suggestion("bakwords", candidates))
+        assertEquals("backward", suggestion("bakwards", candidates))
         assertEquals("forward", suggestion("FARWERD", candidates))
         assertNull(suggestion("reset", candidates))
         assertNull(suggestion("it", candidates))
