@@ -18,3 +18,7 @@ rootProject.name = "robotran"
 
 include(":shared:rcx-rom")
 include(":shared:robolang")
+include(":shared:ui")
+include(":desktopApp")
+include(":shared:physics")
+include(":shared:world")
