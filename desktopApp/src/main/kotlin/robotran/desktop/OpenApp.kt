@@ -20,7 +20,7 @@ internal fun openApp(files: List<String>): ExitCode {
     return ExitCode.DONE
 }
 
-private fun refuse(message: String, status: Int): ExitCode {
+private fun refuse(message: String, status: ExitCode): ExitCode {
     System.err.println(message)
     return status
 }

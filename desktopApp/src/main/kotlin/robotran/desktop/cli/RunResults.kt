@@ -17,7 +17,7 @@ internal class RunResults(
         val problems =
             listOfNotNull(
                 outputs.picture?.let { writeFile(it, sheetPng(session.world, session.state)) },
-                outputs.romLog?.let { writeText(it, session.romLog.entries.joinToString("") { entry -> entry + "\n" }) },
+                outputs.romLog?.let { writeText(it, session.romLog.entries.joinToString("") { entry -> entry.text + "\n" }) },
                 outputs.report?.let { writeText(it, report.toJson() + "\n") },
             )
         report.error?.let { console.complain(it) }
