@@ -132,6 +132,7 @@ class Workshop(
     }
 
     private fun firstState(text: String) = WorkshopState(
+        programName = programName,
         programText = text,
         mistakes = mistakes(),
         changed = false,
