@@ -19,6 +19,8 @@ kotlin {
             api(libs.compose.ui)
             implementation(libs.compose.resources)
             implementation(libs.coroutines.core)
+            // Material asks for 0.6.0, whose wasm library is not on every registry.
+            implementation(libs.datetime)
         }
     }
 }
