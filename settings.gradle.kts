@@ -18,5 +18,8 @@ rootProject.name = "robotran"
 
 include(":shared:rcx-rom")
 include(":shared:robolang")
+include(":shared:ui")
+include(":desktopApp")
+include(":webApp")
 include(":shared:physics")
 include(":shared:world")

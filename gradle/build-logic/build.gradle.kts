@@ -5,13 +5,21 @@ plugins {
 
 dependencies {
     implementation(libs.plugin.kotlin)
+    implementation(libs.plugin.kotlin.compose)
+    implementation(libs.plugin.compose)
     implementation(libs.plugin.kotlin.serialization)
     implementation(libs.asm)
     // Only the worker that compiles the physics sees it at run time.
     compileOnly(libs.teavm.tooling)
+    testImplementation(libs.kotlin.test)
+}
+
+tasks.test {
+    useJUnitPlatform()
 }
 
 gradlePlugin {
+    testSourceSets() // none: the tests are plain unit tests, and an embedded Gradle has no TestKit
     plugins {
         create("root") {
             id = "robotran.root"
@@ -20,6 +28,22 @@ gradlePlugin {
         create("core") {
             id = "robotran.core"
             implementationClass = "robotran.build.CorePlugin"
+        }
+        create("testPrograms") {
+            id = "robotran.test-programs"
+            implementationClass = "robotran.build.TestProgramsPlugin"
+        }
+        create("compose") {
+            id = "robotran.compose"
+            implementationClass = "robotran.build.ComposePlugin"
+        }
+        create("web") {
+            id = "robotran.web"
+            implementationClass = "robotran.build.WebAppPlugin"
+        }
+        create("desktop") {
+            id = "robotran.desktop"
+            implementationClass = "robotran.build.DesktopPlugin"
         }
         create("physics") {
             id = "robotran.physics"

@@ -1,0 +1,15 @@
+plugins {
+    id("robotran.desktop")
+}
+
+dependencies {
+    implementation(project(":shared:ui"))
+    implementation(compose.desktop.currentOs)
+    implementation(libs.coroutines.swing)
+    implementation(libs.clikt)
+}
+
+application {
+    mainClass.set("robotran.desktop.MainKt")
+    applicationName = "robotran"
+}
