@@ -5,6 +5,8 @@ plugins {
 
 dependencies {
     implementation(libs.plugin.kotlin)
+    implementation(libs.plugin.android)
+    implementation(libs.apksig)
 }
 
 gradlePlugin {
@@ -16,6 +18,14 @@ gradlePlugin {
         create("core") {
             id = "robotran.core"
             implementationClass = "robotran.build.CorePlugin"
+        }
+        create("android") {
+            id = "robotran.android"
+            implementationClass = "robotran.build.AndroidPlugin"
+        }
+        create("androidApp") {
+            id = "robotran.android.app"
+            implementationClass = "robotran.build.AndroidAppPlugin"
         }
     }
 }
