@@ -47,7 +47,7 @@ sdk=$work/sdk
 jars=$work/jars
 platform=$sdk/platforms/android-$api
 tools=$sdk/build-tools/$build_tools
-mkdir -p "$platform" "$tools/lib" "$work/classes"
+mkdir -p "$platform" "$tools" "$sdk/platform-tools" "$work/classes" "$work/empty"
 
 mvn -q -B -f "$here/pom.xml" dependency:copy-dependencies -DoutputDirectory="$jars" >&2 ||
   fail "Maven could not fetch its parts (is there a network? the lines above say more)"
@@ -65,10 +65,12 @@ for tool in aapt aidl dexdump zipalign split-select lld; do
   printf '#!/bin/sh\necho "%s is not in this build-only SDK" >&2\nexit 1\n' "$tool" >"$tools/$tool"
   chmod 755 "$tools/$tool"
 done
-touch "$tools/core-lambda-stubs.jar" "$platform/framework.aidl"
+"${java_bin}jar" --create --file "$tools/core-lambda-stubs.jar" -C "$work/empty" .
+touch "$platform/framework.aidl"
 
 cp "$here/package-xml/platform.xml" "$platform/package.xml"
 cp "$here/package-xml/build-tools.xml" "$tools/package.xml"
+cp "$here/package-xml/platform-tools.xml" "$sdk/platform-tools/package.xml"
 printf 'ro.build.version.sdk=%s\nro.build.version.release=15\nro.build.version.codename=REL\n' "$api" >"$platform/build.prop"
 printf 'AndroidVersion.ApiLevel=%s\nPlatform.Version=15\nPkg.Revision=2\nLayoutlib.Api=15\n' "$api" >"$platform/source.properties"
 printf 'Pkg.Revision=%s\n' "$build_tools" >"$tools/source.properties"

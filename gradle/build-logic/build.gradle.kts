@@ -7,9 +7,15 @@ dependencies {
     implementation(libs.plugin.kotlin)
     implementation(libs.plugin.android)
     implementation(libs.apksig)
+    testImplementation(libs.kotlin.test)
+}
+
+tasks.test {
+    useJUnitPlatform()
 }
 
 gradlePlugin {
+    testSourceSets() // none: the tests are plain unit tests, and an embedded Gradle has no TestKit
     plugins {
         create("root") {
             id = "robotran.root"

@@ -46,18 +46,20 @@ final class ClassStubber {
     }
 
     private final class Outline extends ClassVisitor {
+        private String parent;
+
         Outline(ClassVisitor next) {
             super(ASM, next);
         }
 
         @Override
-        public void visit(int version, int access, String name, String signature, String parent, String[] interfaces) {
+        public void visit(int version, int access, String name, String signature, String originalParent, String[] interfaces) {
             String[] knownInterfaces = Arrays.stream(interfaces).filter(known::contains).toArray(String[]::new);
-            boolean hasKnownParent = parent == null || known.contains(parent);
+            boolean hasKnownParent = originalParent == null || known.contains(originalParent);
             // A signature repeats parent and interfaces, so it must go when one of them goes.
             boolean isWhole = hasKnownParent && knownInterfaces.length == interfaces.length;
-            String knownParent = hasKnownParent ? parent : "java/lang/Object";
-            super.visit(version, access, name, isWhole ? signature : null, knownParent, knownInterfaces);
+            parent = hasKnownParent ? originalParent : "java/lang/Object";
+            super.visit(version, access, name, isWhole ? signature : null, parent, knownInterfaces);
         }
 
         @Override
@@ -82,7 +84,10 @@ final class ClassStubber {
             }
             int stubAccess = access & ~NOT_IN_A_STUB;
             MethodVisitor method = super.visitMethod(stubAccess, name, descriptor, signature, exceptions);
-            return (access & Opcodes.ACC_ABSTRACT) != 0 ? method : new ThrowingBody(method, type);
+            if ((access & Opcodes.ACC_ABSTRACT) != 0) {
+                return method;
+            }
+            return new ThrowingBody(method, type, name.equals("<init>") ? parent : null);
         }
 
         // What ties a class to private parts that the stub does not have:
@@ -107,10 +112,13 @@ final class ClassStubber {
 
     private final class ThrowingBody extends MethodVisitor {
         private final Type type;
+        private final String parentToConstruct;
 
-        ThrowingBody(MethodVisitor next, Type type) {
+        /** @param parentToConstruct the parent class if this is a constructor, else null. */
+        ThrowingBody(MethodVisitor next, Type type, String parentToConstruct) {
             super(ASM, next);
             this.type = type;
+            this.parentToConstruct = parentToConstruct;
         }
 
         @Override
@@ -122,6 +130,11 @@ final class ClassStubber {
         public void visitEnd() {
             String exception = "java/lang/RuntimeException";
             visitCode();
+            if (parentToConstruct != null) {
+                // The jar that unit tests see has the throwing cut off, and a constructor is only legal with this call.
+                visitVarInsn(Opcodes.ALOAD, 0);
+                visitMethodInsn(Opcodes.INVOKESPECIAL, parentToConstruct, "<init>", "()V", false);
+            }
             visitTypeInsn(Opcodes.NEW, exception);
             visitInsn(Opcodes.DUP);
             visitLdcInsn("Stub!");

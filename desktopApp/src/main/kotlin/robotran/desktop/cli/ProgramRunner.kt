@@ -1,0 +1,118 @@
+package robotran.desktop.cli
+
+import kotlinx.coroutines.runBlocking
+import robotran.robolang.Calibration
+import robotran.robolang.RobolangResult
+import robotran.robolang.readRobolang
+import robotran.rom.BrickButton
+import robotran.rom.RcxProgram
+import robotran.rom.RunState
+import robotran.ui.Bundled
+import robotran.world.Penbot
+import robotran.world.Session
+import robotran.world.SessionInput
+import robotran.world.World
+import robotran.world.WorldFileResult
+import robotran.world.physics.loadPhysicsEngine
+import robotran.world.readWorld
+import kotlin.io.path.Path
+import kotlin.io.path.name
+
+/** Runs one program in one world as `robotran run` does: reads both, presses Run, lets virtual time pass, writes the results. */
+internal class ProgramRunner(
+    private val console: Console,
+) {
+    /**
+     * @param worldName the world's file; the plain sheet if null.
+     * @param milliseconds how much virtual time may pass at most.
+     */
+    fun run(
+        programName: String,
+        worldName: String?,
+        milliseconds: Int,
+        outputs: RunOutputs,
+    ): ExitCode {
+        val program = readProgram(programName)
+        val world = readWorldFile(worldName)
+        if (program == null || world == null) return ExitCode.BAD_INPUT
+
+        val session = runBlocking { Session(world, listOf(program), loadPhysicsEngine()) }
+        try {
+            session.apply(SessionInput.Press(BrickButton.RUN))
+            session.apply(SessionInput.Release(BrickButton.RUN))
+            session.advanceUntilOver(milliseconds)
+            val problems = RunResults(session, console).write(outputs)
+            problems.forEach(console::complain)
+            val run = session.state.brick.run
+            return when {
+                problems.isNotEmpty() -> ExitCode.BAD_INPUT
+                run is RunState.Failed -> ExitCode.PROGRAM_FAILED
+                else -> ExitCode.DONE
+            }
+        } finally {
+            session.close()
+        }
+    }
+
+    private fun readProgram(name: String): RcxProgram? {
+        if (!name.endsWith(ROBOLANG_EXTENSION)) {
+            console.complain("$name is not a Robolang program: its name does not end in $ROBOLANG_EXTENSION.")
+            return null
+        }
+        val text =
+            when (val file = readTextFile(name)) {
+                is TextFile.Read -> file.text
+                is TextFile.Refused -> {
+                    console.complain(file.reason)
+                    return null
+                }
+            }
+        val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+        return when (val result = readRobolang(Path(name).name, text, calibration)) {
+            is RobolangResult.Ready -> result.program
+            is RobolangResult.Mistaken -> {
+                result.diagnostics.forEach { console.complain("$name:${it.range.line}:${it.range.column}: ${it.message}") }
+                null
+            }
+        }
+    }
+
+    private fun readWorldFile(name: String?): World? {
+        val text =
+            when (val file = name?.let(::readTextFile)) {
+                null -> runBlocking { Bundled.plainWorld() }
+                is TextFile.Read -> file.text
+                is TextFile.Refused -> {
+                    console.complain(file.reason)
+                    return null
+                }
+            }
+        return when (val result = readWorld(text)) {
+            is WorldFileResult.Loaded -> result.world
+            is WorldFileResult.Refused -> {
+                console.complain("${name ?: "The plain sheet"}: ${result.message}")
+                null
+            }
+        }
+    }
+
+    private companion object {
+        const val ROBOLANG_EXTENSION = ".robo"
+    }
+}
+
+/** Lets time pass until the program is over and the robot has come to rest, or [milliseconds] have passed. */
+private fun Session.advanceUntilOver(milliseconds: Int) {
+    var left = milliseconds
+    while (left > 0) {
+        val before = state
+        val part = minOf(left, LOOK_MILLISECONDS)
+        advance(part)
+        left -= part
+        val over = state.brick.run is RunState.Ended || state.brick.run is RunState.Failed
+        if (over && state.robot.pose == before.robot.pose) return
+    }
+}
+
+/** How much time passes between two looks at whether the run is over; several steps of the physics. */
+private const val LOOK_MILLISECONDS = 20

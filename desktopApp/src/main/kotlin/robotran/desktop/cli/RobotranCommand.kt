@@ -1,0 +1,33 @@
+package robotran.desktop.cli
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.multiple
+
+/** `robotran` alone opens the app. */
+internal class RobotranCommand(
+    private val openWindow: (List<String>) -> ExitCode,
+) : CoreCliktCommand("robotran") {
+    override val invokeWithoutSubcommand = true
+
+    override fun help(context: Context) = "Learn to program a robot: with no command, opens the app."
+
+    override fun run() {
+        if (currentContext.invokedSubcommand == null) throw ProgramResult(openWindow(emptyList()).status)
+    }
+}
+
+/** `robotran app [FILE..]` */
+internal class AppCommand(
+    private val openWindow: (List<String>) -> ExitCode,
+) : CoreCliktCommand("app") {
+    private val files by argument("FILE", help = "programs to open").multiple()
+
+    override fun help(context: Context) = "Opens the desktop app."
+
+    override fun run() {
+        throw ProgramResult(openWindow(files).status)
+    }
+}

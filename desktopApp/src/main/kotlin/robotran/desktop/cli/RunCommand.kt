@@ -1,0 +1,47 @@
+package robotran.desktop.cli
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.options.convert
+import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.option
+
+/** `robotran run FILE`: runs a program on the brick without a window and writes down what happened. */
+internal class RunCommand(
+    private val console: Console,
+) : CoreCliktCommand("run") {
+    private val program by argument("FILE", help = "a Robolang program (.robo)")
+    private val world by option("--world", metavar = "FILE", help = "the world to run in (.world.json); a plain sheet if not given")
+    private val milliseconds by option("--for", metavar = "SECONDS", help = "virtual seconds to run at most; 60 if not given")
+        .convert { text -> virtualMilliseconds(text) ?: fail("$text is not a number of seconds from 0 to $LONGEST_RUN_SECONDS") }
+        .default(DEFAULT_RUN_MILLISECONDS)
+    private val picture by option("--picture", metavar = "FILE", help = "writes a picture of the sheet (.png)")
+    private val romLog by option("--rom-log", metavar = "FILE|-", help = "writes every ROM call, one a line")
+    private val report by option("--report", metavar = "FILE|-", help = "writes the report as JSON")
+
+    override fun help(context: Context) = "Runs a program on the brick: powered on, program 1, Run pressed."
+
+    override fun run() {
+        val outputs = RunOutputs(picture, romLog, report)
+        throw ProgramResult(ProgramRunner(console).run(program, world, milliseconds, outputs).status)
+    }
+
+    private companion object {
+        const val DEFAULT_RUN_MILLISECONDS = 60_000
+
+        /** A day of virtual time: longer than any lesson, and still far from what a 32-bit count of milliseconds holds. */
+        const val LONGEST_RUN_SECONDS = 86_400
+
+        fun virtualMilliseconds(text: String): Int? =
+            text.toDoubleOrNull()?.takeIf { it in 0.0..LONGEST_RUN_SECONDS.toDouble() }?.let { (it * 1000).toInt() }
+    }
+}
+
+/** Where a run's results are to go: names of files, - for the console, null for nowhere. */
+internal class RunOutputs(
+    val picture: String?,
+    val romLog: String?,
+    val report: String?,
+)

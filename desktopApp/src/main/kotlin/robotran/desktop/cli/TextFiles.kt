@@ -1,0 +1,59 @@
+package robotran.desktop.cli
+
+import java.io.IOException
+import java.nio.ByteBuffer
+import java.nio.charset.CharacterCodingException
+import java.nio.file.InvalidPathException
+import java.nio.file.NoSuchFileException
+import java.nio.file.Path
+import kotlin.io.path.createParentDirectories
+import kotlin.io.path.fileSize
+import kotlin.io.path.isDirectory
+import kotlin.io.path.readBytes
+import kotlin.io.path.writeBytes
+
+/** What came of reading a text file. */
+internal sealed interface TextFile {
+    data class Read(val text: String) : TextFile
+
+    /** It could not be read; [reason] is a sentence that names the file. */
+    data class Refused(val reason: String) : TextFile
+}
+
+/** Reads the UTF-8 file [name]; never more than [LARGEST_TEXT_BYTES] of it. */
+internal fun readTextFile(name: String): TextFile =
+    try {
+        val path = Path.of(name)
+        when {
+            path.isDirectory() -> TextFile.Refused("$name is a folder, not a file.")
+            path.fileSize() > LARGEST_TEXT_BYTES -> TextFile.Refused("$name is too large: at most ${LARGEST_TEXT_BYTES / MEGABYTE} MB can be read.")
+            else -> TextFile.Read(Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(path.readBytes())).toString())
+        }
+    } catch (_: NoSuchFileException) {
+        TextFile.Refused("There is no file $name.")
+    } catch (_: InvalidPathException) {
+        TextFile.Refused("There is no file $name.")
+    } catch (_: CharacterCodingException) {
+        TextFile.Refused("$name is not a text in UTF-8.")
+    } catch (problem: IOException) {
+        TextFile.Refused("$name could not be read: ${problem.message}")
+    }
+
+/** Writes [bytes] to the file [name]; a sentence that names the file if that fails, null if it was written. */
+internal fun writeFile(
+    name: String,
+    bytes: ByteArray,
+): String? =
+    try {
+        Path.of(name).createParentDirectories().writeBytes(bytes)
+        null
+    } catch (_: InvalidPathException) {
+        "$name is not the name of a file."
+    } catch (problem: IOException) {
+        "$name could not be written: ${problem.message}"
+    }
+
+private const val MEGABYTE = 1024L * 1024
+
+/** Far more than a program or a world may have; what they may have is checked by those who read them. */
+private const val LARGEST_TEXT_BYTES = 16 * MEGABYTE

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# The way into the build. Gradle comes from its distribution where that can be reached, otherwise from Maven Central
+# (docs/building.md says how); the choice is made once and remembered. ROBOTRAN_GRADLE=distribution or =embedded overrides it.
+set -euo pipefail
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
+cache=${XDG_CACHE_HOME:-$HOME/.cache}/robotran
+remembered=$cache/gradle-route
+java=${JAVA_HOME:+$JAVA_HOME/bin/}java
+
+command -v "$java" > /dev/null || { echo "Robotran's build needs a JDK 17: no java was found." >&2; exit 1; }
+release=$("$java" -XshowSettings:properties -version 2>&1 | sed -n 's/ *java.specification.version = //p')
+if [ "${release%%.*}" -lt 17 ] || [ "${release%%.*}" -gt 23 ]; then
+  echo "Robotran's build needs a JDK 17 (up to 23), not $release: set JAVA_HOME to one." >&2
+  exit 1
+fi
+
+# Whether the host of Gradle's distribution answers within a second.
+distribution_answers() {
+  local url host
+  url=$(sed -n 's/^distributionUrl=//p' "$root/gradle/wrapper/gradle-wrapper.properties" | tr -d '\\')
+  host=${url#*://}
+  host=${host%%/*}
+  if command -v curl > /dev/null; then
+    curl --silent --fail --head --location --max-time 1 --output /dev/null "$url"
+  else
+    timeout 1 bash -c "exec 3<> /dev/tcp/$host/443" 2> /dev/null
+  fi
+}
+
+route=${ROBOTRAN_GRADLE:-$(cat "$remembered" 2> /dev/null || true)}
+case "$route" in
+  distribution | embedded) ;;
+  *)
+    if distribution_answers; then
+      route=distribution
+      echo "Robotran: Gradle comes from its distribution (remembered in $remembered)"
+    else
+      route=embedded
+      echo "Robotran: Gradle's distribution does not answer, so Gradle comes from Maven Central (remembered in $remembered)"
+    fi
+    mkdir -p "$cache"
+    echo "$route" > "$remembered"
+    ;;
+esac
+
+. "$root/gradle/android-sdk/environment.sh"
+
+if [ "$route" = distribution ]; then
+  exec "$java" -Xmx64m -Dorg.gradle.appname=gradlew \
+    -classpath "$root/gradle/wrapper/gradle-wrapper.jar" org.gradle.wrapper.GradleWrapperMain "$@"
+fi
+version=$(cd "$root/gradle/embedded" && find . -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum | cut -c1-12)
+embedded=$cache/gradle-embedded-$version
+"$root/gradle/embedded/install.sh" "$embedded"
+exec "$embedded/bin/gradle" "$@"

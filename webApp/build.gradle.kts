@@ -1,0 +1,11 @@
+plugins {
+    id("robotran.web")
+}
+
+kotlin {
+    sourceSets {
+        wasmJsMain.dependencies {
+            implementation(project(":shared:ui"))
+        }
+    }
+}

@@ -1,0 +1,46 @@
+// A headless Chromium, driven by Playwright; both are set up by the build.
+import { createRequire } from 'node:module';
+
+const { chromium } = createRequire(import.meta.url)('playwright-core');
+
+const QUIET = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+
+/** Starts the browser that CHROMIUM names. */
+export const startBrowser = () => chromium.launch({ executablePath: process.env.CHROMIUM, args: QUIET });
+
+/**
+ * The middle of the largest patch of one colour on the screen, as a person would find a button on the canvas:
+ * { x, y, size }, in CSS pixels, or null.
+ */
+export async function findColour(page, [red, green, blue]) {
+  const picture = (await page.screenshot()).toString('base64');
+  return page.evaluate(
+    async ([encoded, wanted]) => {
+      const bytes = Uint8Array.from(atob(encoded), (character) => character.charCodeAt(0));
+      const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const { width, height } = image;
+      const context = new OffscreenCanvas(width, height).getContext('2d');
+      context.drawImage(image, 0, 0);
+      const { data } = context.getImageData(0, 0, width, height);
+      const matches = (place) => wanted.every((value, channel) => Math.abs(data[place * 4 + channel] - value) < 12);
+      const seen = new Uint8Array(width * height);
+      let best = null;
+      for (let start = 0; start < seen.length; start++) {
+        if (seen[start] || !matches(start)) continue;
+        let count = 0, sumX = 0, sumY = 0;
+        const waiting = [start];
+        seen[start] = 1;
+        while (waiting.length) {
+          const place = waiting.pop(), x = place % width, y = (place - x) / width;
+          count++; sumX += x; sumY += y;
+          for (const next of [x > 0 && place - 1, x < width - 1 && place + 1, y > 0 && place - width, y < height - 1 && place + width]) {
+            if (next !== false && !seen[next] && matches(next)) { seen[next] = 1; waiting.push(next); }
+          }
+        }
+        if (best === null || count > best.size) best = { x: sumX / count, y: sumY / count, size: count };
+      }
+      return best && { x: best.x / devicePixelRatio, y: best.y / devicePixelRatio, size: best.size };
+    },
+    [picture, [red, green, blue]],
+  );
+}
