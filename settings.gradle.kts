@@ -18,3 +18,8 @@ rootProject.name = "robotran"
 
 include(":shared:rcx-rom")
 include(":shared:robolang")
+include(":shared:ui")
+include(":desktopApp")
+include(":shared:physics")
+include(":shared:world")
+include(":androidApp")

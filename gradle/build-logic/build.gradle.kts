@@ -7,6 +7,12 @@ dependencies {
     implementation(libs.plugin.kotlin)
     implementation(libs.plugin.android)
     implementation(libs.apksig)
+    implementation(libs.plugin.kotlin.compose)
+    implementation(libs.plugin.compose)
+    implementation(libs.plugin.kotlin.serialization)
+    implementation(libs.asm)
+    // Only the worker that compiles the physics sees it at run time.
+    compileOnly(libs.teavm.tooling)
     testImplementation(libs.kotlin.test)
 }
 
@@ -24,6 +30,26 @@ gradlePlugin {
         create("core") {
             id = "robotran.core"
             implementationClass = "robotran.build.CorePlugin"
+        }
+        create("compose") {
+            id = "robotran.compose"
+            implementationClass = "robotran.build.ComposePlugin"
+        }
+        create("desktop") {
+            id = "robotran.desktop"
+            implementationClass = "robotran.build.DesktopPlugin"
+        }
+        create("physics") {
+            id = "robotran.physics"
+            implementationClass = "robotran.build.physics.PhysicsPlugin"
+        }
+        create("physicsWeb") {
+            id = "robotran.physics-web"
+            implementationClass = "robotran.build.physics.PhysicsWebPlugin"
+        }
+        create("texts") {
+            id = "robotran.texts"
+            implementationClass = "robotran.build.texts.TextsPlugin"
         }
         create("android") {
             id = "robotran.android"

@@ -3,7 +3,7 @@ package robotran.rom
 /**
  * What can be seen, heard and measured of a brick at one moment.
  *
- * @property milliseconds virtual time since the brick was switched on.
+ * @property milliseconds virtual time since the brick was first switched on; it goes on while the brick is off.
  * @property glass what the LCD shows: its memory as it was at the last refresh.
  * @property motors the output ports A, B and C, in this order.
  * @property pressed the buttons that are held down.

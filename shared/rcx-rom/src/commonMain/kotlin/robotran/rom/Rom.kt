@@ -8,7 +8,7 @@ interface Rom {
     /** The brick's 64 KB address space; ROM routines with a pointer argument read and write here. */
     val memory: RcxMemory
 
-    /** Milliseconds of virtual time since the brick was switched on. */
+    /** Milliseconds of virtual time since the brick was first switched on; they go on while it is off. */
     val milliseconds: Long
 
     /**

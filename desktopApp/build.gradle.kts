@@ -1,0 +1,14 @@
+plugins {
+    id("robotran.desktop")
+}
+
+dependencies {
+    implementation(project(":shared:ui"))
+    implementation(compose.desktop.currentOs)
+    implementation(libs.coroutines.swing)
+}
+
+application {
+    mainClass.set("robotran.desktop.MainKt")
+    applicationName = "robotran"
+}

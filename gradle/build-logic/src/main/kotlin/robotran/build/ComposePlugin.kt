@@ -1,0 +1,60 @@
+package robotran.build
+
+import org.gradle.api.Plugin
+import org.gradle.api.Project
+import org.gradle.api.artifacts.VersionCatalogsExtension
+import org.gradle.api.plugins.ExtensionAware
+import org.gradle.api.tasks.Sync
+import org.gradle.api.tasks.testing.Test
+import org.jetbrains.compose.ComposeExtension
+import org.jetbrains.compose.ComposePlugin.DesktopDependencies
+import org.jetbrains.compose.resources.ResourcesExtension
+import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
+import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
+
+/**
+ * A module of Compose screens for the JVM, wasm and, where the module applies an Android library plugin before this one, Android.
+ *
+ * Its tests run on the JVM only: Skiko, which Compose draws with, does not load in Node.
+ */
+class ComposePlugin : Plugin<Project> {
+    @OptIn(ExperimentalWasmDsl::class)
+    override fun apply(project: Project) {
+        project.pluginManager.apply("org.jetbrains.kotlin.multiplatform")
+        project.pluginManager.apply("org.jetbrains.kotlin.plugin.compose")
+        project.pluginManager.apply("org.jetbrains.compose")
+        val libraries = project.extensions.getByType(VersionCatalogsExtension::class.java).named("libs")
+        project.extensions.configure(KotlinMultiplatformExtension::class.java) { kotlin ->
+            kotlin.jvm()
+            kotlin.wasmJs { browser { testTask { it.enabled = false } } }
+            project.pluginManager.withPlugin("com.android.library") { kotlin.androidTarget() }
+            kotlin.sourceSets.getByName("jvmTest").dependencies {
+                implementation(kotlin("test"))
+                implementation(libraries.findLibrary("coroutines-test").get())
+                implementation(libraries.findLibrary("compose-ui-test").get())
+                implementation(DesktopDependencies.currentOs)
+            }
+        }
+        bundleResources(project)
+        project.tasks.withType(Test::class.java).configureEach { test ->
+            test.useJUnitPlatform()
+            test.environment("SKIKO_RENDER_API", "SOFTWARE")
+            test.systemProperty("java.awt.headless", "true")
+            test.systemProperty("robotran.pictures", project.layout.buildDirectory.dir("pictures").get().asFile.path)
+        }
+    }
+
+    /** The examples and worlds of the tree travel inside the app, so they lie beside the module's own resources. */
+    private fun bundleResources(project: Project) {
+        val resources = project.tasks.register("bundleResources", Sync::class.java) { sync ->
+            sync.from(project.layout.projectDirectory.dir("src/commonMain/composeResources"))
+            sync.from(project.rootProject.layout.projectDirectory.dir("examples")) { it.into("files/examples") }
+            sync.from(project.rootProject.layout.projectDirectory.dir("worlds")) { it.into("files/worlds") }
+            sync.into(project.layout.buildDirectory.dir("generated/bundledResources"))
+        }
+        val compose = project.extensions.getByType(ComposeExtension::class.java) as ExtensionAware
+        compose.extensions.configure(ResourcesExtension::class.java) { extension ->
+            extension.customDirectory("commonMain", project.layout.dir(resources.map { it.destinationDir }))
+        }
+    }
+}

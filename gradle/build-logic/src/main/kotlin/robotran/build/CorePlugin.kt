@@ -1,0 +1,31 @@
+package robotran.build
+
+import org.gradle.api.Plugin
+import org.gradle.api.Project
+import org.gradle.api.artifacts.VersionCatalogsExtension
+import org.gradle.api.tasks.testing.Test
+import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
+import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
+
+/** A module of pure common Kotlin for the JVM (desktop, Android) and wasm (browser), tested on both. */
+class CorePlugin : Plugin<Project> {
+    @OptIn(ExperimentalWasmDsl::class)
+    override fun apply(project: Project) {
+        project.pluginManager.apply("org.jetbrains.kotlin.multiplatform")
+        val libraries = project.extensions.getByType(VersionCatalogsExtension::class.java).named("libs")
+        project.extensions.configure(KotlinMultiplatformExtension::class.java) { kotlin ->
+            kotlin.jvm()
+            kotlin.wasmJs { nodejs() }
+            kotlin.sourceSets.getByName("commonTest").dependencies {
+                implementation(kotlin("test"))
+                implementation(libraries.findLibrary("coroutines-test").get())
+            }
+            kotlin.sourceSets.getByName("jvmTest").dependencies {
+                implementation(libraries.findLibrary("kotest-runner").get())
+                implementation(libraries.findLibrary("kotest-assertions").get())
+                implementation(libraries.findLibrary("kotest-property").get())
+            }
+        }
+        project.tasks.withType(Test::class.java).configureEach { it.useJUnitPlatform() }
+    }
+}

@@ -1,0 +1,23 @@
+package robotran.build
+
+import org.gradle.api.Plugin
+import org.gradle.api.Project
+import org.gradle.api.artifacts.VersionCatalogsExtension
+import org.gradle.api.tasks.JavaExec
+import org.gradle.api.tasks.testing.Test
+
+/** An application for the desktop's JVM with a Compose window; `installDist` puts it together with a start script. */
+class DesktopPlugin : Plugin<Project> {
+    override fun apply(project: Project) {
+        project.pluginManager.apply("application")
+        project.pluginManager.apply("org.jetbrains.kotlin.jvm")
+        project.pluginManager.apply("org.jetbrains.kotlin.plugin.compose")
+        project.pluginManager.apply("org.jetbrains.compose")
+        val libraries = project.extensions.getByType(VersionCatalogsExtension::class.java).named("libs")
+        project.dependencies.add("testImplementation", "org.jetbrains.kotlin:kotlin-test")
+        project.dependencies.add("testImplementation", libraries.findLibrary("coroutines-test").get())
+        project.tasks.withType(Test::class.java).configureEach { it.useJUnitPlatform() }
+        // The folder of the caller, not that of the module, is where the files named on the command line lie.
+        project.tasks.named("run", JavaExec::class.java) { it.workingDir = project.rootDir }
+    }
+}

@@ -1,0 +1,61 @@
+package robotran.build.physics
+
+import org.gradle.api.DefaultTask
+import org.gradle.api.file.ConfigurableFileCollection
+import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.file.RegularFileProperty
+import org.gradle.api.provider.Property
+import org.gradle.api.tasks.CacheableTask
+import org.gradle.api.tasks.Classpath
+import org.gradle.api.tasks.Input
+import org.gradle.api.tasks.InputFile
+import org.gradle.api.tasks.OutputDirectory
+import org.gradle.api.tasks.PathSensitive
+import org.gradle.api.tasks.PathSensitivity
+import org.gradle.api.tasks.TaskAction
+import org.gradle.workers.WorkerExecutor
+import javax.inject.Inject
+
+/**
+ * Compiles Java class files with TeaVM to Wasm GC. [outputFolder] then holds `NAME.wasm`, TeaVM's loader `NAME-runtime.mjs`
+ * and the [glue] as `NAME.mjs`.
+ */
+@CacheableTask
+abstract class CompileToWasm : DefaultTask() {
+    /** TeaVM itself and what it needs; kept apart from Gradle's own classes. */
+    @get:Classpath
+    abstract val compiler: ConfigurableFileCollection
+
+    /** The classes to compile, with TeaVM's class library. */
+    @get:Classpath
+    abstract val program: ConfigurableFileCollection
+
+    /** The class whose exported static methods the module offers. */
+    @get:Input
+    abstract val mainClass: Property<String>
+
+    @get:Input
+    abstract val moduleName: Property<String>
+
+    /** The hand-written JavaScript module that loads the other two. */
+    @get:InputFile
+    @get:PathSensitive(PathSensitivity.NONE)
+    abstract val glue: RegularFileProperty
+
+    @get:OutputDirectory
+    abstract val outputFolder: DirectoryProperty
+
+    @get:Inject
+    abstract val workers: WorkerExecutor
+
+    @TaskAction
+    fun compile() {
+        workers.classLoaderIsolation { it.classpath.from(compiler) }.submit(CompileToWasmAction::class.java) {
+            it.program.from(program)
+            it.mainClass.set(mainClass)
+            it.moduleName.set(moduleName)
+            it.glue.set(glue)
+            it.outputFolder.set(outputFolder)
+        }
+    }
+}

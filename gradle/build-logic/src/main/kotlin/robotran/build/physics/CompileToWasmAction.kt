@@ -1,0 +1,67 @@
+package robotran.build.physics
+
+import org.gradle.api.GradleException
+import org.gradle.api.file.ConfigurableFileCollection
+import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.file.RegularFileProperty
+import org.gradle.api.provider.Property
+import org.gradle.workers.WorkAction
+import org.gradle.workers.WorkParameters
+import org.teavm.tooling.ConsoleTeaVMToolLog
+import org.teavm.tooling.TeaVMProblemRenderer
+import org.teavm.tooling.TeaVMTargetType
+import org.teavm.tooling.TeaVMTool
+import org.teavm.vm.TeaVMOptimizationLevel
+import java.io.File
+import java.net.URLClassLoader
+
+/** The part of [CompileToWasm] that sees TeaVM's classes. */
+internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Parameters> {
+    interface Parameters : WorkParameters {
+        val program: ConfigurableFileCollection
+        val mainClass: Property<String>
+        val moduleName: Property<String>
+        val glue: RegularFileProperty
+        val outputFolder: DirectoryProperty
+    }
+
+    override fun execute() {
+        val folder = parameters.outputFolder.get().asFile
+        val name = parameters.moduleName.get()
+        folder.listFiles().orEmpty().forEach { it.deleteRecursively() }
+        compile(folder, "$name.wasm")
+        folder.resolve("$name-runtime.mjs").writeText(runtime())
+        parameters.glue.get().asFile.copyTo(folder.resolve("$name.mjs"))
+        // TeaVM leaves a copy of its own loader for plain scripts beside the module; nothing here uses it.
+        folder.listFiles().orEmpty().filterNot { it.name in setOf("$name.wasm", "$name-runtime.mjs", "$name.mjs") }.forEach { it.deleteRecursively() }
+    }
+
+    private fun compile(folder: File, fileName: String) {
+        val log = ConsoleTeaVMToolLog(false)
+        val tool = TeaVMTool()
+        tool.targetType = TeaVMTargetType.WEBASSEMBLY_GC
+        tool.mainClass = parameters.mainClass.get()
+        tool.targetDirectory = folder
+        tool.setTargetFileName(fileName)
+        tool.optimizationLevel = TeaVMOptimizationLevel.FULL
+        tool.setObfuscated(true)
+        tool.log = log
+        val classPath = parameters.program.files.map { it.toURI().toURL() }
+        URLClassLoader(classPath.toTypedArray(), TeaVMTool::class.java.classLoader).use {
+            tool.classLoader = it
+            tool.generate()
+        }
+        TeaVMProblemRenderer.describeProblems(tool.dependencyInfo.callGraph, tool.problemProvider, log)
+        if (tool.problemProvider.severeProblems.isNotEmpty()) throw GradleException("TeaVM could not compile ${parameters.mainClass.get()}.")
+    }
+
+    /** TeaVM's loader as an ES module; the mark keeps webpack from following the imports it makes for Node only. */
+    private fun runtime(): String =
+        checkNotNull(TeaVMTool::class.java.classLoader.getResource(RUNTIME)) { "TeaVM has no $RUNTIME" }
+            .readText()
+            .replace("import(", "import(/* webpackIgnore: true */ ")
+
+    private companion object {
+        const val RUNTIME = "org/teavm/backend/wasm/wasm-gc-module-runtime.min.js"
+    }
+}

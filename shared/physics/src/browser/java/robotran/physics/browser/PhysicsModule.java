@@ -1,0 +1,120 @@
+package robotran.physics.browser;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.teavm.jso.JSExport;
+import robotran.physics.RigidWorld;
+import robotran.physics.Trigonometry;
+
+/** What the WebAssembly module offers: {@link RigidWorld} and {@link Trigonometry} as plain functions, worlds being numbers too. */
+public final class PhysicsModule {
+    private static final List<RigidWorld> worlds = new ArrayList<>();
+
+    private PhysicsModule() {}
+
+    /** TeaVM asks for a main method; a module of functions has nothing to do in it. */
+    public static void main(String[] arguments) {}
+
+    @JSExport
+    public static int createWorld(double stepSeconds, double lengthTolerance, int velocityIterations, int positionIterations) {
+        RigidWorld world = new RigidWorld(stepSeconds, lengthTolerance, velocityIterations, positionIterations);
+        int free = worlds.indexOf(null);
+        if (free >= 0) {
+            worlds.set(free, world);
+            return free;
+        }
+        worlds.add(world);
+        return worlds.size() - 1;
+    }
+
+    /** Frees a world; its number may be given to another one. */
+    @JSExport
+    public static void closeWorld(int world) {
+        worlds.set(world, null);
+    }
+
+    @JSExport
+    public static int addBody(int world, double x, double y, double angle) {
+        return worlds.get(world).addBody(x, y, angle);
+    }
+
+    @JSExport
+    public static int addPolygon(int world, int body, double[] corners, double friction, int category, int mask) {
+        return worlds.get(world).addPolygon(body, corners, friction, category, mask);
+    }
+
+    @JSExport
+    public static int addCircle(int world, int body, double x, double y, double radius, double friction, int category, int mask) {
+        return worlds.get(world).addCircle(body, x, y, radius, friction, category, mask);
+    }
+
+    @JSExport
+    public static void setMass(int world, int body, double x, double y, double mass, double inertia) {
+        worlds.get(world).setMass(body, x, y, mass, inertia);
+    }
+
+    @JSExport
+    public static void applyImpulse(int world, int body, double impulseX, double impulseY, double x, double y) {
+        worlds.get(world).applyImpulse(body, impulseX, impulseY, x, y);
+    }
+
+    @JSExport
+    public static void step(int world) {
+        worlds.get(world).step();
+    }
+
+    @JSExport
+    public static double x(int world, int body) {
+        return worlds.get(world).x(body);
+    }
+
+    @JSExport
+    public static double y(int world, int body) {
+        return worlds.get(world).y(body);
+    }
+
+    @JSExport
+    public static double cosine(int world, int body) {
+        return worlds.get(world).cosine(body);
+    }
+
+    @JSExport
+    public static double sine(int world, int body) {
+        return worlds.get(world).sine(body);
+    }
+
+    @JSExport
+    public static double velocityX(int world, int body) {
+        return worlds.get(world).velocityX(body);
+    }
+
+    @JSExport
+    public static double velocityY(int world, int body) {
+        return worlds.get(world).velocityY(body);
+    }
+
+    @JSExport
+    public static double angularVelocity(int world, int body) {
+        return worlds.get(world).angularVelocity(body);
+    }
+
+    @JSExport
+    public static int touchedFixtures(int world, int body) {
+        return worlds.get(world).touchedFixtures(body);
+    }
+
+    @JSExport
+    public static double sineOf(double angle) {
+        return Trigonometry.sine(angle);
+    }
+
+    @JSExport
+    public static double cosineOf(double angle) {
+        return Trigonometry.cosine(angle);
+    }
+
+    @JSExport
+    public static double angleOf(double x, double y) {
+        return Trigonometry.angle(x, y);
+    }
+}

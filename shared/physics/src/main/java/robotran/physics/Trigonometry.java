@@ -1,0 +1,25 @@
+package robotran.physics;
+
+import org.apache.commons.math3.util.FastMath;
+
+/**
+ * The one implementation of trigonometry for everything that can reach a pose. {@link Math} may differ in the last bit between
+ * platforms; this is plain arithmetic and does not. Angles are in radians.
+ */
+public final class Trigonometry {
+    private Trigonometry() {}
+
+    public static double sine(double angle) {
+        return FastMath.sin(angle);
+    }
+
+    public static double cosine(double angle) {
+        return FastMath.cos(angle);
+    }
+
+    /** The angle of the vector, above -pi and up to pi. */
+    public static double angle(double x, double y) {
+        double angle = FastMath.atan2(y, x);
+        return angle == -Math.PI ? Math.PI : angle;
+    }
+}

@@ -1,0 +1,97 @@
+package robotran.rom
+
+/**
+ * A virtual RCX with its firmware. It begins switched on, just as if somebody had let go of On-Off at its millisecond 0, so that pressing
+ * and releasing [BrickButton.RUN] is all that is needed to start the first program. Time passes only in [tick].
+ *
+ * While no program runs, the buttons do what they do in the leJOS shell: Prgm chooses the next program, Run starts it when let go,
+ * On-Off switches the brick off when let go, and on again. While a program runs, View, Prgm and Run belong to the program;
+ * On-Off switches the brick off, or ends the program if Run is held down with it. When a program ends, its motors are braked.
+ * The firmware does all this through ROM calls, too, so it can be read in the [log].
+ *
+ * @param programs the program slots; may be empty.
+ */
+class Brick(programs: List<RcxProgram>) {
+    private var milliseconds = 0L
+    private val memory = RcxMemory()
+    private val motors = Motors(memory)
+    private val lcd = Lcd(memory)
+    private val speaker = Speaker(memory)
+    private val buttons = Buttons()
+
+    /** Every ROM call so far, of the program and of the firmware. */
+    val log = RomLog()
+
+    private val rom = VirtualRom(
+        memory,
+        log,
+        MotorRoutines(motors).routines + LcdRoutines(lcd).routines + LcdSegmentRoutines(memory, lcd).routines +
+            ButtonRoutines(memory, buttons).routines + SoundRoutines(memory, speaker).routines,
+        clock = { milliseconds },
+    )
+    private val shell = Shell(programs, rom, buttons)
+
+    init {
+        shell.powerUp()
+    }
+
+    /** The brick as it is now. */
+    val state: BrickState
+        get() = BrickState(
+            milliseconds,
+            shell.poweredOn,
+            lcd.glass,
+            motors.states,
+            buttons.pressed,
+            shell.selectedSlot,
+            shell.runState,
+            speaker.sounding,
+        )
+
+    /** What [port] is told to do; the same as in [state], but cheaper. */
+    fun motor(port: MotorPort): MotorState = motors.states[port.ordinal]
+
+    /**
+     * What [port] really does in this millisecond: what it was told before the millisecond began, and [MotorMode.FLOAT] in the milliseconds
+     * in which its pulsed power switches it off. A motor driven for N milliseconds by a program is driven for N calls of [tick].
+     */
+    fun motorOutput(port: MotorPort): MotorMode = motors.output(port)
+
+    /** Whether [port] is switched on, to drive or to brake, in this millisecond of its pulsed power. */
+    fun motorSwitchedOn(port: MotorPort): Boolean = motorOutput(port) != MotorMode.FLOAT
+
+    /** A finger goes down on [button]. Does nothing if it is down already. */
+    fun press(button: BrickButton) {
+        if (buttons.hold(button, down = true)) shell.pressed(button)
+    }
+
+    /** The finger comes off [button]. Does nothing if it is up already. */
+    fun release(button: BrickButton) {
+        if (buttons.hold(button, down = false)) shell.released(button)
+    }
+
+    /** Ends the running program, if there is one, as no single button of a real brick does. */
+    fun stopProgram() = shell.stopProgram()
+
+    /**
+     * Lets one millisecond pass: first the firmware's work, then the program's, until it waits or its [STEPS_PER_MILLISECOND] are used up.
+     * The clock goes on while the brick is switched off.
+     */
+    fun tick() {
+        milliseconds++
+        motors.tick()
+        speaker.tick(milliseconds)
+        shell.resumeProgram(STEPS_PER_MILLISECOND)
+    }
+
+    /** The tones begun since the last call, the oldest first; only the newest thousand if nobody asks for long. */
+    fun takeSounds(): List<SoundEvent> = speaker.takeEvents()
+
+    companion object {
+        /**
+         * How many steps of a program fit into a millisecond: an RCX does ten to twenty thousand bytecodes a second (an estimate of its
+         * users, nobody has published a measurement), and a statement of Robolang becomes about ten.
+         */
+        const val STEPS_PER_MILLISECOND = 2
+    }
+}

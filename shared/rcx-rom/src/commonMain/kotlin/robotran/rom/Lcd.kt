@@ -1,0 +1,32 @@
+package robotran.rom
+
+/** The LCD: its memory, and the glass, which shows the memory as it was at the last refresh. */
+internal class Lcd(private val memory: RcxMemory) {
+    /** What is visible now. */
+    var glass: LcdGlass = LcdGlass.BLANK
+        private set
+
+    fun refresh() {
+        glass = LcdGlass.of(memory)
+    }
+
+    fun clear() {
+        repeat(LcdLayout.CLEARED_BYTES) { memory.writeByte(LcdLayout.FIRST_ADDRESS + it, 0) }
+    }
+
+    fun light(icon: LcdIcon, on: Boolean) {
+        icon.segments.forEach { it.set(memory, on) }
+    }
+
+    fun writeDigit(position: Int, mask: Int) {
+        LcdLayout.digitSegments[position].forEachIndexed { bit, segment -> segment.set(memory, mask shr bit and 1 == 1) }
+    }
+
+    fun lightAll() {
+        repeat(LcdLayout.SHOWN_BYTES) { memory.writeByte(LcdLayout.FIRST_ADDRESS + it, ALL_BITS) }
+    }
+
+    private companion object {
+        const val ALL_BITS = 0xFF
+    }
+}

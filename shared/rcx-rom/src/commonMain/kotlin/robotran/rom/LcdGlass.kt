@@ -1,0 +1,60 @@
+package robotran.rom
+
+/** What the LCD shows: the bytes of its memory as they were at the last refresh. Never changes. */
+class LcdGlass private constructor(private val bytes: List<Int>) {
+    /**
+     * The seven segments of one digit.
+     *
+     * @param position 0 (rightmost, the program digit) to 4 (leftmost, the first of the main number); others are dark.
+     * @return a mask: bit 0 middle, 1 top right, 2 top, 3 top left, 4 bottom left, 5 bottom, 6 bottom right (leJOS `TextLCD.java`).
+     */
+    fun digit(position: Int): Int =
+        LcdLayout.digitSegments.getOrNull(position).orEmpty()
+            .foldIndexed(0) { bit, mask, segment -> if (isSet(segment)) mask or (1 shl bit) else mask }
+
+    /** Whether the whole of [icon] is dark on the glass. */
+    fun isLit(icon: LcdIcon): Boolean = icon.segments.all(::isSet)
+
+    /** The icons that are lit. */
+    val litIcons: Set<LcdIcon> by lazy(LazyThreadSafetyMode.NONE) { LcdIcon.entries.filterTo(mutableSetOf(), ::isLit) }
+
+    /**
+     * The main number as a reader would read it: its four digits with their minus sign and decimal point, such as `-42`, `9.0` or
+     * `0042`, without the blanks around them; letters that seven segments can form are read too, `?` stands for any other shape.
+     */
+    val number: String by lazy(LazyThreadSafetyMode.NONE) {
+        buildString {
+            if (isLit(LcdIcon.MINUS)) append('-')
+            for (position in LcdLayout.DIGITS - 1 downTo 1) {
+                append(LcdGlyphs.read(digit(position)))
+                if (position > 1 && isLit(LcdLayout.POINTS[position - 2])) append('.')
+            }
+        }.trim()
+    }
+
+    /** The program digit on the right as a reader would read it, one character or none. */
+    val programDigit: String by lazy(LazyThreadSafetyMode.NONE) { LcdGlyphs.read(digit(0)).toString().trim() }
+
+    /**
+     * The [number], a blank, and the [programDigit], such as `9.0 0` or `-42 0`; only the one that shows anything if the other is dark,
+     * and empty on a clear display.
+     */
+    val text: String get() = "$number $programDigit".trim()
+
+    override fun equals(other: Any?): Boolean = other is LcdGlass && bytes == other.bytes
+
+    override fun hashCode(): Int = bytes.hashCode()
+
+    override fun toString(): String = "LcdGlass($text)"
+
+    private fun isSet(segment: LcdSegment): Boolean = bytes[segment.address - LcdLayout.FIRST_ADDRESS] shr segment.bit and 1 == 1
+
+    companion object {
+        /** Nothing is shown, as on a brick that is switched off. */
+        val BLANK = LcdGlass(List(LcdLayout.SHOWN_BYTES) { 0 })
+
+        /** What the glass shows when it is refreshed from [memory]. */
+        fun of(memory: RcxMemory): LcdGlass =
+            LcdGlass(List(LcdLayout.SHOWN_BYTES) { memory.readByte(LcdLayout.FIRST_ADDRESS + it) })
+    }
+}

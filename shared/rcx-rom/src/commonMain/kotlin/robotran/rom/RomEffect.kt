@@ -1,0 +1,14 @@
+package robotran.rom
+
+/** What a routine says of one call of it: the [meaning] in words, and what came of it. */
+internal data class RomEffect(
+    val meaning: String,
+    val outcome: RomOutcome = RomOutcome.DONE,
+)
+
+/** The work of one routine; the arguments are words 0..0xFFFF, at least as many as it has parameters, the first of the right group. */
+internal typealias RomRoutine = (arguments: List<Int>) -> RomEffect
+
+/** A code of the right group that the routine does not know. */
+internal fun unknownCode(code: Int) =
+    RomEffect("nothing happens, there is no code ${RomCallText.hexadecimal(code)} here", RomOutcome.WRONG_ARGUMENTS)

@@ -1,0 +1,46 @@
+package robotran.rom
+
+/**
+ * The ROM as programs and the firmware see it: checks a call, lets the routine do its work and enters it in the [log].
+ *
+ * @param routines the modelled routines by address; the others of [RomTable] are reported as not modelled.
+ * @param clock the brick's milliseconds.
+ */
+internal class VirtualRom(
+    override val memory: RcxMemory,
+    private val log: RomLog,
+    private val routines: Map<Int, RomRoutine>,
+    private val clock: () -> Long,
+) : Rom {
+    override val milliseconds: Long get() = clock()
+
+    override fun call(call: RomCall, sourceLine: Int) {
+        val effect = perform(call)
+        log.add(RomLogEntry(milliseconds, call, effect.meaning, sourceLine, effect.outcome))
+    }
+
+    private fun perform(call: RomCall): RomEffect {
+        val signature = RomTable.find(call.address)
+            ?: return RomEffect("nothing happens, no routine is known here", RomOutcome.UNKNOWN_ROUTINE)
+        val routine = routines[call.address]
+            ?: return RomEffect("nothing happens, ${signature.name} is not modelled", RomOutcome.NOT_MODELLED)
+        val arguments = call.arguments.map { it and WORD }
+        return refusal(signature, arguments) ?: routine(arguments)
+    }
+
+    private fun refusal(signature: RomSignature, arguments: List<Int>): RomEffect? {
+        val needed = signature.parameters.size
+        val problem = when {
+            arguments.size < needed -> "needs $needed arguments, not ${arguments.size}"
+            signature.codeGroup != null && arguments[0] shr BYTE_BITS != signature.codeGroup ->
+                "wants a code that begins with 0x${signature.codeGroup.toString(radix = 16)}"
+            else -> return null
+        }
+        return RomEffect("nothing happens, ${signature.name} $problem", RomOutcome.WRONG_ARGUMENTS)
+    }
+
+    private companion object {
+        const val WORD = 0xFFFF
+        const val BYTE_BITS = 8
+    }
+}

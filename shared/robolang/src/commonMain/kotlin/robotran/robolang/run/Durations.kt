@@ -1,0 +1,44 @@
+package robotran.robolang.run
+
+import robotran.robolang.Calibration
+import robotran.robolang.syntax.NumberValue
+import robotran.robolang.syntax.TimeUnit
+
+/**
+ * How long the timed statements last, in whole milliseconds from 0 to [Int.MAX_VALUE]. In 32-bit decimals, because the brick has
+ * no others and its translated program is to wait exactly as long.
+ */
+internal class Durations(calibration: Calibration) {
+    private val millisecondsPerCentimetre = calibration.millisecondsPerCentimetre.toFloat()
+    private val millisecondsPerDegree = calibration.millisecondsPerDegree.toFloat()
+
+    /** Backwards takes as long as forwards. */
+    fun ofMove(centimetres: NumberValue): Int = positive(centimetres.decimal * millisecondsPerCentimetre)
+
+    /** To the right takes as long as to the left. */
+    fun ofTurn(degrees: NumberValue): Int = positive(degrees.decimal * millisecondsPerDegree)
+
+    fun ofWait(duration: NumberValue, unit: TimeUnit): Int {
+        val millisecondsPerUnit = when (unit) {
+            TimeUnit.SECONDS -> MILLISECONDS_PER_SECOND
+            TimeUnit.MILLISECONDS -> 1
+        }
+        return when (duration) {
+            is NumberValue.Whole -> (duration.value.toLong() * millisecondsPerUnit).coerceIn(0L, Int.MAX_VALUE.toLong()).toInt()
+            is NumberValue.Decimal -> roundHalfUp(duration.decimal * millisecondsPerUnit).coerceAtLeast(0)
+        }
+    }
+
+    private fun positive(milliseconds: Float): Int = roundHalfUp(if (milliseconds < 0f) -milliseconds else milliseconds)
+
+    private companion object {
+        const val MILLISECONDS_PER_SECOND = 1000
+    }
+}
+
+/** The whole number nearest to [value], the larger one if there are two; the nearest there is if it is beyond 32 bits. */
+internal fun roundHalfUp(value: Float): Int {
+    val towardsZero = value.toInt()
+    val below = if (towardsZero > value) towardsZero - 1 else towardsZero
+    return if (value - below >= 0.5f && below < Int.MAX_VALUE) below + 1 else below
+}

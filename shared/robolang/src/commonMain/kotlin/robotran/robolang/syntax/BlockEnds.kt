@@ -1,0 +1,53 @@
+package robotran.robolang.syntax
+
+/**
+ * A block without an `end`.
+ *
+ * @property opener the word it begins with.
+ * @property endBefore the line before which its `end` belongs, null if that is the end of the program.
+ */
+internal data class LackingEnd(val opener: Token, val endBefore: Int?)
+
+/**
+ * Finds out which blocks lack an `end`. Counting alone always blames the outermost one. Who indents shows which one is meant: an
+ * `end` that stands exactly under the beginning of an outer block closes that one, and the blocks inside it have none.
+ */
+internal class BlockEnds {
+    private val edges = mutableListOf<Token>()
+
+    fun opened(keyword: Token) {
+        edges += keyword
+    }
+
+    fun closed(keyword: Token) {
+        edges += keyword
+    }
+
+    /** The blocks without an end, of which there are [count]. */
+    fun lacking(count: Int): List<LackingEnd> {
+        if (count == 0) return emptyList()
+        val byIndentation = match(byIndentation = true)
+        return if (byIndentation.size == count) byIndentation else match(byIndentation = false)
+    }
+
+    private fun match(byIndentation: Boolean): List<LackingEnd> {
+        val lacking = mutableListOf<LackingEnd>()
+        val open = ArrayDeque<Token>()
+        val openAtColumn = mutableMapOf<Int, Int>()
+        fun close(): Token = open.removeLast().also { openAtColumn[it.range.column] = openAtColumn.getValue(it.range.column) - 1 }
+        for (edge in edges) {
+            val column = edge.range.column
+            if (edge.keyword != Keyword.END) {
+                open.addLast(edge)
+                openAtColumn[column] = (openAtColumn[column] ?: 0) + 1
+                continue
+            }
+            if (byIndentation && (openAtColumn[column] ?: 0) > 0) {
+                while (open.last().range.column > column) lacking += LackingEnd(close(), endBefore = edge.range.line)
+            }
+            if (open.isNotEmpty()) close()
+        }
+        while (open.isNotEmpty()) lacking += LackingEnd(close(), endBefore = null)
+        return lacking
+    }
+}

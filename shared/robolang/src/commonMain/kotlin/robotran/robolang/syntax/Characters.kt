@@ -1,0 +1,33 @@
+package robotran.robolang.syntax
+
+/*
+ * What the scanner takes a character for. The tables are our own because those of the platforms belong to different
+ * versions of Unicode, and a program must read the same everywhere.
+ */
+
+private const val NO_BREAK_SPACE = '\u00A0'
+private const val MULTIPLICATION_SIGN = '\u00D7'
+private const val DIVISION_SIGN = '\u00F7'
+private val LATIN_LETTERS = '\u00C0'..'\u024F'
+private val GREEK_AND_CYRILLIC_LETTERS = '\u0370'..'\u04FF'
+
+internal fun isBlank(character: Char): Boolean =
+    character == ' ' || character == '\t' || character == '\u000C' || character == NO_BREAK_SPACE
+
+internal fun isDigit(character: Char): Boolean = character in '0'..'9'
+
+/** Letters of the alphabets that pupils may name things in. */
+internal fun isLetter(character: Char): Boolean =
+    character in 'a'..'z' || character in 'A'..'Z' || character == '_' ||
+        character in LATIN_LETTERS && character != MULTIPLICATION_SIGN && character != DIVISION_SIGN ||
+        character in GREEK_AND_CYRILLIC_LETTERS
+
+/** Whether a character leaves no mark on the screen: control characters, joiners, half of a surrogate pair and their like. */
+internal fun isInvisible(character: Char): Boolean =
+    character < ' ' || character in '\u007F'..'\u00A0' || character == '\u00AD' ||
+        character in '\u2000'..'\u200F' || character in '\u2028'..'\u202F' || character in '\u205F'..'\u206F' ||
+        character == '\u3000' || character.isSurrogate() || character in '\uFE00'..'\uFE0F' || character == '\uFEFF' ||
+        character >= '\uFFF0'
+
+/** The number of a character as Unicode writes it, such as `U+200B`. */
+internal fun unicodeNumber(character: Char): String = "U+" + character.code.toString(radix = 16).uppercase().padStart(4, '0')

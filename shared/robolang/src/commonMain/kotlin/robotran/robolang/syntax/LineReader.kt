@@ -1,0 +1,60 @@
+package robotran.robolang.syntax
+
+import robotran.robolang.RobolangLimits
+import robotran.robolang.SourceRange
+
+/** Goes along the tokens of one line that has at least one. */
+internal class LineReader(val line: ScannedLine) {
+    private val tokens = line.tokens
+    private var position = 0
+
+    /** True once a mistake on this line has been reported: what else seems wrong with it may well follow from that one. */
+    var mistaken: Boolean = line.mistaken
+
+    /** The first token, whose column is the line's indentation. */
+    val first: Token get() = tokens.first()
+
+    /** The token that comes next, null at the end of the line. */
+    val next: Token? get() = tokens.getOrNull(position)
+
+    /** Where something belongs that is missing: behind the last token read, with no width. */
+    val gap: SourceRange
+        get() {
+            val column = if (position == 0) first.range.column else tokens[position - 1].range.endColumn
+            return SourceRange(line.number, column, column)
+        }
+
+    /** From the first token to the last one read. */
+    val readRange: SourceRange get() = SourceRange(line.number, first.range.column, gap.endColumn)
+
+    /** From the next token to the last one of the line. */
+    val restRange: SourceRange
+        get() = SourceRange(line.number, next?.range?.column ?: gap.column, tokens.last().range.endColumn)
+
+    fun advance() {
+        position++
+    }
+
+    /** Reads the next token if it is one of the [keywords]. */
+    fun take(vararg keywords: Keyword): Keyword? {
+        val keyword = next?.keyword
+        if (keyword == null || keyword !in keywords) return null
+        advance()
+        return keyword
+    }
+
+    /** Reads the next token if it is of [kind]. */
+    fun take(kind: TokenKind): Token? = next?.takeIf { it.kind == kind }?.also { advance() }
+
+    /** The token behind the next one by [distance]. */
+    fun peek(distance: Int): Token? = tokens.getOrNull(position + distance)
+
+    fun textOf(range: SourceRange): String = line.text.substring(range.column - 1, range.endColumn - 1)
+
+    /** The text at [range], fit to be quoted in a message. */
+    fun quotable(range: SourceRange): String = shortened(textOf(range))
+}
+
+/** [text], without its end if it is long. */
+internal fun shortened(text: String): String =
+    if (text.length <= RobolangLimits.QUOTED_CHARACTERS) text else text.take(RobolangLimits.QUOTED_CHARACTERS) + "..."

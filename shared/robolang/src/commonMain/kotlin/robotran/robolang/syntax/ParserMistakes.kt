@@ -1,0 +1,101 @@
+package robotran.robolang.syntax
+
+import robotran.robolang.DiagnosticCode
+import robotran.robolang.Mistakes
+import robotran.robolang.RobolangLimits
+import robotran.robolang.SourceFix
+import robotran.robolang.SourceRange
+
+/** Reports a mistake unless one on the same line has been reported: it may well follow from that one. */
+internal fun Mistakes.report(
+    reader: LineReader,
+    code: DiagnosticCode,
+    range: SourceRange,
+    message: String,
+    fix: SourceFix? = null,
+) {
+    if (reader.mistaken) return
+    reader.mistaken = true
+    report(code, range, reader.textOf(range), message, fix)
+}
+
+/** One of [words] should come next: what stands there instead is taken for a slip of it or, if it is far from it, for something else. */
+internal fun Mistakes.reportMissingWord(
+    reader: LineReader,
+    code: DiagnosticCode,
+    words: List<String>,
+    message: (suggestion: String?) -> String,
+) {
+    val typed = reader.next?.takeIf { it.kind == TokenKind.WORD }
+    val meant = typed?.let { suggestion(it.text, words) }
+    val fix = when {
+        typed != null && meant != null -> SourceFix(typed.range, meant)
+        typed == null && words.size == 1 -> SourceFix(reader.gap, " " + words.single())
+        else -> null
+    }
+    report(reader, code, typed?.range ?: reader.gap, message(meant), fix)
+}
+
+/** After a number: reports the next word if it is meant as a unit, but is none of [units]. Anything else is for who reads on. */
+internal fun Mistakes.reportWrongUnit(reader: LineReader, units: List<Keyword>) {
+    val word = reader.next?.takeIf { it.kind == TokenKind.WORD } ?: return
+    val meant = meantUnit(word, units)
+    if (meant == null && !isUnit(word)) return
+    reportUnit(reader, word, units, meant)
+}
+
+/** `wait` needs a unit, and there is none that it knows. */
+internal fun Mistakes.reportNoTimeUnit(reader: LineReader, duration: Expression.Number) {
+    val units = listOf(Keyword.SECONDS, Keyword.MILLISECONDS)
+    val word = reader.next?.takeIf { it.kind == TokenKind.WORD }
+    if (word == null) {
+        val fix = SourceFix(reader.gap, " " + Keyword.SECONDS.text)
+        report(reader, DiagnosticCode.MISSING_TIME_UNIT, reader.gap, messages.missingTimeUnit(shortened(duration.text)), fix)
+    } else {
+        reportUnit(reader, word, units, meantUnit(word, units))
+    }
+}
+
+private fun Mistakes.reportUnit(reader: LineReader, word: Token, units: List<Keyword>, meant: Keyword?) {
+    val command = lowercaseKeyword(reader.first.text)
+    val message = messages.wrongUnit(command, shortened(word.text), units.map { it.text }, meant?.text)
+    report(reader, DiagnosticCode.WRONG_UNIT, word.range, message, meant?.let { SourceFix(word.range, it.text) })
+}
+
+/** Reports what is left over behind a complete command. */
+internal fun Mistakes.expectEndOfLine(reader: LineReader) {
+    val extra = reader.next ?: return
+    val space = SourceRange(reader.line.number, reader.gap.column, extra.range.column)
+    if (extra.keyword in Keyword.COMMANDS && reader.first.keyword != Keyword.END) {
+        val indentation = reader.line.text.substring(0, reader.first.range.column - 1)
+        val fix = SourceFix(space, "\n" + indentation)
+        report(reader, DiagnosticCode.SEVERAL_COMMANDS, extra.range, messages.severalCommands(extra.text), fix)
+    } else {
+        val rest = reader.restRange
+        val message = messages.extraWords(reader.quotable(rest), reader.quotable(reader.readRange))
+        report(reader, DiagnosticCode.EXTRA_WORDS, rest, message, SourceFix(space.copy(endColumn = rest.endColumn), ""))
+    }
+}
+
+internal fun Mistakes.reportExtraEnd(reader: LineReader) {
+    report(reader, DiagnosticCode.EXTRA_END, reader.first.range, messages.extraEnd())
+}
+
+internal fun Mistakes.reportNesting(reader: LineReader, keyword: Token) {
+    report(reader, DiagnosticCode.NESTED_TOO_DEEPLY, keyword.range, messages.nestedTooDeeply(RobolangLimits.NESTED_BLOCKS))
+}
+
+/** Reports each block that lacks its `end`, with a fix that puts one at the indentation of the block's first line. */
+internal fun reportMissingEnds(lacking: List<LackingEnd>, lines: List<ScannedLine>, mistakes: Mistakes) {
+    for ((opener, endBefore) in lacking) {
+        val indentation = lines[opener.range.line - 1].text.substring(0, opener.range.column - 1)
+        val fix = if (endBefore == null) {
+            val column = lines.last().text.length + 1
+            SourceFix(SourceRange(lines.size, column, column), "\n" + indentation + Keyword.END.text)
+        } else {
+            SourceFix(SourceRange(endBefore, 1, 1), indentation + Keyword.END.text + "\n")
+        }
+        val message = mistakes.messages.missingEnd(lowercaseKeyword(opener.text))
+        mistakes.report(DiagnosticCode.MISSING_END, opener.range, opener.text, message, fix)
+    }
+}

@@ -1,0 +1,23 @@
+plugins {
+    id("robotran.compose")
+}
+
+kotlin {
+    sourceSets {
+        commonMain.dependencies {
+            api(project(":shared:rcx-rom"))
+            api(project(":shared:robolang"))
+            api(project(":shared:world"))
+            api(libs.compose.runtime)
+            api(libs.compose.foundation)
+            api(libs.compose.material3)
+            api(libs.compose.ui)
+            implementation(libs.compose.resources)
+            implementation(libs.coroutines.core)
+        }
+    }
+}
+
+compose.resources {
+    packageOfResClass = "robotran.ui.resources"
+}

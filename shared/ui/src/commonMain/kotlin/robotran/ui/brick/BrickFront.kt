@@ -1,0 +1,59 @@
+package robotran.ui.brick
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.aspectRatio
+import androidx.compose.foundation.layout.offset
+import androidx.compose.foundation.layout.size
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.isTraversalGroup
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.Dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.rom.BrickButton
+import robotran.rom.BrickState
+import robotran.ui.resources.Res
+import robotran.ui.resources.brick
+
+/**
+ * The face of an RCX, with four buttons that are pressed and released one by one, by any number of fingers at once.
+ *
+ * @param down the buttons that look pressed.
+ */
+@Composable
+internal fun BrickFront(
+    state: BrickState,
+    down: Set<BrickButton>,
+    onPress: (BrickButton) -> Unit,
+    onRelease: (BrickButton) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    val description = stringResource(Res.string.brick)
+    BoxWithConstraints(
+        modifier
+            .aspectRatio(BrickPlan.WIDTH / BrickPlan.HEIGHT)
+            .testTag("brick")
+            .semantics { contentDescription = description; isTraversalGroup = true },
+    ) {
+        val unit = maxWidth / BrickPlan.WIDTH
+        Canvas(Modifier.matchParentSize()) { drawBrickBody() }
+        BrickPlan.INPUTS.forEachIndexed { index, place -> InputPort(index + 1, unit, Modifier.at(place, unit)) }
+        for ((button, place) in BrickPlan.BUTTONS) {
+            BrickButtonView(button, unit, button in down, { onPress(button) }, { onRelease(button) }, Modifier.at(place, unit))
+        }
+        LcdView(state.glass, Modifier.at(BrickPlan.DISPLAY, unit))
+        for (motor in state.motors) {
+            OutputPort(motor, unit, Modifier.at(BrickPlan.OUTPUTS.getValue(motor.port), unit))
+        }
+    }
+}
+
+/** The least width at which every button is still large enough for a finger. */
+internal val LEAST_BRICK_WIDTH = Dp(BrickPlan.WIDTH * BrickPlan.LEAST_UNIT)
+
+private fun Modifier.at(place: Rect, unit: Dp): Modifier =
+    offset(unit * place.left, unit * place.top).size(unit * place.width, unit * place.height)

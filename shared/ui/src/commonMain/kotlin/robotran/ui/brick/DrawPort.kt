@@ -1,0 +1,40 @@
+package robotran.ui.brick
+
+import androidx.compose.ui.geometry.CornerRadius
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.graphics.lerp
+
+/** A two by two plate with its four contact studs, as a lead is plugged on; fills the draw area. */
+internal fun DrawScope.drawPort(colour: Color) {
+    val unit = size.width / PORT_UNITS
+    val edge = lerp(colour, Color.Black, 0.35f)
+    drawRoundRect(colour, Offset(unit, unit), Size(size.width - 2 * unit, size.height - 2.5f * unit), CornerRadius(6 * unit))
+    for (x in STUD_PLACES) {
+        for (y in STUD_PLACES) {
+            val middle = Offset(x * unit, y * unit)
+            drawCircle(lerp(colour, Color.White, 0.18f), 7 * unit, middle, alpha = 0.35f)
+            drawCircle(edge, 7 * unit, middle, alpha = 0.5f, style = Stroke(unit))
+        }
+    }
+}
+
+/** A triangle that points up for forward, down for backward; fills the draw area. */
+internal fun DrawScope.drawDirectionArrow(forward: Boolean) {
+    val tip = if (forward) 0f else size.height
+    val base = size.height - tip
+    val arrow = Path().apply {
+        moveTo(size.width / 2, tip)
+        lineTo(size.width, base)
+        lineTo(0f, base)
+        close()
+    }
+    drawPath(arrow, BrickColours.LABEL)
+}
+
+private const val PORT_UNITS = 54f
+private val STUD_PLACES = listOf(13f, 41f)

@@ -1,0 +1,32 @@
+package robotran.ui.brick
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import org.jetbrains.compose.resources.stringResource
+import robotran.rom.LcdGlass
+import robotran.ui.resources.Res
+import robotran.ui.resources.display
+import robotran.ui.resources.display_blank
+
+/** The display, segment by segment, read out as the text it shows. */
+@Composable
+internal fun LcdView(glass: LcdGlass, modifier: Modifier = Modifier) {
+    Canvas(modifier.describing(glass)) { drawLcd(glass) }
+}
+
+/** The same display cut down to its row of digits. */
+@Composable
+internal fun LcdNumbers(glass: LcdGlass, modifier: Modifier = Modifier) {
+    Canvas(modifier.describing(glass)) { drawLcdNumbers(glass) }
+}
+
+@Composable
+private fun Modifier.describing(glass: LcdGlass): Modifier {
+    val description =
+        if (glass.text.isEmpty()) stringResource(Res.string.display_blank) else stringResource(Res.string.display, glass.text)
+    return testTag("lcd").semantics { contentDescription = description }
+}

@@ -1,0 +1,87 @@
+package robotran.ui.brick
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.Dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.rom.MotorMode
+import robotran.rom.MotorState
+import robotran.ui.resources.Res
+import robotran.ui.resources.motor_backward
+import robotran.ui.resources.motor_brake
+import robotran.ui.resources.motor_float
+import robotran.ui.resources.motor_forward
+import robotran.ui.resources.sensor
+
+/** A grey input port, 1 to 3. */
+@Composable
+internal fun InputPort(number: Int, unit: Dp, modifier: Modifier = Modifier) {
+    val description = stringResource(Res.string.sensor, number)
+    PortBlock(BrickColours.INPUT, unit, modifier.clearAndSetSemantics { contentDescription = description }) {
+        PortLabel("$number", BrickColours.LABEL, unit)
+    }
+}
+
+/** A black output port; it lights while its motor is driven, with an arrow for the direction and the power as a figure. */
+@Composable
+internal fun OutputPort(motor: MotorState, unit: Dp, modifier: Modifier = Modifier) {
+    val name = motor.port.name
+    val description = when (motor.mode) {
+        MotorMode.FORWARD -> stringResource(Res.string.motor_forward, name, motor.power)
+        MotorMode.BACKWARD -> stringResource(Res.string.motor_backward, name, motor.power)
+        MotorMode.BRAKE -> stringResource(Res.string.motor_brake, name)
+        MotorMode.FLOAT -> stringResource(Res.string.motor_float, name)
+    }
+    val driven = motor.mode == MotorMode.FORWARD || motor.mode == MotorMode.BACKWARD
+    PortBlock(
+        if (driven) BrickColours.DRIVEN else BrickColours.OUTPUT,
+        unit,
+        modifier.testTag("port-$name").clearAndSetSemantics { contentDescription = description },
+    ) {
+        PortLabel(if (driven) "$name ${motor.power}" else name, if (driven) BrickColours.LABEL else Color.White, unit)
+        if (driven) DirectionArrow(forward = motor.mode == MotorMode.FORWARD, unit = unit)
+    }
+}
+
+@Composable
+private fun PortBlock(colour: Color, unit: Dp, modifier: Modifier, content: @Composable () -> Unit) {
+    Box(
+        modifier
+            .background(BrickColours.EDGE, RoundedCornerShape(unit * 7))
+            .drawBehind { drawPort(colour) },
+        contentAlignment = Alignment.Center,
+    ) {
+        Column(horizontalAlignment = Alignment.CenterHorizontally) { content() }
+    }
+}
+
+@Composable
+private fun PortLabel(text: String, colour: Color, unit: Dp) {
+    Text(
+        text,
+        color = colour,
+        fontSize = with(LocalDensity.current) { (unit * 16).toSp() },
+        lineHeight = with(LocalDensity.current) { (unit * 18).toSp() },
+        fontWeight = FontWeight.Bold,
+        maxLines = 1,
+    )
+}
+
+@Composable
+private fun DirectionArrow(forward: Boolean, unit: Dp) {
+    Box(Modifier.size(unit * 16, unit * 11).drawBehind { drawDirectionArrow(forward) })
+}

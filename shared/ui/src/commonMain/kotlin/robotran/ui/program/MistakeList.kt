@@ -1,0 +1,97 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.robolang.Diagnostic
+import robotran.ui.resources.Res
+import robotran.ui.resources.mistake
+import robotran.ui.resources.mistake_fix
+import robotran.ui.resources.mistake_fix_remove
+import robotran.ui.resources.mistakes_more
+import robotran.ui.resources.mistakes_more_one
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+
+/**
+ * The first few mistakes under the program, each with a button that mends it where that is possible.
+ *
+ * @param pointedOut whether somebody tried to run the program: the first mistake then stands out.
+ */
+@Composable
+internal fun MistakeList(
+    mistakes: List<Diagnostic>,
+    pointedOut: Boolean,
+    onFix: (Diagnostic) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    val colours = LocalRobotranColours.current
+    Column(
+        modifier
+            .fillMaxWidth()
+            .background(colours.mistakePane)
+            .testTag("mistakes")
+            .semantics { liveRegion = LiveRegionMode.Polite }
+            .padding(horizontal = 16.dp, vertical = 4.dp),
+    ) {
+        mistakes.take(SHOWN).forEachIndexed { index, mistake -> MistakeRow(mistake, pointedOut && index == 0, onFix) }
+        val more = mistakes.size - SHOWN
+        if (more > 0) {
+            val text = if (more == 1) stringResource(Res.string.mistakes_more_one) else stringResource(Res.string.mistakes_more, more)
+            Text(text, Modifier.padding(bottom = 8.dp), color = colours.mistake, fontSize = 14.sp)
+        }
+    }
+}
+
+@Composable
+private fun MistakeRow(mistake: Diagnostic, standsOut: Boolean, onFix: (Diagnostic) -> Unit) {
+    Row(Modifier.fillMaxWidth().defaultMinSize(minHeight = Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
+        Text(
+            stringResource(Res.string.mistake, mistake.range.line, mistake.message),
+            Modifier.weight(1f).padding(vertical = 6.dp),
+            color = LocalRobotranColours.current.mistake,
+            fontSize = 16.sp,
+            fontWeight = if (standsOut) FontWeight.Bold else FontWeight.Normal,
+        )
+        if (mistake.fix != null) FixButton(mistake, onFix)
+    }
+}
+
+@Composable
+private fun FixButton(mistake: Diagnostic, onFix: (Diagnostic) -> Unit) {
+    val replacement = mistake.fix?.replacement?.trim().orEmpty()
+    TextButton(
+        onClick = { onFix(mistake) },
+        modifier = Modifier.padding(start = 8.dp).defaultMinSize(minHeight = Measures.TARGET).testTag("fix").focusRing(),
+    ) {
+        Text(
+            if (replacement.isEmpty()) stringResource(Res.string.mistake_fix_remove) else stringResource(Res.string.mistake_fix, replacement),
+            color = LocalRobotranColours.current.focus,
+            fontSize = 16.sp,
+            fontWeight = FontWeight.SemiBold,
+            maxLines = 1,
+            overflow = TextOverflow.Ellipsis,
+        )
+    }
+}
+
+/** More than these would push the program out of sight; the others come up as these are mended. */
+private const val SHOWN = 3

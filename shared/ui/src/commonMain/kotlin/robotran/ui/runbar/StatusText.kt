@@ -1,0 +1,40 @@
+package robotran.ui.runbar
+
+import androidx.compose.runtime.Composable
+import kotlin.math.abs
+import kotlin.math.roundToLong
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.status_changed
+import robotran.ui.resources.status_empty
+import robotran.ui.resources.status_ended
+import robotran.ui.resources.status_failed
+import robotran.ui.resources.status_mistake
+import robotran.ui.resources.status_off
+import robotran.ui.resources.status_ready
+import robotran.ui.resources.status_running
+import robotran.ui.resources.status_running_line
+import robotran.ui.resources.status_stopped
+import robotran.ui.workshop.WorkshopStatus
+
+/** [status] in a learner's words. */
+@Composable
+internal fun statusText(status: WorkshopStatus): String = when (status) {
+    WorkshopStatus.Ready -> stringResource(Res.string.status_ready)
+    WorkshopStatus.Empty -> stringResource(Res.string.status_empty)
+    WorkshopStatus.Changed -> stringResource(Res.string.status_changed)
+    WorkshopStatus.Off -> stringResource(Res.string.status_off)
+    is WorkshopStatus.Mistaken -> stringResource(Res.string.status_mistake, status.line)
+    is WorkshopStatus.Running ->
+        if (status.line > 0) stringResource(Res.string.status_running_line, status.line) else stringResource(Res.string.status_running)
+    is WorkshopStatus.Ended -> stringResource(if (status.stopped) Res.string.status_stopped else Res.string.status_ended)
+    is WorkshopStatus.Failed ->
+        if (status.line > 0) stringResource(Res.string.status_failed, status.line, status.message) else status.message
+}
+
+/** [value] with exactly one decimal, as `-0.5` or `12.0`, the same on every platform. */
+internal fun oneDecimal(value: Double): String {
+    val tenths = (value * 10).roundToLong()
+    val sign = if (tenths < 0) "-" else ""
+    return "$sign${abs(tenths) / 10}.${abs(tenths) % 10}"
+}

@@ -1,0 +1,20 @@
+package robotran.ui.theme
+
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.font.FontFamily
+import androidx.compose.ui.text.style.LineHeightStyle
+import org.jetbrains.compose.resources.Font
+import robotran.ui.resources.Res
+import robotran.ui.resources.jetbrains_mono_regular
+
+/** How program text is set: the bundled monospaced face, every line of the same height. */
+@Composable
+fun codeStyle(colour: Color = LocalRobotranColours.current.onPane): TextStyle = TextStyle(
+    color = colour,
+    fontFamily = FontFamily(Font(Res.font.jetbrains_mono_regular)),
+    fontSize = Measures.CODE_SIZE,
+    lineHeight = Measures.CODE_LINE_HEIGHT,
+    lineHeightStyle = LineHeightStyle(LineHeightStyle.Alignment.Center, LineHeightStyle.Trim.None),
+)

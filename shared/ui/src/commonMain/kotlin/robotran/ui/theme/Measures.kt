@@ -1,0 +1,20 @@
+package robotran.ui.theme
+
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+
+/** The sizes the whole screen is built from. */
+object Measures {
+    /** Everything stands on a grid of this step. */
+    val GRID = 8.dp
+
+    /** The least width and height of whatever can be touched (Material and WCAG 2.2 target size). */
+    val TARGET = 48.dp
+
+    /** From this width on, with at least [WIDE_HEIGHT], program, world and brick are shown side by side. */
+    val WIDE_WIDTH = 840.dp
+    val WIDE_HEIGHT = 560.dp
+
+    val CODE_SIZE = 15.sp
+    val CODE_LINE_HEIGHT = 21.sp
+}

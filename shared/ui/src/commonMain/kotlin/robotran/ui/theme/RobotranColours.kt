@@ -1,0 +1,60 @@
+package robotran.ui.theme
+
+import androidx.compose.runtime.Immutable
+import androidx.compose.runtime.staticCompositionLocalOf
+import androidx.compose.ui.graphics.Color
+
+/** The workshop's colours that Material has no name for; the brick and the paper keep theirs in the dark. */
+@Immutable
+data class RobotranColours(
+    val desk: Color,
+    val paper: Color,
+    val paperEdge: Color,
+    val pane: Color,
+    val onPane: Color,
+    val quiet: Color,
+    val line: Color,
+    val runningLine: Color,
+    val mistake: Color,
+    val mistakePane: Color,
+    val focus: Color,
+) {
+    companion object {
+        /** RCX yellow: the brick, and the one primary action. */
+        val YELLOW = Color(0xFFF2C200)
+        val ON_YELLOW = Color(0xFF211B00)
+        val RUN_GREEN = Color(0xFF2E9E4F)
+        val ON_OFF_RED = Color(0xFFD33A2C)
+
+        val LIGHT = RobotranColours(
+            desk = Color(0xFFD5D8DA),
+            paper = Color(0xFFFDFBF5),
+            paperEdge = Color(0x33202428),
+            pane = Color(0xFFF6F6F4),
+            onPane = Color(0xFF1D2023),
+            quiet = Color(0xFF5C6268),
+            line = Color(0xFFB9BEC2),
+            runningLine = Color(0xFFFFE88A),
+            mistake = Color(0xFFB3261E),
+            mistakePane = Color(0xFFFBE4E1),
+            focus = Color(0xFF0B57D0),
+        )
+
+        val DARK = RobotranColours(
+            desk = Color(0xFF2B2E31),
+            paper = Color(0xFFE9E5DB),
+            paperEdge = Color(0x66000000),
+            pane = Color(0xFF1A1C1E),
+            onPane = Color(0xFFE8EAEC),
+            quiet = Color(0xFFA4ABB1),
+            line = Color(0xFF4A4F54),
+            runningLine = Color(0xFF5A4A00),
+            mistake = Color(0xFFFFB4AB),
+            mistakePane = Color(0xFF4A1D19),
+            focus = Color(0xFF8AB4F8),
+        )
+    }
+}
+
+/** The [RobotranColours] of the theme around. */
+val LocalRobotranColours = staticCompositionLocalOf { RobotranColours.LIGHT }

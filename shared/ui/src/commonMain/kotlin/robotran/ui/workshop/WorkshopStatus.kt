@@ -1,0 +1,28 @@
+package robotran.ui.workshop
+
+/** What the run bar says, the most important thing first. */
+sealed interface WorkshopStatus {
+    /** Nothing has run yet, and Run would work. */
+    data object Ready : WorkshopStatus
+
+    /** There is nothing to run. */
+    data object Empty : WorkshopStatus
+
+    /** Nothing can run before [line] is mended. */
+    data class Mistaken(val line: Int) : WorkshopStatus
+
+    /** The text is not the program that ran last. */
+    data object Changed : WorkshopStatus
+
+    /** The brick is switched off. */
+    data object Off : WorkshopStatus
+
+    /** The program is at [line]; 0 if it is at none. */
+    data class Running(val line: Int) : WorkshopStatus
+
+    /** The program came to its end, or somebody stopped it. */
+    data class Ended(val stopped: Boolean) : WorkshopStatus
+
+    /** The program could not go on at [line], 0 if at none; [message] says why. */
+    data class Failed(val line: Int, val message: String) : WorkshopStatus
+}
