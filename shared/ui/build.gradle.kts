@@ -1,5 +1,10 @@
 plugins {
     id("robotran.compose")
+    id("robotran.texts")
+}
+
+texts {
+    constant("commonMain", "robotran.ui.exampleTexts", "examples", "*.robo")
 }
 
 kotlin {

@@ -3,12 +3,8 @@ package robotran.build
 import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.api.artifacts.VersionCatalogsExtension
-import org.gradle.api.plugins.ExtensionAware
-import org.gradle.api.tasks.Sync
 import org.gradle.api.tasks.testing.Test
-import org.jetbrains.compose.ComposeExtension
 import org.jetbrains.compose.ComposePlugin.DesktopDependencies
-import org.jetbrains.compose.resources.ResourcesExtension
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
@@ -35,26 +31,11 @@ class ComposePlugin : Plugin<Project> {
                 implementation(DesktopDependencies.currentOs)
             }
         }
-        bundleResources(project)
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.useJUnitPlatform()
             test.environment("SKIKO_RENDER_API", "SOFTWARE")
             test.systemProperty("java.awt.headless", "true")
             test.systemProperty("robotran.pictures", project.layout.buildDirectory.dir("pictures").get().asFile.path)
-        }
-    }
-
-    /** The examples and worlds of the tree travel inside the app, so they lie beside the module's own resources. */
-    private fun bundleResources(project: Project) {
-        val resources = project.tasks.register("bundleResources", Sync::class.java) { sync ->
-            sync.from(project.layout.projectDirectory.dir("src/commonMain/composeResources"))
-            sync.from(project.rootProject.layout.projectDirectory.dir("examples")) { it.into("files/examples") }
-            sync.from(project.rootProject.layout.projectDirectory.dir("worlds")) { it.into("files/worlds") }
-            sync.into(project.layout.buildDirectory.dir("generated/bundledResources"))
-        }
-        val compose = project.extensions.getByType(ComposeExtension::class.java) as ExtensionAware
-        compose.extensions.configure(ResourcesExtension::class.java) { extension ->
-            extension.customDirectory("commonMain", project.layout.dir(resources.map { it.destinationDir }))
         }
     }
 }

@@ -2,14 +2,11 @@ package robotran.physics;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dyn4j.collision.CategoryFilter;
 import org.dyn4j.dynamics.Body;
 import org.dyn4j.dynamics.BodyFixture;
 import org.dyn4j.dynamics.ContinuousDetectionMode;
 import org.dyn4j.dynamics.Settings;
 import org.dyn4j.dynamics.contact.ContactConstraint;
-import org.dyn4j.geometry.Circle;
-import org.dyn4j.geometry.Convex;
 import org.dyn4j.geometry.Mass;
 import org.dyn4j.geometry.MassType;
 import org.dyn4j.geometry.Polygon;
@@ -65,22 +62,23 @@ public final class RigidWorld {
      *
      * @param corners x and y of each corner, counter-clockwise, seen from the body's origin
      * @param friction Coulomb coefficient against other fixtures
-     * @param category the bits of the groups that it belongs to
-     * @param mask the bits of the groups that it can collide with
      */
-    public int addPolygon(int body, double[] corners, double friction, int category, int mask) {
+    public int addPolygon(int body, double[] corners, double friction) {
         Vector2[] vertices = new Vector2[corners.length / 2];
         for (int i = 0; i < vertices.length; i++) {
             vertices[i] = new Vector2(corners[2 * i], corners[2 * i + 1]);
         }
-        return addFixture(body, new Polygon(vertices), friction, category, mask);
-    }
-
-    /** Adds a disc to a body, its centre seen from the body's origin; otherwise as {@link #addPolygon}. */
-    public int addCircle(int body, double x, double y, double radius, double friction, int category, int mask) {
-        Circle circle = new Circle(radius);
-        circle.translate(x, y);
-        return addFixture(body, circle, friction, category, mask);
+        Body owner = bodies.get(body);
+        int number = owner.getFixtureCount();
+        if (number >= MAXIMUM_FIXTURES) {
+            throw new IllegalStateException("A body has at most " + MAXIMUM_FIXTURES + " fixtures.");
+        }
+        BodyFixture fixture = new BodyFixture(new Polygon(vertices));
+        fixture.setFriction(friction);
+        fixture.setRestitution(0);
+        fixture.setUserData(number);
+        owner.addFixture(fixture);
+        return number;
     }
 
     /** Makes a body movable. {@code x} and {@code y} are its centre of mass, seen from its origin; {@code inertia} is about that centre. */
@@ -142,20 +140,5 @@ public final class RigidWorld {
             mask |= 1 << (Integer) fixture.getUserData();
         }
         return mask;
-    }
-
-    private int addFixture(int body, Convex shape, double friction, int category, int mask) {
-        Body owner = bodies.get(body);
-        int number = owner.getFixtureCount();
-        if (number >= MAXIMUM_FIXTURES) {
-            throw new IllegalStateException("A body has at most " + MAXIMUM_FIXTURES + " fixtures.");
-        }
-        BodyFixture fixture = new BodyFixture(shape);
-        fixture.setFriction(friction);
-        fixture.setRestitution(0);
-        fixture.setFilter(new CategoryFilter(category, mask));
-        fixture.setUserData(number);
-        owner.addFixture(fixture);
-        return number;
     }
 }

@@ -12,24 +12,11 @@ package robotran.rom
  * @param programs the program slots; may be empty.
  */
 class Brick(programs: List<RcxProgram>) {
-    private var milliseconds = 0L
-    private val memory = RcxMemory()
-    private val motors = Motors(memory)
-    private val lcd = Lcd(memory)
-    private val speaker = Speaker(memory)
-    private val buttons = Buttons()
+    private val hardware = Hardware()
+    private val shell = Shell(programs, hardware.rom, hardware.buttons)
 
     /** Every ROM call so far, of the program and of the firmware. */
-    val log = RomLog()
-
-    private val rom = VirtualRom(
-        memory,
-        log,
-        MotorRoutines(motors).routines + LcdRoutines(lcd).routines + LcdSegmentRoutines(memory, lcd).routines +
-            ButtonRoutines(memory, buttons).routines + SoundRoutines(memory, speaker).routines,
-        clock = { milliseconds },
-    )
-    private val shell = Shell(programs, rom, buttons)
+    val log: RomLog get() = hardware.log
 
     init {
         shell.powerUp()
@@ -38,36 +25,36 @@ class Brick(programs: List<RcxProgram>) {
     /** The brick as it is now. */
     val state: BrickState
         get() = BrickState(
-            milliseconds,
+            hardware.milliseconds,
             shell.poweredOn,
-            lcd.glass,
-            motors.states,
-            buttons.pressed,
+            hardware.lcd.glass,
+            hardware.motors.states,
+            hardware.buttons.pressed,
             shell.selectedSlot,
             shell.runState,
-            speaker.sounding,
+            hardware.speaker.sounding,
         )
 
     /** What [port] is told to do; the same as in [state], but cheaper. */
-    fun motor(port: MotorPort): MotorState = motors.states[port.ordinal]
+    fun motor(port: MotorPort): MotorState = hardware.motors.states[port.ordinal]
 
     /**
      * What [port] really does in this millisecond: what it was told before the millisecond began, and [MotorMode.FLOAT] in the milliseconds
      * in which its pulsed power switches it off. A motor driven for N milliseconds by a program is driven for N calls of [tick].
      */
-    fun motorOutput(port: MotorPort): MotorMode = motors.output(port)
+    fun motorOutput(port: MotorPort): MotorMode = hardware.motors.output(port)
 
     /** Whether [port] is switched on, to drive or to brake, in this millisecond of its pulsed power. */
     fun motorSwitchedOn(port: MotorPort): Boolean = motorOutput(port) != MotorMode.FLOAT
 
     /** A finger goes down on [button]. Does nothing if it is down already. */
     fun press(button: BrickButton) {
-        if (buttons.hold(button, down = true)) shell.pressed(button)
+        if (hardware.buttons.hold(button, down = true)) shell.pressed(button)
     }
 
     /** The finger comes off [button]. Does nothing if it is up already. */
     fun release(button: BrickButton) {
-        if (buttons.hold(button, down = false)) shell.released(button)
+        if (hardware.buttons.hold(button, down = false)) shell.released(button)
     }
 
     /** Ends the running program, if there is one, as no single button of a real brick does. */
@@ -78,14 +65,12 @@ class Brick(programs: List<RcxProgram>) {
      * The clock goes on while the brick is switched off.
      */
     fun tick() {
-        milliseconds++
-        motors.tick()
-        speaker.tick(milliseconds)
+        hardware.tick()
         shell.resumeProgram(STEPS_PER_MILLISECOND)
     }
 
     /** The tones begun since the last call, the oldest first; only the newest thousand if nobody asks for long. */
-    fun takeSounds(): List<SoundEvent> = speaker.takeEvents()
+    fun takeSounds(): List<SoundEvent> = hardware.speaker.takeEvents()
 
     companion object {
         /**

@@ -39,13 +39,8 @@ public final class PhysicsModule {
     }
 
     @JSExport
-    public static int addPolygon(int world, int body, double[] corners, double friction, int category, int mask) {
-        return worlds.get(world).addPolygon(body, corners, friction, category, mask);
-    }
-
-    @JSExport
-    public static int addCircle(int world, int body, double x, double y, double radius, double friction, int category, int mask) {
-        return worlds.get(world).addCircle(body, x, y, radius, friction, category, mask);
+    public static int addPolygon(int world, int body, double[] corners, double friction) {
+        return worlds.get(world).addPolygon(body, corners, friction);
     }
 
     @JSExport

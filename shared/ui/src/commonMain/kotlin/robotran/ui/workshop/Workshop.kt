@@ -8,7 +8,6 @@ import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.rom.BrickButton
-import robotran.world.Penbot
 import robotran.world.Session
 import robotran.world.SessionInput
 import robotran.world.World
@@ -21,22 +20,19 @@ import robotran.world.physics.PhysicsEngine
  * Run in the run bar begins afresh: the robot is back at its start on a clean sheet, on a brick that is switched on. The brick's own Run
  * carries on from where the robot stands, as on a real one, unless the program has changed, which begins afresh too.
  *
- * @param programName what mistakes and the brick call the program, usually the name of its file.
+ * @param program the program to begin with.
  */
 class Workshop(
     private val world: World,
     private val physics: PhysicsEngine,
-    private val programName: String,
-    programText: String,
+    program: ProgramFile,
 ) {
-    private var loadedText = programText.withPlainLineEnds()
+    private val programName = program.name
+    private var loadedText = program.text.withPlainLineEnds()
     private var reading = read(loadedText)
     private var session = newSession()
     private val frames = FrameClock()
     private val rest = RestWatch()
-
-    /** Buttons that went down since time last passed: the brick has not seen them yet. */
-    private val unseen = mutableSetOf<BrickButton>()
 
     /** What is to be seen now. Compose notices when it changes. */
     var state: WorkshopState by mutableStateOf(firstState(loadedText))
@@ -67,7 +63,6 @@ class Workshop(
     /** Lets [milliseconds] of virtual time pass. */
     fun advance(milliseconds: Int) {
         session.advance(milliseconds)
-        unseen.clear()
         rest.passed(milliseconds, session.state)
         show()
     }
@@ -101,13 +96,10 @@ class Workshop(
             beginAfresh()
         }
         if (button == BrickButton.RUN) state = state.copy(untouched = false)
-        unseen += button
         session.apply(SessionInput.Press(button))
     }
 
     private fun release(button: BrickButton) {
-        // A quick tap may be over before time has passed at all; a brick that is to notice it needs one millisecond.
-        if (button in unseen) advance(1)
         state = state.copy(down = state.down - button)
         session.apply(SessionInput.Release(button))
     }
@@ -123,7 +115,6 @@ class Workshop(
         session.close()
         session = newSession()
         loadedText = state.programText
-        unseen.clear()
         show()
     }
 
@@ -133,7 +124,7 @@ class Workshop(
 
     private fun mistakes(): List<Diagnostic> = (reading as? RobolangResult.Mistaken)?.diagnostics.orEmpty()
 
-    private fun read(text: String): RobolangResult = readRobolang(programName, text, Penbot.CALIBRATION)
+    private fun read(text: String): RobolangResult = readRobolang(programName, text, CALIBRATION)
 
     private fun show() {
         val now = session.state

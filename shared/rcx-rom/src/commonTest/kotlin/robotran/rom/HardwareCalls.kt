@@ -1,0 +1,15 @@
+package robotran.rom
+
+/** A line for the calls of tests. */
+internal const val TEST_LINE = 7
+
+/** A place in memory for the results of the calls of tests. */
+internal const val RESULT = 0x9000
+
+/** Calls a routine and returns what the log says of it. */
+internal fun Hardware.call(address: Int, vararg arguments: Int): RomLogEntry {
+    rom.call(RomCall(address, arguments.map { it and 0xFFFF }), TEST_LINE)
+    return log.entries.last()
+}
+
+internal fun Hardware.tick(milliseconds: Int) = repeat(milliseconds) { tick() }

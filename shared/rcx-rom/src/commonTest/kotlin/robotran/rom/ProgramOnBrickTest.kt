@@ -1,0 +1,126 @@
+package robotran.rom
+
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
+
+class ProgramOnBrickTest {
+    @Test
+    fun `a program gets its steps each millisecond and no more`() {
+        var steps = 0
+        val brick = started(List(10) { { _: Rom -> ProgramStatus.Running.also { steps++ } } })
+        val done = List(4) {
+            brick.tick()
+            steps
+        }
+        assertEquals(List(4) { (it + 1) * Brick.STEPS_PER_MILLISECOND }, done)
+    }
+
+    @Test
+    fun `a program that waits is left alone until the moment it waits for`() {
+        val moments = mutableListOf<Long>()
+        val note = { rom: Rom -> ProgramStatus.Running.also { moments += rom.milliseconds } }
+        val brick = started(listOf(note, waiting(100), note, waiting(1), note))
+        brick.tick(200)
+        assertEquals(listOf(1L, 101L, 102L), moments)
+    }
+
+    @Test
+    fun `a motor that a program drives for 400 milliseconds is on for 400`() {
+        val forward = calling(RomAddress.CONTROL_MOTOR, 0x2000, MotorMode.FORWARD.code, 7)
+        val brake = calling(RomAddress.CONTROL_MOTOR, 0x2000, MotorMode.BRAKE.code, 7)
+        val brick = started(listOf(forward, waiting(400), brake, waiting(100)))
+        val outputs = List(490) {
+            brick.tick()
+            brick.motorOutput(MotorPort.A)
+        }
+        assertEquals(400, outputs.count { it == MotorMode.FORWARD })
+        assertEquals(MotorMode.BRAKE, outputs.last())
+        assertTrue(brick.motorSwitchedOn(MotorPort.A))
+        assertFalse(brick.motorSwitchedOn(MotorPort.B))
+    }
+
+    @Test
+    fun `a program that ends brakes its motors by calls of the firmware and shows the shell`() {
+        val brick = started(listOf(calling(RomAddress.CONTROL_MOTOR, 0x2002, MotorMode.BACKWARD.code, 5)))
+        val callsBefore = brick.log.total
+        brick.tick()
+        assertEquals(RunState.Ended(stopped = false), brick.state.run)
+        assertEquals(
+            listOf(
+                "1 0x1a4e 0x2002 2 5 ; motor C backward 5 ; 7",
+                "1 0x1a4e 0x2000 3 0 ; motor A brake 0 ; firmware",
+                "1 0x1a4e 0x2001 3 0 ; motor B brake 0 ; firmware",
+                "1 0x1a4e 0x2002 3 0 ; motor C brake 0 ; firmware",
+                "1 0x299a 0x4004 1 ; queue system sound 1 (two beeps) ; firmware",
+                "1 0x27ac ; clear the LCD ; firmware",
+                "1 0x29f2 0x4001 0x8000 ; the battery measures 320 ; firmware",
+                "1 0x1ff2 0x3001 90 0x3003 ; LCD number 9.0 ; firmware",
+                "1 0x1ff2 0x3017 0 0x3002 ; LCD program digit 0 ; firmware",
+                "1 0x1b62 0x3006 ; LCD show standing man ; firmware",
+                "1 0x27c8 ; refresh the LCD ; firmware",
+            ),
+            brick.log.entries.drop(callsBefore.toInt()).map { it.text },
+        )
+        assertEquals("9.0 0", brick.state.glass.text)
+    }
+
+    @Test
+    fun `a program that fails buzzes and brakes and keeps its failure`() {
+        val failure = ProgramFailure("The number is too big.", sourceLine = 3)
+        val brick = started(emptyList(), statusAtEnd = ProgramStatus.Failed(failure))
+        brick.tick()
+        assertEquals(RunState.Failed(failure), brick.state.run)
+        assertTrue(brick.state.motors.all { it.mode == MotorMode.BRAKE })
+        brick.tick(2_000)
+        assertEquals(1_000, brick.takeSounds().last().durationMilliseconds)
+        assertEquals(RunState.Failed(failure), brick.state.run)
+    }
+
+    @Test
+    fun `a program can be run again from its beginning`() {
+        val program = ScriptedProgram(listOf(calling(RomAddress.REFRESH_LCD)))
+        val brick = Brick(listOf(program))
+        repeat(3) {
+            brick.push(BrickButton.RUN)
+            brick.tick()
+        }
+        assertEquals(3, program.starts)
+        assertEquals(3, brick.log.entries.count { it.sourceLine == TEST_LINE })
+    }
+
+    @Test
+    fun `the state tells the line that is about to be executed`() {
+        val brick = started(List(5) { waiting(10) })
+        assertEquals(RunState.Running(sourceLine = 1), brick.state.run)
+        brick.tick(1)
+        assertEquals(RunState.Running(sourceLine = 2), brick.state.run)
+        brick.tick(10)
+        assertEquals(RunState.Running(sourceLine = 3), brick.state.run)
+    }
+
+    @Test
+    fun `a program reads the buttons through memory`() {
+        var seen = -1
+        val read = calling(RomAddress.READ_BUTTONS, RomCode.BUTTONS, RESULT)
+        val brick = started(listOf(read, { rom -> ProgramStatus.Running.also { seen = rom.memory.readShort(RESULT) } }))
+        brick.press(BrickButton.VIEW)
+        brick.tick(2)
+        assertEquals(2, seen)
+    }
+
+    @Test
+    fun `the same presses at the same moments give the same log`() {
+        val logs = List(2) {
+            val brick = started(listOf(calling(RomAddress.PLAY_TONE, RomCode.TONE, 440, 5), waiting(50), calling(0x1234, 5)))
+            brick.tick(200)
+            brick.push(BrickButton.PRGM)
+            brick.log.entries.map { it.text }
+        }
+        assertEquals(logs[0], logs[1])
+    }
+
+    private fun started(actions: List<(Rom) -> ProgramStatus>, statusAtEnd: ProgramStatus = ProgramStatus.Ended): Brick =
+        Brick(listOf(ScriptedProgram(actions, statusAtEnd))).apply { push(BrickButton.RUN) }
+}

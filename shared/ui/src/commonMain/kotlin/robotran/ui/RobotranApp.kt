@@ -1,0 +1,22 @@
+package robotran.ui
+
+import androidx.compose.foundation.isSystemInDarkTheme
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.snapshotFlow
+import androidx.compose.runtime.withFrameNanos
+import kotlinx.coroutines.flow.collectLatest
+import robotran.ui.screen.WorkshopScreen
+import robotran.ui.theme.RobotranTheme
+import robotran.ui.workshop.Workshop
+
+/** The whole app over [workshop]: its screen, and the frames that let its time pass while there is something to see. */
+@Composable
+fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme()) {
+    LaunchedEffect(workshop) {
+        snapshotFlow { workshop.state.awake }.collectLatest { awake ->
+            if (awake) while (true) withFrameNanos(workshop::frame)
+        }
+    }
+    RobotranTheme(dark) { WorkshopScreen(workshop.state, workshop::handle) }
+}

@@ -1,0 +1,43 @@
+package robotran.ui
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.DisposableEffect
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.loading
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranTheme
+import robotran.ui.workshop.ProgramFile
+import robotran.ui.workshop.Workshop
+
+/** What every platform's app shows: a word while things get ready, then [RobotranApp] with [program] or, without one, the square. */
+@Composable
+fun RobotranStart(program: ProgramFile? = null) {
+    var workshop by remember { mutableStateOf<Workshop?>(null) }
+    LaunchedEffect(program) { workshop = openWorkshop(program) }
+    DisposableEffect(Unit) { onDispose { workshop?.close() } }
+    val ready = workshop
+    if (ready == null) RobotranTheme { GettingReady() } else RobotranApp(ready)
+}
+
+@Composable
+private fun GettingReady() {
+    val colours = LocalRobotranColours.current
+    Box(Modifier.fillMaxSize().background(colours.desk).padding(24.dp), Alignment.Center) {
+        Text(stringResource(Res.string.loading), color = colours.onPane, fontSize = 18.sp)
+    }
+}

@@ -1,0 +1,60 @@
+package robotran.ui.screen
+
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.material3.PrimaryTabRow
+import androidx.compose.material3.ExperimentalMaterial3Api
+import androidx.compose.material3.Tab
+import androidx.compose.material3.TabRowDefaults
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.tab_brick
+import robotran.ui.resources.tab_program
+import robotran.ui.resources.tab_world
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.Pane
+
+/** The three panes of a narrow screen. [mistaken] marks the program's tab. */
+@OptIn(ExperimentalMaterial3Api::class)
+@Composable
+internal fun PaneTabs(chosen: Pane, mistaken: Boolean, onChoose: (Pane) -> Unit, modifier: Modifier = Modifier) {
+    val colours = LocalRobotranColours.current
+    PrimaryTabRow(
+        selectedTabIndex = chosen.ordinal,
+        modifier = modifier,
+        containerColor = colours.pane,
+        contentColor = colours.onPane,
+        indicator = { TabRowDefaults.PrimaryIndicator(Modifier.tabIndicatorOffset(chosen.ordinal), color = colours.onPane, width = 56.dp) },
+    ) {
+        for (pane in Pane.entries) {
+            val marked = pane == Pane.PROGRAM && mistaken
+            Tab(
+                selected = pane == chosen,
+                onClick = { onChoose(pane) },
+                modifier = Modifier.testTag("tab-${pane.name.lowercase()}").defaultMinSize(minHeight = Measures.TARGET).focusRing(),
+                selectedContentColor = if (marked) colours.mistake else colours.onPane,
+                unselectedContentColor = if (marked) colours.mistake else colours.quiet,
+                text = {
+                    val name = stringResource(pane.title)
+                    Text(if (marked) "! $name" else name, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
+                },
+            )
+        }
+    }
+}
+
+private val Pane.title: StringResource
+    get() = when (this) {
+        Pane.PROGRAM -> Res.string.tab_program
+        Pane.WORLD -> Res.string.tab_world
+        Pane.BRICK -> Res.string.tab_brick
+    }

@@ -1,0 +1,74 @@
+package robotran.ui.screen
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.offset
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableFloatStateOf
+import androidx.compose.runtime.saveable.rememberSaveable
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import robotran.ui.brick.BrickFront
+import robotran.ui.brick.LEAST_BRICK_WIDTH
+import robotran.ui.program.ProgramPane
+import robotran.ui.runbar.RunBar
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorkshopState
+import robotran.ui.world.WorldPane
+
+/** Tablet and laptop: the program on the left, beside it the desk with paper and brick, the run bar under the desk. */
+@Composable
+internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    var share by rememberSaveable { mutableFloatStateOf(PROGRAM_SHARE) }
+    BoxWithConstraints(Modifier.fillMaxSize()) {
+        val whole = maxWidth
+        Row(Modifier.fillMaxSize()) {
+            ProgramPane(state, onEvent, Modifier.width(whole * share).fillMaxHeight())
+            Column(Modifier.weight(1f).fillMaxHeight()) {
+                Desk(state, onEvent, Modifier.weight(1f))
+                RunBar(state, onEvent)
+            }
+        }
+        val pixels = with(LocalDensity.current) { whole.toPx() }
+        PaneDivider(share, pixels, { share = it }, Modifier.offset(x = whole * share - 12.dp))
+    }
+}
+
+/** The paper gets all the room that the brick beside it leaves. */
+@Composable
+private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+    BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.desk)) {
+        val brickWidth = (maxWidth * BRICK_SHARE).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
+        Row(Modifier.fillMaxSize()) {
+            WorldPane(state, Modifier.weight(1f).fillMaxHeight())
+            Box(Modifier.width(brickWidth + MARGIN).fillMaxHeight().padding(end = MARGIN, bottom = MARGIN), Alignment.BottomEnd) {
+                BrickFront(
+                    state.session.brick,
+                    state.down,
+                    { onEvent(WorkshopEvent.ButtonPressed(it)) },
+                    { onEvent(WorkshopEvent.ButtonReleased(it)) },
+                    Modifier.width(brickWidth),
+                )
+            }
+        }
+    }
+}
+
+private const val PROGRAM_SHARE = 0.34f
+private const val BRICK_SHARE = 0.3f
+private val MOST_BRICK_WIDTH = 300.dp
+private val MARGIN: Dp = 16.dp

@@ -1,0 +1,82 @@
+package robotran.ui
+
+import androidx.compose.ui.ImageComposeScene
+import androidx.compose.ui.unit.Density
+import java.io.File
+import kotlin.test.Test
+import kotlin.test.assertTrue
+import kotlinx.coroutines.runBlocking
+import org.jetbrains.skia.EncodedImageFormat
+import robotran.ui.sheet.sheetPng
+import robotran.ui.workshop.Pane
+import robotran.ui.workshop.Workshop
+import robotran.ui.workshop.WorkshopEvent
+
+/** Writes pictures of the screen into build/pictures, to be looked at. */
+class ScreenPictures {
+    private val folder = File(System.getProperty("robotran.pictures")).apply { mkdirs() }
+
+    @Test
+    fun `every size of screen can be photographed by day and by night`() {
+        for (screen in Screen.entries) {
+            for (dark in listOf(false, true)) {
+                val theme = if (dark) "dark" else "light"
+                val workshop = newWorkshop()
+                for (pane in screen.panes) {
+                    workshop.handle(WorkshopEvent.PaneChosen(pane))
+                    photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-first-${pane.name.lowercase()}")
+                }
+                workshop.handle(WorkshopEvent.RunPressed)
+                workshop.advance(HALF_DRAWN)
+                for (pane in screen.panes) {
+                    workshop.handle(WorkshopEvent.PaneChosen(pane))
+                    photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-half-${pane.name.lowercase()}")
+                }
+                workshop.advance(HALF_DRAWN * 2)
+                workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+                photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-end")
+                workshop.handle(WorkshopEvent.ProgramEdited("pen down\nrepaet 4 times\n  forwrd 20\n  turn left\nend\nbeep beep\n"))
+                workshop.handle(WorkshopEvent.RunPressed)
+                photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-mistakes")
+                workshop.close()
+            }
+        }
+    }
+
+    @Test
+    fun `the sheet alone becomes a picture`() {
+        val workshop = newWorkshop()
+        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.advance(HALF_DRAWN * 3)
+        val bytes = sheetPng(workshop.state.world, workshop.state.session)
+        File(folder, "sheet.png").writeBytes(bytes)
+        assertTrue(bytes.size > 1000)
+        workshop.close()
+    }
+
+    private fun photograph(workshop: Workshop, screen: Screen, dark: Boolean, name: String) {
+        val scene = ImageComposeScene(screen.width, screen.height, Density(1f)) { RobotranApp(workshop, dark) }
+        try {
+            scene.render()
+            val image = scene.render(nanoTime = 1_000_000_000)
+            val bytes = checkNotNull(image.encodeToData(EncodedImageFormat.PNG)).bytes
+            File(folder, "$name.png").writeBytes(bytes)
+            assertTrue(bytes.size > 1000, "$name is empty")
+        } finally {
+            scene.close()
+        }
+    }
+
+    private fun newWorkshop(): Workshop = runBlocking { openWorkshop() }
+
+    private enum class Screen(val width: Int, val height: Int, val panes: List<Pane>) {
+        PHONE(411, 891, Pane.entries),
+        TABLET(1280, 800, listOf(Pane.WORLD)),
+        LAPTOP(1440, 900, listOf(Pane.WORLD)),
+    }
+
+    private companion object {
+        /** Milliseconds into the square: somewhere on its third side. */
+        const val HALF_DRAWN = 3900
+    }
+}

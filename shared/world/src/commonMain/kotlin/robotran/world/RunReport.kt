@@ -1,0 +1,89 @@
+package robotran.world
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.json.Json
+import robotran.rom.RunState
+
+/**
+ * What came of a run, for a person or another program to read. Lengths are in centimetres; numbers are rounded to thousandths.
+ *
+ * @property seconds virtual time since the session began.
+ * @property lcd what a reader would read off the display.
+ * @property traceHash a hash of the robot's place in every tick and of every ROM call; the same on every platform.
+ * @property error what went wrong in one sentence, null unless [status] is [RunStatus.FAILED].
+ * @property goals what became of the world's goals.
+ */
+@Serializable
+data class RunReport(
+    val status: RunStatus,
+    val seconds: Thousandths,
+    val pose: ReportedPose,
+    val inkCentimetres: Thousandths,
+    val bumps: Int,
+    val lcd: String,
+    val romCalls: Int,
+    val traceHash: String,
+    val error: String?,
+    val goals: List<GoalReport>,
+) {
+    /** The report as JSON, its fields in the order above. */
+    fun toJson(): String = JSON.encodeToString(serializer(), this)
+
+    private companion object {
+        val JSON = Json { prettyPrint = true }
+    }
+}
+
+/** How a run stands. */
+@Serializable
+enum class RunStatus {
+    /** The program came to its end or was stopped, or none was started. */
+    @SerialName("ended")
+    ENDED,
+
+    @SerialName("running")
+    RUNNING,
+
+    @SerialName("failed")
+    FAILED,
+}
+
+/** A [Pose] in a report; [heading] in degrees counter-clockwise from the x axis. */
+@Serializable
+data class ReportedPose(
+    val x: Thousandths,
+    val y: Thousandths,
+    val heading: Thousandths,
+)
+
+/** Whether a goal of the world was met. */
+@Serializable
+data class GoalReport(
+    val goal: String,
+    val met: Boolean,
+)
+
+/** What came of the session up to now. */
+fun Session.report(): RunReport {
+    val now = state
+    val run = now.brick.run
+    return RunReport(
+        status = statusOf(run),
+        seconds = Thousandths(now.milliseconds),
+        pose = with(now.robot.pose) { ReportedPose(Thousandths.of(x), Thousandths.of(y), Thousandths.of(heading)) },
+        inkCentimetres = Thousandths.of(now.ink.lengthCentimetres),
+        bumps = now.bumps,
+        lcd = now.brick.glass.text,
+        romCalls = now.romCalls,
+        traceHash = traceHash,
+        error = (run as? RunState.Failed)?.failure?.let { if (it.sourceLine > 0) "Line ${it.sourceLine}: ${it.message}" else it.message },
+        goals = emptyList(),
+    )
+}
+
+private fun statusOf(run: RunState): RunStatus = when (run) {
+    RunState.Idle, is RunState.Ended -> RunStatus.ENDED
+    is RunState.Running -> RunStatus.RUNNING
+    is RunState.Failed -> RunStatus.FAILED
+}

@@ -1,0 +1,103 @@
+package robotran.world
+
+import robotran.rom.Brick
+import robotran.rom.MotorPort
+import robotran.rom.RcxProgram
+import robotran.rom.RomLog
+import robotran.rom.SoundEvent
+import robotran.world.physics.PhysicsEngine
+
+/**
+ * A brick with its programs in a robot in a world, from switching it on. Time passes only in [advance], one tick of 1 ms after the other:
+ * the brick's firmware, then its program, then the motors, and every fifth tick the physics. The same world, programs and inputs
+ * at the same times give the same session, to the last bit, on every target. Not to be used from two threads at once.
+ *
+ * @param programs the brick's program slots.
+ */
+class Session(val world: World, programs: List<RcxProgram>, physics: PhysicsEngine) {
+    private val brick = Brick(programs)
+    private val simulation = Simulation(world, physics)
+    private val hash = TraceHash()
+    private val recorded = mutableListOf<RecordedInput>()
+    private var milliseconds = 0L
+    private var hashedCalls = 0L
+    private var latest: SessionState? = null
+    private var closed = false
+
+    /** Every ROM call of the program and the firmware. */
+    val romLog: RomLog get() = brick.log
+
+    /** Everything that was done to the session so far, in order; with it [replay] makes the same session again. */
+    val inputs: List<RecordedInput> get() = recorded.toList()
+
+    /** The session as it is now. */
+    val state: SessionState get() = latest ?: snapshot().also { latest = it }
+
+    /** A hash of the robot's place in every tick and of every ROM call so far, as 16 hexadecimal digits. */
+    val traceHash: String get() = hash.text
+
+    /** Lets time pass. */
+    fun advance(milliseconds: Int) {
+        check(!closed) { "The session is closed." }
+        repeat(milliseconds) { tick() }
+    }
+
+    /** Does something to the session from outside, between two ticks. */
+    fun apply(input: SessionInput) {
+        recorded += RecordedInput(milliseconds, input)
+        latest = null
+        when (input) {
+            is SessionInput.Press -> brick.press(input.button)
+            is SessionInput.Release -> brick.release(input.button)
+            SessionInput.Stop -> brick.stopProgram()
+        }
+    }
+
+    /** The tones begun since the last call. */
+    fun takeSounds(): List<SoundEvent> = brick.takeSounds()
+
+    /** Frees what the physics holds. The session can still be looked at, but not go on. */
+    fun close() {
+        if (!closed) simulation.close()
+        closed = true
+    }
+
+    private fun tick() {
+        latest = null
+        brick.tick()
+        simulation.tick(brick.motor(MotorPort.A), brick.motor(MotorPort.B), brick.motor(MotorPort.C))
+        milliseconds++
+        simulation.addTo(hash)
+        hashNewCalls()
+    }
+
+    private fun hashNewCalls() {
+        while (hashedCalls < romLog.total) romLog[hashedCalls++]?.let(hash::add)
+    }
+
+    private fun snapshot() = SessionState(
+        milliseconds = milliseconds,
+        brick = brick.state,
+        robot = simulation.robot,
+        ink = simulation.ink,
+        bumps = simulation.bumps,
+        romCalls = romLog.total.toInt(),
+    )
+
+    companion object {
+        /** A new session to which [inputs], in the order of their times, are done again, after [milliseconds]. */
+        fun replay(world: World, programs: List<RcxProgram>, physics: PhysicsEngine, inputs: List<RecordedInput>, milliseconds: Long): Session {
+            val session = Session(world, programs, physics)
+            inputs.filter { it.milliseconds <= milliseconds }.forEach { recorded ->
+                session.advanceTo(recorded.milliseconds)
+                session.apply(recorded.input)
+            }
+            session.advanceTo(milliseconds)
+            return session
+        }
+    }
+
+    private fun advanceTo(time: Long) {
+        while (milliseconds < time) advance(1)
+    }
+}
