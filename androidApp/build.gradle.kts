@@ -14,7 +14,6 @@ android {
 dependencies {
     implementation(project(":shared:ui"))
     implementation(libs.androidx.activity.compose)
-    implementation(libs.androidx.lifecycle.runtime.compose)
     testImplementation(libs.androidx.compose.ui.test)
     testImplementation(libs.junit4)
     testImplementation(libs.robolectric)

@@ -1,6 +1,12 @@
 plugins {
+    id("com.android.library")
+    id("robotran.android")
     id("robotran.compose")
     id("robotran.texts")
+}
+
+android {
+    namespace = "robotran.ui"
 }
 
 texts {
@@ -19,6 +25,10 @@ kotlin {
             api(libs.compose.ui)
             implementation(libs.compose.resources)
             implementation(libs.coroutines.core)
+        }
+        androidMain.dependencies {
+            // Compose asks for 2.8.3, which not every mirror of Google's repository has.
+            implementation(libs.androidx.lifecycle.runtime.compose)
         }
     }
 }
