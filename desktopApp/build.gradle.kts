@@ -6,6 +6,7 @@ dependencies {
     implementation(project(":shared:ui"))
     implementation(compose.desktop.currentOs)
     implementation(libs.coroutines.swing)
+    implementation(libs.clikt)
 }
 
 application {

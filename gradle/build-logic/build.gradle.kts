@@ -31,9 +31,17 @@ gradlePlugin {
             id = "robotran.core"
             implementationClass = "robotran.build.CorePlugin"
         }
+        create("testPrograms") {
+            id = "robotran.test-programs"
+            implementationClass = "robotran.build.TestProgramsPlugin"
+        }
         create("compose") {
             id = "robotran.compose"
             implementationClass = "robotran.build.ComposePlugin"
+        }
+        create("web") {
+            id = "robotran.web"
+            implementationClass = "robotran.build.WebAppPlugin"
         }
         create("desktop") {
             id = "robotran.desktop"

@@ -1,5 +1,6 @@
 plugins {
     id("robotran.core")
+    id("robotran.test-programs")
 }
 
 kotlin {

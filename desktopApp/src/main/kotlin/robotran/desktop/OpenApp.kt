@@ -6,21 +6,21 @@ import robotran.ui.workshop.ProgramFile
 /**
  * Opens the window, with the program in the first of [files] or, without one, the square, and returns when it is closed.
  *
- * @return the exit status of the process.
+ * @return what the process is to tell its shell.
  */
-internal fun openApp(files: List<String>): Int {
+internal fun openApp(files: List<String>): ExitCode {
     val program = files.firstOrNull()?.let { name ->
         when (val file = readProgramFile(Path.of(name))) {
             is ProgramFileResult.Read -> file.program
-            is ProgramFileResult.Refused -> return refuse(file.message, ExitStatus.BAD_INPUT)
+            is ProgramFileResult.Refused -> return refuse(file.message, ExitCode.BAD_INPUT)
         }
     }
-    if (!hasDisplay()) return refuse(NO_DISPLAY, ExitStatus.NO_DISPLAY)
+    if (!hasDisplay()) return refuse(NO_DISPLAY, ExitCode.NO_DISPLAY)
     showWindow(program)
-    return ExitStatus.DONE
+    return ExitCode.DONE
 }
 
-private fun refuse(message: String, status: Int): Int {
+private fun refuse(message: String, status: ExitCode): ExitCode {
     System.err.println(message)
     return status
 }

@@ -1,5 +1,6 @@
 package robotran.desktop.cli
 
+import robotran.desktop.ExitCode
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.parse

@@ -1,14 +1,14 @@
 package robotran.desktop.cli
 
+import robotran.desktop.ExitCode
 import kotlinx.coroutines.runBlocking
-import robotran.robolang.Calibration
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.rom.BrickButton
 import robotran.rom.RcxProgram
 import robotran.rom.RunState
-import robotran.ui.Bundled
-import robotran.world.Penbot
+import robotran.ui.workshop.PENBOT_CALIBRATION
+import robotran.world.BuiltInWorlds
 import robotran.world.Session
 import robotran.world.SessionInput
 import robotran.world.World
@@ -67,8 +67,7 @@ internal class ProgramRunner(
                     return null
                 }
             }
-        val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-        return when (val result = readRobolang(Path(name).name, text, calibration)) {
+        return when (val result = readRobolang(Path(name).name, text, PENBOT_CALIBRATION)) {
             is RobolangResult.Ready -> result.program
             is RobolangResult.Mistaken -> {
                 result.diagnostics.forEach { console.complain("$name:${it.range.line}:${it.range.column}: ${it.message}") }
@@ -78,9 +77,9 @@ internal class ProgramRunner(
     }
 
     private fun readWorldFile(name: String?): World? {
+        if (name == null) return BuiltInWorlds.plain
         val text =
-            when (val file = name?.let(::readTextFile)) {
-                null -> runBlocking { Bundled.plainWorld() }
+            when (val file = readTextFile(name)) {
                 is TextFile.Read -> file.text
                 is TextFile.Refused -> {
                     console.complain(file.reason)
@@ -90,7 +89,7 @@ internal class ProgramRunner(
         return when (val result = readWorld(text)) {
             is WorldFileResult.Loaded -> result.world
             is WorldFileResult.Refused -> {
-                console.complain("${name ?: "The plain sheet"}: ${result.message}")
+                console.complain("$name: ${result.message}")
                 null
             }
         }

@@ -1,5 +1,6 @@
 package robotran.desktop.cli
 
+import robotran.desktop.ExitCode
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.ProgramResult

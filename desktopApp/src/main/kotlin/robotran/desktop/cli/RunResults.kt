@@ -1,7 +1,10 @@
 package robotran.desktop.cli
 
-import robotran.ui.sheet.sheetPicture
+import robotran.ui.sheet.sheetPng
+import robotran.world.RunReport
+import robotran.world.RunStatus
 import robotran.world.Session
+import robotran.world.report
 
 /** Writes what a finished run is to leave behind. */
 internal class RunResults(
@@ -13,12 +16,12 @@ internal class RunResults(
         val report = session.report()
         val problems =
             listOfNotNull(
-                outputs.picture?.let { writeFile(it, sheetPicture(session.world, session.state, PICTURE_WIDTH)) },
+                outputs.picture?.let { writeFile(it, sheetPng(session.world, session.state)) },
                 outputs.romLog?.let { writeText(it, session.romLog.entries.joinToString("") { entry -> entry.text + "\n" }) },
                 outputs.report?.let { writeText(it, report.toJson() + "\n") },
             )
         report.error?.let { console.complain(it) }
-        if (CONSOLE !in listOf(outputs.romLog, outputs.report)) console.say(report.summary())
+        if (CONSOLE !in listOf(outputs.romLog, outputs.report)) console.say(summary(report))
         return problems
     }
 
@@ -33,10 +36,19 @@ internal class RunResults(
             writeFile(name, text.encodeToByteArray())
         }
 
+    /** The run in one sentence, for a person at the console. */
+    private fun summary(report: RunReport): String {
+        val how =
+            when (report.status) {
+                RunStatus.ENDED -> "The program ended"
+                RunStatus.RUNNING -> "The time was up"
+                RunStatus.FAILED -> "The program failed"
+            }
+        val place = with(report.pose) { "x $x cm, y $y cm, heading $heading degrees" }
+        return "$how after ${report.seconds} s. The robot is at $place; it drew ${report.inkCentimetres} cm."
+    }
+
     private companion object {
         const val CONSOLE = "-"
-
-        /** Pixels: fine enough to measure in, small enough to mail. */
-        const val PICTURE_WIDTH = 1200
     }
 }

@@ -2,7 +2,6 @@ package robotran.build
 
 import org.gradle.api.Plugin
 import org.gradle.api.Project
-import org.gradle.api.artifacts.VersionCatalogsExtension
 import org.gradle.api.tasks.testing.Test
 import org.jetbrains.compose.ComposePlugin.DesktopDependencies
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
@@ -19,7 +18,7 @@ class ComposePlugin : Plugin<Project> {
         project.pluginManager.apply("org.jetbrains.kotlin.multiplatform")
         project.pluginManager.apply("org.jetbrains.kotlin.plugin.compose")
         project.pluginManager.apply("org.jetbrains.compose")
-        val libraries = project.extensions.getByType(VersionCatalogsExtension::class.java).named("libs")
+        val libraries = catalog(project)
         project.extensions.configure(KotlinMultiplatformExtension::class.java) { kotlin ->
             kotlin.jvm()
             kotlin.wasmJs { browser { testTask { it.enabled = false } } }

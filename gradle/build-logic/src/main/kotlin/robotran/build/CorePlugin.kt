@@ -2,7 +2,6 @@ package robotran.build
 
 import org.gradle.api.Plugin
 import org.gradle.api.Project
-import org.gradle.api.artifacts.VersionCatalogsExtension
 import org.gradle.api.tasks.testing.Test
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
@@ -12,7 +11,7 @@ class CorePlugin : Plugin<Project> {
     @OptIn(ExperimentalWasmDsl::class)
     override fun apply(project: Project) {
         project.pluginManager.apply("org.jetbrains.kotlin.multiplatform")
-        val libraries = project.extensions.getByType(VersionCatalogsExtension::class.java).named("libs")
+        val libraries = catalog(project)
         project.extensions.configure(KotlinMultiplatformExtension::class.java) { kotlin ->
             kotlin.jvm()
             kotlin.wasmJs { nodejs() }
@@ -26,6 +25,7 @@ class CorePlugin : Plugin<Project> {
                 implementation(libraries.findLibrary("kotest-property").get())
             }
         }
+        WebTools.use(project)
         project.tasks.withType(Test::class.java).configureEach { it.useJUnitPlatform() }
     }
 }

@@ -2,7 +2,6 @@ package robotran.build
 
 import org.gradle.api.Plugin
 import org.gradle.api.Project
-import org.gradle.api.artifacts.VersionCatalogsExtension
 import org.gradle.api.tasks.JavaExec
 import org.gradle.api.tasks.testing.Test
 
@@ -13,7 +12,7 @@ class DesktopPlugin : Plugin<Project> {
         project.pluginManager.apply("org.jetbrains.kotlin.jvm")
         project.pluginManager.apply("org.jetbrains.kotlin.plugin.compose")
         project.pluginManager.apply("org.jetbrains.compose")
-        val libraries = project.extensions.getByType(VersionCatalogsExtension::class.java).named("libs")
+        val libraries = catalog(project)
         project.dependencies.add("testImplementation", "org.jetbrains.kotlin:kotlin-test")
         project.dependencies.add("testImplementation", libraries.findLibrary("coroutines-test").get())
         project.tasks.withType(Test::class.java).configureEach { it.useJUnitPlatform() }

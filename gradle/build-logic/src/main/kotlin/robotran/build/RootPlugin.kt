@@ -2,10 +2,54 @@ package robotran.build
 
 import org.gradle.api.Plugin
 import org.gradle.api.Project
+import org.gradle.api.file.ConfigurableFileTree
 
-/** What the root project does: it holds no code, only the checks of the whole tree. */
+/** What the root project does: it holds no code, only the checks of the whole tree and what all modules share. */
 class RootPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.group = "robotran"
+        project.pluginManager.apply("base")
+        WebTools.registerSetUp(project)
+        WebTools.use(project)
+        Chromium.registerSetUp(project)
+        project.tasks.register("setUp") { task ->
+            task.group = "build setup"
+            task.description = "Sets up everything that this machine lacks for the whole build."
+            task.dependsOn(WebTools.SET_UP_TASK, Chromium.SET_UP_TASK)
+        }
+        CodeStyle.register(project)
+        val moduleMap = registerModuleMapCheck(project)
+        val wrapper = registerWrapperCheck(project)
+        project.tasks.named("check") { task ->
+            task.dependsOn(moduleMap, wrapper, project.gradle.includedBuild("build-logic").task(":test"))
+        }
     }
+
+    private fun registerModuleMapCheck(project: Project) =
+        project.tasks.register("checkModuleMap", CheckModuleMap::class.java) { task ->
+            task.group = "verification"
+            task.description = "Checks that no module imports what the module map in docs/architecture.md forbids."
+            task.map.set(project.file("docs/architecture.md"))
+            task.sources.from(sources(project, "**/src/**/*.kt"), sources(project, "**/src/**/*.java"))
+            task.root.set(project.layout.projectDirectory)
+            task.report.set(project.layout.buildDirectory.file("reports/module-map.txt"))
+        }
+
+    private fun registerWrapperCheck(project: Project) =
+        project.tasks.register("checkGradleWrapper", CheckGradleWrapper::class.java) { task ->
+            task.group = "verification"
+            task.description = "Checks that gradle-wrapper.jar is the official one and that the distribution's checksum is pinned."
+            task.jar.set(project.file("gradle/wrapper/gradle-wrapper.jar"))
+            task.properties.set(project.file("gradle/wrapper/gradle-wrapper.properties"))
+        }
+
+    /** The files of the tree's own modules that match [pattern]: nothing that a build made, and nothing of the build itself. */
+    private fun sources(
+        project: Project,
+        pattern: String,
+    ): ConfigurableFileTree =
+        project.fileTree(project.rootDir) {
+            it.include(pattern)
+            it.exclude("*/build/**", "shared/*/build/**", "**/.*/**", "gradle/**")
+        }
 }

@@ -20,17 +20,21 @@ internal class ButtonRoutines(
     private fun readPowerStatus(arguments: List<Int>): RomEffect {
         val (code, pointer) = arguments
         return when (code) {
-            RomCode.ON_OFF_KEY -> {
-                val held = BrickButton.ON_OFF in buttons.pressed
-                memory.writeShort(pointer, if (held) 0 else RELEASED)
-                RomEffect("the On-Off key is ${if (held) "held down" else "up"}")
-            }
-            RomCode.BATTERY -> {
-                memory.writeShort(pointer, FULL_BATTERY)
-                RomEffect("the battery measures $FULL_BATTERY")
-            }
+            RomCode.ON_OFF_KEY -> readOnOffKey(pointer)
+            RomCode.BATTERY -> readBattery(pointer)
             else -> unknownCode(code)
         }
+    }
+
+    private fun readOnOffKey(pointer: Int): RomEffect {
+        val held = BrickButton.ON_OFF in buttons.pressed
+        memory.writeShort(pointer, if (held) 0 else RELEASED)
+        return RomEffect("the On-Off key is ${if (held) "held down" else "up"}")
+    }
+
+    private fun readBattery(pointer: Int): RomEffect {
+        memory.writeShort(pointer, FULL_BATTERY)
+        return RomEffect("the battery measures $FULL_BATTERY")
     }
 
     companion object {

@@ -16,24 +16,23 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
     fun isLit(icon: LcdIcon): Boolean = icon.segments.all(::isSet)
 
     /** The icons that are lit. */
-    val litIcons: Set<LcdIcon> by lazy(LazyThreadSafetyMode.NONE) { LcdIcon.entries.filterTo(mutableSetOf(), ::isLit) }
+    val litIcons: Set<LcdIcon> get() = LcdIcon.entries.filterTo(mutableSetOf(), ::isLit)
 
     /**
      * The main number as a reader would read it: its four digits with their minus sign and decimal point, such as `-42`, `9.0` or
      * `0042`, without the blanks around them; letters that seven segments can form are read too, `?` stands for any other shape.
      */
-    val number: String by lazy(LazyThreadSafetyMode.NONE) {
-        buildString {
+    val number: String
+        get() = buildString {
             if (isLit(LcdIcon.MINUS)) append('-')
             for (position in LcdLayout.DIGITS - 1 downTo 1) {
                 append(LcdGlyphs.read(digit(position)))
                 if (position > 1 && isLit(LcdLayout.POINTS[position - 2])) append('.')
             }
         }.trim()
-    }
 
     /** The program digit on the right as a reader would read it, one character or none. */
-    val programDigit: String by lazy(LazyThreadSafetyMode.NONE) { LcdGlyphs.read(digit(0)).toString().trim() }
+    val programDigit: String get() = LcdGlyphs.read(digit(0)).toString().trim()
 
     /**
      * The [number], a blank, and the [programDigit], such as `9.0 0` or `-42 0`; only the one that shows anything if the other is dark,

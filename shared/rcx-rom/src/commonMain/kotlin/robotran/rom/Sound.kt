@@ -23,7 +23,8 @@ internal object SystemSounds {
     const val FAST_UP = 5
 
     private val melodyDown =
-        listOf(179, 192, 208, 227, 250).map { frequency(DIVISOR_32, it) } + listOf(139, 156, 179, 208, 250).map { frequency(DIVISOR_64, it) }
+        listOf(179, 192, 208, 227, 250).map { frequency(DIVISOR_32, it) } +
+            listOf(139, 156, 179, 208, 250).map { frequency(DIVISOR_64, it) }
 
     private val sounds: List<Sound> = listOf(
         listOf(Note(frequency(DIVISOR_32, counts = 125), 10), Note(null, 30)),

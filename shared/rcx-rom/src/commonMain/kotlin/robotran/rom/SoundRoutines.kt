@@ -14,10 +14,7 @@ internal class SoundRoutines(
     private fun playSystemSound(arguments: List<Int>): RomEffect {
         val (code, number) = arguments
         return when (code) {
-            RomCode.SOUND_NOW -> {
-                speaker.playNow(SystemSounds.sound(number))
-                RomEffect("play ${systemSoundName(number)} at once")
-            }
+            RomCode.SOUND_NOW -> playSystemSoundNow(number)
             RomCode.SOUND_QUEUED -> queueSystemSound(number)
             else -> unknownCode(code)
         }
@@ -26,11 +23,7 @@ internal class SoundRoutines(
     private fun playTone(arguments: List<Int>): RomEffect {
         val (code, hertz, last) = arguments
         return when (code) {
-            RomCode.TONE -> {
-                val duration = last % DURATIONS * Speaker.LOOK_MILLISECONDS
-                val real = ToneTimer.realHertz(hertz)
-                queue(listOf(Note(real, duration)), if (real == null) "pause of $duration ms" else "tone of $hertz Hz for $duration ms")
-            }
+            RomCode.TONE -> queueTone(hertz, milliseconds = last % DURATIONS * Speaker.LOOK_MILLISECONDS)
             RomCode.TONE_SYSTEM_SOUND -> queueSystemSound(last)
             RomCode.TONE_DATA_POINTER -> RomEffect("nothing happens, receiving data is not modelled", RomOutcome.NOT_MODELLED)
             else -> unknownCode(code)
@@ -42,6 +35,17 @@ internal class SoundRoutines(
         val playing = memory.readByte(Speaker.PLAYING_FLAG)
         memory.writeByte(pointer, playing)
         return RomEffect(if (playing == 0) "no sound is playing" else "a sound is playing")
+    }
+
+    private fun playSystemSoundNow(number: Int): RomEffect {
+        speaker.playNow(SystemSounds.sound(number))
+        return RomEffect("play ${systemSoundName(number)} at once")
+    }
+
+    private fun queueTone(hertz: Int, milliseconds: Int): RomEffect {
+        val real = ToneTimer.realHertz(hertz)
+        val name = if (real == null) "pause of $milliseconds ms" else "tone of $hertz Hz for $milliseconds ms"
+        return queue(listOf(Note(real, milliseconds)), name)
     }
 
     private fun queueSystemSound(number: Int) = queue(SystemSounds.sound(number), systemSoundName(number))

@@ -30,14 +30,16 @@ internal class VirtualRom(
 
     private fun refusal(signature: RomSignature, arguments: List<Int>): RomEffect? {
         val needed = signature.parameters.size
-        val problem = when {
-            arguments.size < needed -> "needs $needed arguments, not ${arguments.size}"
-            signature.codeGroup != null && arguments[0] shr BYTE_BITS != signature.codeGroup ->
-                "wants a code that begins with 0x${signature.codeGroup.toString(radix = 16)}"
-            else -> return null
+        val group = signature.codeGroup
+        return when {
+            arguments.size < needed -> refused(signature, "needs $needed arguments, not ${arguments.size}")
+            group == null || arguments[0] shr BYTE_BITS == group -> null
+            else -> refused(signature, "wants a code that begins with 0x${group.toString(radix = 16)}")
         }
-        return RomEffect("nothing happens, ${signature.name} $problem", RomOutcome.WRONG_ARGUMENTS)
     }
+
+    private fun refused(signature: RomSignature, reason: String) =
+        RomEffect("nothing happens, ${signature.name} $reason", RomOutcome.WRONG_ARGUMENTS)
 
     private companion object {
         const val WORD = 0xFFFF

@@ -43,7 +43,8 @@ class ButtonRoutineTest {
 
     @Test
     fun `the battery is full`() {
-        assertEquals("0 0x29f2 0x4001 0x9000 ; the battery measures 320 ; 7", hardware.call(RomAddress.READ_POWER_STATUS, 0x4001, RESULT).text)
+        val entry = hardware.call(RomAddress.READ_POWER_STATUS, RomCode.BATTERY, RESULT)
+        assertEquals("0 0x29f2 0x4001 0x9000 ; the battery measures 320 ; 7", entry.text)
         assertEquals(320, hardware.memory.readShort(RESULT))
     }
 

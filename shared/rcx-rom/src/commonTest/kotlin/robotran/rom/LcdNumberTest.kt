@@ -9,8 +9,9 @@ class LcdNumberTest {
 
     @Test
     fun `signed numbers are shown without leading zeros and with the minus sign beside them`() {
-        val shown = mapOf(0 to "0", 5 to "5", 42 to "42", 999 to "999", 9999 to "9999", -1 to "-1", -42 to "-42", -999 to "-999", -9999 to "-9999")
-        shown.forEach { (number, text) -> assertEquals(text, hardware.show(RomCode.LCD_SIGNED, number)) }
+        for (number in listOf(0, 5, 42, 999, 9999, -1, -42, -999, -9999)) {
+            assertEquals(number.toString(), hardware.show(RomCode.LCD_SIGNED, number))
+        }
     }
 
     @Test

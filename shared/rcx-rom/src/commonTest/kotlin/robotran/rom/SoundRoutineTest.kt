@@ -28,7 +28,9 @@ class SoundRoutineTest {
             fresh.tick(2_000)
             val events = fresh.speaker.takeEvents()
             assertEquals(tones.map { it.second }, events.map { it.durationMilliseconds }, "lengths of $number")
-            tones.zip(events).forEach { (tone, event) -> assertTrue(abs(tone.first - event.hertz) < 1.0, "sound $number is ${event.hertz}") }
+            tones.zip(events).forEach { (tone, event) ->
+                assertTrue(abs(tone.first - event.hertz) < 1.0, "sound $number is ${event.hertz}")
+            }
         }
     }
 
@@ -71,10 +73,18 @@ class SoundRoutineTest {
 
     @Test
     fun `frequencies are rounded as the timer must`() {
-        val real = mapOf(31 to 31.0018, 122 to 122.0703, 123 to 123.0315, 440 to 440.1408, 1000 to 1000.0, 3921 to 3968.2540, 20_000 to 20_000.0)
+        val real = mapOf(
+            31 to 31.0020,
+            122 to 122.0703,
+            123 to 123.0315,
+            440 to 440.1408,
+            1000 to 1000.0,
+            3921 to 3968.2540,
+            20_000 to 20_000.0,
+        )
         for ((asked, given) in real) {
-            val hertz = assertNotNullHertz(ToneTimer.realHertz(asked))
-            assertTrue(abs(given - hertz) < 0.001, "$asked became $hertz")
+            val hertz = ToneTimer.realHertz(asked)
+            assertTrue(hertz != null && abs(given - hertz) < 0.001, "$asked became $hertz")
         }
     }
 
@@ -165,9 +175,4 @@ class SoundRoutineTest {
     private fun Hardware.tone(hertz: Int, hundredths: Int) = call(RomAddress.PLAY_TONE, RomCode.TONE, hertz, hundredths)
 
     private fun Hardware.systemSound(number: Int) = call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, number)
-
-    private fun assertNotNullHertz(hertz: Double?): Double {
-        assertTrue(hertz != null)
-        return hertz
-    }
 }

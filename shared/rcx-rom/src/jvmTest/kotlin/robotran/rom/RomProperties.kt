@@ -19,7 +19,8 @@ private const val NUMBERS_SHOWN = 20_000
 
 class RomProperties : StringSpec({
     val anyAddress = Arb.choice(Arb.int(WORDS), Arb.element(RomTable.signatures.map { it.address }))
-    val anyCode = Arb.bind(Arb.element(RomTable.signatures.mapNotNull { it.codeGroup }), Arb.int(0..0x30)) { group, low -> (group shl 8) + low }
+    val anyGroup = Arb.element(RomTable.signatures.mapNotNull { it.codeGroup })
+    val anyCode = Arb.bind(anyGroup, Arb.int(0..0x30)) { group, low -> (group shl 8) + low }
     val anyArgument = Arb.choice(Arb.int(WORDS), Arb.int(-10..10))
 
     "a number of the whole range reads back as itself or as the nearest that fits, with every decimal point" {
@@ -27,8 +28,8 @@ class RomProperties : StringSpec({
         val points = mapOf(RomCode.LCD_POINT_NONE to 0, RomCode.LCD_POINT_1 to 1, RomCode.LCD_POINT_2 to 2, RomCode.LCD_POINT_3 to 3)
         for (number in -NUMBERS_SHOWN..NUMBERS_SHOWN) {
             for ((point, decimals) in points) {
-                val shown = number.coerceIn(-9999, 9999)
-                hardware.shown(RomCode.LCD_SIGNED, number, point).toBigDecimal() shouldBe shown.toBigDecimal().movePointLeft(decimals).setScale(decimals)
+                val fitting = number.coerceIn(-9999, 9999).toBigDecimal().movePointLeft(decimals).setScale(decimals)
+                hardware.shown(RomCode.LCD_SIGNED, number, point).toBigDecimal() shouldBe fitting
             }
         }
     }

@@ -41,7 +41,7 @@ object EnglishMessages : RobolangMessages {
 
     override fun invisibleCharacter(code: String) = "There is a character here that cannot be seen ($code). Delete it."
 
-    override fun characterInsteadOf(written: String, right: String) = "Write ${quoted(right)} instead of ${quoted(written)}."
+    override fun characterInsteadOf(written: String, right: String) = writeInstead(written, right)
 
     override fun commentBegins() = "A comment begins with \"//\"."
 
@@ -51,7 +51,7 @@ object EnglishMessages : RobolangMessages {
         "This number is too large. Numbers go from $smallest to $largest."
 
     override fun malformedNumber(number: String, right: String?) =
-        if (right == null) "${quoted(number)} is not a number." else "Write $right instead of $number."
+        if (right == null) "${quoted(number)} is not a number." else writeInstead(number, right)
 
     override fun decimalComma(right: String?) =
         if (right == null) "A number has a point, not a comma." else "A number has a point, not a comma. Write $right."
@@ -67,6 +67,8 @@ object EnglishMessages : RobolangMessages {
     override fun nestedTooDeeply(limit: Int) = "There can be at most $limit blocks inside each other."
 
     override fun sourceTooLong(limit: Int) = "A program can have at most $limit characters. This one has more."
+
+    private fun writeInstead(written: String, right: String) = "Write ${quoted(right)} instead of ${quoted(written)}."
 
     private fun quoted(text: String) = "\"$text\""
 

@@ -28,11 +28,7 @@ data class RunReport(
     val goals: List<GoalReport>,
 ) {
     /** The report as JSON, its fields in the order above. */
-    fun toJson(): String = JSON.encodeToString(serializer(), this)
-
-    private companion object {
-        val JSON = Json { prettyPrint = true }
-    }
+    fun toJson(): String = reportJson.encodeToString(serializer(), this)
 }
 
 /** How a run stands. */
@@ -70,9 +66,9 @@ fun Session.report(): RunReport {
     val run = now.brick.run
     return RunReport(
         status = statusOf(run),
-        seconds = Thousandths(now.milliseconds),
-        pose = with(now.robot.pose) { ReportedPose(Thousandths.of(x), Thousandths.of(y), Thousandths.of(heading)) },
-        inkCentimetres = Thousandths.of(now.ink.lengthCentimetres),
+        seconds = roundToThousandths(now.milliseconds / MILLISECONDS_PER_SECOND),
+        pose = with(now.robot.pose) { ReportedPose(roundToThousandths(x), roundToThousandths(y), roundToThousandths(heading)) },
+        inkCentimetres = roundToThousandths(now.ink.lengthCentimetres),
         bumps = now.bumps,
         lcd = now.brick.glass.text,
         romCalls = now.romCalls,
@@ -87,3 +83,6 @@ private fun statusOf(run: RunState): RunStatus = when (run) {
     is RunState.Running -> RunStatus.RUNNING
     is RunState.Failed -> RunStatus.FAILED
 }
+
+private const val MILLISECONDS_PER_SECOND = 1000.0
+private val reportJson = Json { prettyPrint = true }

@@ -1,6 +1,5 @@
 package robotran.world
 
-import kotlin.jvm.JvmInline
 import kotlin.math.abs
 import kotlin.math.floor
 import kotlinx.serialization.ExperimentalSerializationApi
@@ -13,38 +12,36 @@ import kotlinx.serialization.encoding.Encoder
 import kotlinx.serialization.json.JsonEncoder
 import kotlinx.serialization.json.JsonUnquotedLiteral
 
-/** A number with three decimals, kept as a whole number of thousandths, since the platforms do not write every `Double` alike. */
-@Serializable(with = ThousandthsSerializer::class)
-@JvmInline
-value class Thousandths(val count: Long) {
-    val value: Double get() = count / SCALE
+/** A number that is written to JSON with at most three decimals. */
+typealias Thousandths = @Serializable(with = ThousandthsSerializer::class) Double
 
-    /** Such as `20.0`, `-0.125` or `79.96`: no more decimals than needed, but at least one. */
-    override fun toString(): String {
-        val size = abs(count)
-        val decimals = (size % WHOLE).toString().padStart(DECIMALS, '0').trimEnd('0').ifEmpty { "0" }
-        return (if (count < 0) "-" else "") + "${size / WHOLE}.$decimals"
-    }
+/** How many thousandths are nearest to [number]. */
+internal fun thousandthsIn(number: Double): Long = floor(number * THOUSAND + HALF).toLong()
 
-    companion object {
-        private const val SCALE = 1000.0
-        private const val WHOLE = 1000L
-        private const val DECIMALS = 3
-        private const val HALF = 0.5
+/** The number with three decimals that is nearest to [number]. */
+internal fun roundToThousandths(number: Double): Double = thousandthsIn(number) / THOUSAND
 
-        /** The nearest number with three decimals. */
-        fun of(number: Double): Thousandths = Thousandths(floor(number * SCALE + HALF).toLong())
-    }
+/** Such as `20.0`, `-0.125` or `79.96`: no more decimals than needed, but at least one. */
+internal fun writeThousandths(number: Double): String {
+    val count = thousandthsIn(number)
+    val size = abs(count)
+    val decimals = (size % WHOLE).toString().padStart(DECIMALS, '0').trimEnd('0').ifEmpty { "0" }
+    return (if (count < 0) "-" else "") + "${size / WHOLE}.$decimals"
 }
 
-/** A JSON number, written digit by digit as [Thousandths.toString] does. */
-internal object ThousandthsSerializer : KSerializer<Thousandths> {
+/** Writes numbers digit by digit, since the platforms do not write every `Double` alike. */
+internal object ThousandthsSerializer : KSerializer<Double> {
     override val descriptor = PrimitiveSerialDescriptor("robotran.world.Thousandths", PrimitiveKind.DOUBLE)
 
     @OptIn(ExperimentalSerializationApi::class)
-    override fun serialize(encoder: Encoder, value: Thousandths) {
-        if (encoder is JsonEncoder) encoder.encodeJsonElement(JsonUnquotedLiteral(value.toString())) else encoder.encodeDouble(value.value)
+    override fun serialize(encoder: Encoder, value: Double) {
+        if (encoder is JsonEncoder) encoder.encodeJsonElement(JsonUnquotedLiteral(writeThousandths(value))) else encoder.encodeDouble(value)
     }
 
-    override fun deserialize(decoder: Decoder): Thousandths = Thousandths.of(decoder.decodeDouble())
+    override fun deserialize(decoder: Decoder): Double = decoder.decodeDouble()
 }
+
+private const val THOUSAND = 1000.0
+private const val WHOLE = 1000L
+private const val DECIMALS = 3
+private const val HALF = 0.5

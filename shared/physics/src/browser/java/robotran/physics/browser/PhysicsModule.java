@@ -16,8 +16,8 @@ public final class PhysicsModule {
     public static void main(String[] arguments) {}
 
     @JSExport
-    public static int createWorld(double stepSeconds, double lengthTolerance, int velocityIterations, int positionIterations) {
-        RigidWorld world = new RigidWorld(stepSeconds, lengthTolerance, velocityIterations, positionIterations);
+    public static int createWorld(double stepSeconds, int stepParts, double lengthTolerance, int velocityIterations, int positionIterations) {
+        RigidWorld world = new RigidWorld(stepSeconds, stepParts, lengthTolerance, velocityIterations, positionIterations);
         int free = worlds.indexOf(null);
         if (free >= 0) {
             worlds.set(free, world);

@@ -36,9 +36,8 @@ internal class Durations(calibration: Calibration) {
     }
 }
 
-/** The whole number nearest to [value], the larger one if there are two; the nearest there is if it is beyond 32 bits. */
+/** The whole number nearest to [value], which is 0 or more; the larger one if there are two, and no larger one than there is. */
 internal fun roundHalfUp(value: Float): Int {
-    val towardsZero = value.toInt()
-    val below = if (towardsZero > value) towardsZero - 1 else towardsZero
+    val below = value.toInt()
     return if (value - below >= 0.5f && below < Int.MAX_VALUE) below + 1 else below
 }

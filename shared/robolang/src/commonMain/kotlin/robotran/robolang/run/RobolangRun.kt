@@ -60,10 +60,7 @@ internal class RobolangRun(
         when (statement) {
             is Statement.Move -> move(statement)
             is Statement.Turn -> turn(statement)
-            is Statement.Pen -> {
-                commands.startPen(statement.position, sourceLine)
-                last(RobotConstants.PEN_MILLISECONDS, Ending.STOP_PEN)
-            }
+            is Statement.Pen -> pen(statement)
             is Statement.Wait -> last(durations.ofWait(value(statement.duration), statement.unit), Ending.NOTHING)
             is Statement.Beep -> commands.beep(sourceLine)
             is Statement.Show -> commands.show(value(statement.value), sourceLine)
@@ -83,6 +80,11 @@ internal class RobolangRun(
         val left = (statement.direction == TurnDirection.LEFT) != angle.isNegative
         commands.startTurning(if (left) TurnDirection.LEFT else TurnDirection.RIGHT, sourceLine)
         last(durations.ofTurn(angle), Ending.STOP_DRIVING)
+    }
+
+    private fun pen(statement: Statement.Pen) {
+        commands.startPen(statement.position, sourceLine)
+        last(RobotConstants.PEN_MILLISECONDS, Ending.STOP_PEN)
     }
 
     private fun repeat(statement: Statement.Repeat) {

@@ -7,7 +7,9 @@ import robotran.robolang.syntax.TurnDirection
 import robotran.rom.MotorMode
 import robotran.rom.MotorPort
 import robotran.rom.Rom
+import robotran.rom.RomAddress
 import robotran.rom.RomCall
+import robotran.rom.RomCode
 
 /** The one place where statements become ROM calls: the same ones, in the same order, as the josx methods named with each. */
 internal class RobotCommands(private val rom: Rom) {
@@ -49,15 +51,15 @@ internal class RobotCommands(private val rom: Rom) {
 
     /** `Sound.beep()`. */
     fun beep(sourceLine: Int) {
-        call(sourceLine, RobotConstants.SYSTEM_SOUND, RobotConstants.SOUND_QUEUED, RobotConstants.SOUND_BEEP)
+        call(sourceLine, RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, RobotConstants.SOUND_BEEP)
     }
 
     /** `LCD.setNumber(LCDConstants.LCD_SIGNED, digits, point)` and `LCD.refresh()`. */
     fun show(value: NumberValue, sourceLine: Int) {
         val number = lcdNumber(value)
-        val point = RobotConstants.LCD_DECIMAL_0 + number.decimals
-        call(sourceLine, RobotConstants.SET_LCD_NUMBER, RobotConstants.LCD_SIGNED, number.digits, point)
-        call(sourceLine, RobotConstants.REFRESH_DISPLAY)
+        val point = RomCode.LCD_POINT_NONE + number.decimals
+        call(sourceLine, RomAddress.SET_LCD_NUMBER, RomCode.LCD_SIGNED, number.digits, point)
+        call(sourceLine, RomAddress.REFRESH_LCD)
     }
 
     private fun drive(left: MotorMode, right: MotorMode, sourceLine: Int) {
@@ -66,11 +68,11 @@ internal class RobotCommands(private val rom: Rom) {
     }
 
     private fun run(motor: MotorPort, mode: MotorMode, sourceLine: Int) {
-        call(sourceLine, RobotConstants.CONTROL_MOTOR, motor.code, mode.code, RobotConstants.DRIVING_POWER)
+        call(sourceLine, RomAddress.CONTROL_MOTOR, motor.code, mode.code, RobotConstants.DRIVING_POWER)
     }
 
     private fun brake(motor: MotorPort, sourceLine: Int) {
-        call(sourceLine, RobotConstants.CONTROL_MOTOR, motor.code, MotorMode.BRAKE.code, RobotConstants.BRAKING_POWER)
+        call(sourceLine, RomAddress.CONTROL_MOTOR, motor.code, MotorMode.BRAKE.code, RobotConstants.BRAKING_POWER)
     }
 
     private fun call(sourceLine: Int, address: Int, vararg arguments: Int) {

@@ -34,6 +34,7 @@ internal class BlockEnds {
         val lacking = mutableListOf<LackingEnd>()
         val open = ArrayDeque<Token>()
         val openAtColumn = mutableMapOf<Int, Int>()
+
         fun close(): Token = open.removeLast().also { openAtColumn[it.range.column] = openAtColumn.getValue(it.range.column) - 1 }
         for (edge in edges) {
             val column = edge.range.column

@@ -19,7 +19,7 @@ internal fun isDigit(character: Char): Boolean = character in '0'..'9'
 /** Letters of the alphabets that pupils may name things in. */
 internal fun isLetter(character: Char): Boolean =
     character in 'a'..'z' || character in 'A'..'Z' || character == '_' ||
-        character in LATIN_LETTERS && character != MULTIPLICATION_SIGN && character != DIVISION_SIGN ||
+        (character in LATIN_LETTERS && character != MULTIPLICATION_SIGN && character != DIVISION_SIGN) ||
         character in GREEK_AND_CYRILLIC_LETTERS
 
 /** Whether a character leaves no mark on the screen: control characters, joiners, half of a surrogate pair and their like. */

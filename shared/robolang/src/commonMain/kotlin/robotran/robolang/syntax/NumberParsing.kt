@@ -10,36 +10,33 @@ internal fun readNumberExpression(reader: LineReader, mistakes: Mistakes, exampl
     val before = reader.readRange
     val minus = reader.take(TokenKind.MINUS)
     val digits = reader.take(TokenKind.NUMBER)
-    if (digits == null) {
-        mistakes.reportMissingNumber(reader, before, example)
-        return null
-    }
+    if (digits == null) return mistakes.reportMissingNumber(reader, before, example)
     val range = digits.range.copy(column = minus?.range?.column ?: digits.range.column)
-    if (reader.hasDecimalComma(digits)) {
-        mistakes.reportDecimalComma(reader, digits)
-        return null
-    }
+    if (reader.hasDecimalComma(digits)) return mistakes.reportDecimalComma(reader, digits)
     return when (val reading = readNumber(digits.text, negative = minus != null)) {
         is NumberReading.Read -> Expression.Number(range, reader.textOf(range), reading.value)
-        NumberReading.TooLarge -> {
-            val message = mistakes.messages.numberTooLarge(Int.MIN_VALUE, Int.MAX_VALUE)
-            mistakes.report(reader, DiagnosticCode.NUMBER_TOO_LARGE, range, message)
-            null
-        }
-        is NumberReading.Malformed -> {
-            val message = mistakes.messages.malformedNumber(shortened(digits.text), reading.right?.let(::shortened))
-            val fix = reading.right?.let { SourceFix(digits.range, it) }
-            mistakes.report(reader, DiagnosticCode.MALFORMED_NUMBER, digits.range, message, fix)
-            null
-        }
+        is NumberReading.TooLarge -> mistakes.reportTooLarge(reader, range)
+        is NumberReading.Malformed -> mistakes.reportMalformed(reader, digits, reading.right)
     }
 }
 
-private fun Mistakes.reportMissingNumber(reader: LineReader, before: SourceRange, example: String) {
+private fun Mistakes.reportTooLarge(reader: LineReader, range: SourceRange): Nothing? {
+    report(reader, DiagnosticCode.NUMBER_TOO_LARGE, range, messages.numberTooLarge(Int.MIN_VALUE, Int.MAX_VALUE))
+    return null
+}
+
+private fun Mistakes.reportMalformed(reader: LineReader, digits: Token, right: String?): Nothing? {
+    val message = messages.malformedNumber(shortened(digits.text), right?.let(::shortened))
+    report(reader, DiagnosticCode.MALFORMED_NUMBER, digits.range, message, right?.let { SourceFix(digits.range, it) })
+    return null
+}
+
+private fun Mistakes.reportMissingNumber(reader: LineReader, before: SourceRange, example: String): Nothing? {
     val command = reader.quotable(before)
-    val wrong = reader.next?.takeUnless { it.keyword == Keyword.TIMES || it.keyword == Keyword.CM }
-    val range = if (wrong == null) reader.gap else wrong.range
+    val insteadOfNumber = reader.next?.takeUnless { it.keyword == Keyword.TIMES || isUnit(it) }
+    val range = insteadOfNumber?.range ?: reader.gap
     report(reader, DiagnosticCode.MISSING_NUMBER, range, messages.missingNumber(command, "$command $example"))
+    return null
 }
 
 private fun LineReader.hasDecimalComma(digits: Token): Boolean {
@@ -49,10 +46,11 @@ private fun LineReader.hasDecimalComma(digits: Token): Boolean {
         comma.range.column == digits.range.endColumn && decimals.range.column == comma.range.endColumn
 }
 
-private fun Mistakes.reportDecimalComma(reader: LineReader, digits: Token) {
+private fun Mistakes.reportDecimalComma(reader: LineReader, digits: Token): Nothing? {
     val decimals = checkNotNull(reader.peek(1))
     val range = digits.range.copy(endColumn = decimals.range.endColumn)
     val right = "${digits.text}.${decimals.text}".takeUnless { '.' in digits.text || '.' in decimals.text }
     val message = messages.decimalComma(right?.let(::shortened))
     report(reader, DiagnosticCode.DECIMAL_COMMA, range, message, right?.let { SourceFix(range, it) })
+    return null
 }

@@ -39,14 +39,16 @@ internal class Parser(
             Keyword.WAIT -> wait(reader)
             Keyword.BEEP -> beep(reader)
             Keyword.SHOW -> show(reader)
-            else -> {
-                val mayOpenBlock = mistakes.reportNoCommand(reader)
-                if (mayOpenBlock) blocks.openUnknown()
-                null
-            }
+            else -> noCommand(reader)
         }
         if (statement != null) mistakes.expectEndOfLine(reader)
         return statement
+    }
+
+    private fun noCommand(reader: LineReader): Nothing? {
+        val mayOpenBlock = mistakes.reportNoCommand(reader)
+        if (mayOpenBlock) blocks.openUnknown()
+        return null
     }
 
     private fun move(reader: LineReader): Statement? {
@@ -64,9 +66,7 @@ internal class Parser(
         val direction = when (reader.take(Keyword.LEFT, Keyword.RIGHT)) {
             Keyword.LEFT -> TurnDirection.LEFT
             Keyword.RIGHT -> TurnDirection.RIGHT
-            else -> return missingWord(reader, DiagnosticCode.MISSING_TURN_DIRECTION, Keyword.LEFT, Keyword.RIGHT) {
-                messages.missingTurnDirection(it)
-            }
+            else -> return missingWord(reader, DiagnosticCode.MISSING_TURN_DIRECTION, TURN_DIRECTIONS, messages::missingTurnDirection)
         }
         val angle = number(reader, "90") ?: return null
         unit(reader, Keyword.DEGREES)
@@ -78,9 +78,7 @@ internal class Parser(
         val position = when (reader.take(Keyword.DOWN, Keyword.UP)) {
             Keyword.DOWN -> PenPosition.DOWN
             Keyword.UP -> PenPosition.UP
-            else -> return missingWord(reader, DiagnosticCode.MISSING_PEN_POSITION, Keyword.DOWN, Keyword.UP) {
-                messages.missingPenPosition(it)
-            }
+            else -> return missingWord(reader, DiagnosticCode.MISSING_PEN_POSITION, PEN_POSITIONS, messages::missingPenPosition)
         }
         return Statement.Pen(reader.readRange, position)
     }
@@ -91,12 +89,14 @@ internal class Parser(
         val unit = when (reader.take(Keyword.SECONDS, Keyword.MILLISECONDS)) {
             Keyword.SECONDS -> TimeUnit.SECONDS
             Keyword.MILLISECONDS -> TimeUnit.MILLISECONDS
-            else -> {
-                mistakes.reportNoTimeUnit(reader, duration)
-                return null
-            }
+            else -> return noTimeUnit(reader, duration)
         }
         return Statement.Wait(reader.readRange, duration, unit)
+    }
+
+    private fun noTimeUnit(reader: LineReader, duration: Expression.Number): Nothing? {
+        mistakes.reportNoTimeUnit(reader, duration)
+        return null
     }
 
     private fun beep(reader: LineReader): Statement {
@@ -122,7 +122,7 @@ internal class Parser(
     private fun repetitions(reader: LineReader): Expression? {
         val count = number(reader, "4 times") ?: return null
         if (reader.take(Keyword.TIMES) == null) {
-            return missingWord(reader, DiagnosticCode.MISSING_TIMES, Keyword.TIMES) {
+            return missingWord(reader, DiagnosticCode.MISSING_TIMES, listOf(Keyword.TIMES)) {
                 messages.missingTimes(shortened(count.text), it)
             }
         }
@@ -151,10 +151,15 @@ internal class Parser(
     private fun missingWord(
         reader: LineReader,
         code: DiagnosticCode,
-        vararg words: Keyword,
+        words: List<Keyword>,
         message: (suggestion: String?) -> String,
     ): Nothing? {
         mistakes.reportMissingWord(reader, code, words.map { it.text }, message)
         return null
+    }
+
+    private companion object {
+        val TURN_DIRECTIONS = listOf(Keyword.LEFT, Keyword.RIGHT)
+        val PEN_POSITIONS = listOf(Keyword.DOWN, Keyword.UP)
     }
 }

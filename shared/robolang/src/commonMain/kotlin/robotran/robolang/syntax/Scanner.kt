@@ -30,41 +30,43 @@ private class LineScanner(
     }
 
     private fun piece() {
-        val start = position
-        val character = text[start]
+        val character = text[position]
         when {
             isBlank(character) -> position++
-            isLetter(character) -> {
-                skipWhile { isLetter(it) || isDigit(it) }
-                add(TokenKind.WORD, start)
-            }
-            beginsNumber() -> {
-                skipWhile { isDigit(it) || it == '.' }
-                add(TokenKind.NUMBER, start)
-            }
-            text.startsWith("//", start) -> {
-                position = text.length
-                comment = token(TokenKind.COMMENT, start)
-            }
-            character == '-' -> {
-                position++
-                add(TokenKind.MINUS, start)
-            }
-            character == ',' -> {
-                position++
-                add(TokenKind.COMMA, start)
-            }
+            isLetter(character) -> takeWhile(TokenKind.WORD) { isLetter(it) || isDigit(it) }
+            beginsNumber() -> takeWhile(TokenKind.NUMBER) { isDigit(it) || it == '.' }
+            text.startsWith("//", position) -> takeComment()
+            character == '-' -> take(TokenKind.MINUS, length = 1)
+            character == ',' -> take(TokenKind.COMMA, length = 1)
             else -> unknownCharacter()
         }
     }
 
     private fun beginsNumber(): Boolean =
-        isDigit(text[position]) || text[position] == '.' && position + 1 < text.length && isDigit(text[position + 1])
+        isDigit(text[position]) || (text[position] == '.' && text.getOrNull(position + 1)?.let(::isDigit) == true)
 
-    private inline fun skipWhile(belongs: (Char) -> Boolean) {
-        while (position < text.length && belongs(text[position])) {
-            position++
+    private inline fun takeWhile(kind: TokenKind, belongs: (Char) -> Boolean) {
+        var end = position
+        while (end < text.length && belongs(text[end])) {
+            end++
         }
+        take(kind, end - position)
+    }
+
+    private fun take(kind: TokenKind, length: Int) {
+        tokens += token(kind, length)
+    }
+
+    private fun takeComment() {
+        comment = token(TokenKind.COMMENT, text.length - position)
+    }
+
+    private fun token(kind: TokenKind, length: Int): Token {
+        val start = position
+        position += length
+        val typed = text.substring(start, position)
+        val keyword = if (kind == TokenKind.WORD) Keyword.of(typed) else null
+        return Token(kind, SourceRange(number, start + 1, position + 1), typed, keyword)
     }
 
     private fun unknownCharacter() {
@@ -73,16 +75,6 @@ private class LineScanner(
             mistakes.reportCharacter(text, SourceRange(number, position + 1, position + 1 + characterWidth(text, position)))
         }
         position += characterWidth(text, position)
-    }
-
-    private fun add(kind: TokenKind, start: Int) {
-        tokens += token(kind, start)
-    }
-
-    private fun token(kind: TokenKind, start: Int): Token {
-        val typed = text.substring(start, position)
-        val keyword = if (kind == TokenKind.WORD) Keyword.of(typed) else null
-        return Token(kind, SourceRange(number, start + 1, position + 1), typed, keyword)
     }
 }
 

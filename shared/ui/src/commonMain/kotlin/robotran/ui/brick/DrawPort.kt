@@ -17,8 +17,8 @@ internal fun DrawScope.drawPort(colour: Color) {
     for (x in STUD_PLACES) {
         for (y in STUD_PLACES) {
             val middle = Offset(x * unit, y * unit)
-            drawCircle(lerp(colour, Color.White, 0.18f), 7 * unit, middle, alpha = 0.35f)
-            drawCircle(edge, 7 * unit, middle, alpha = 0.5f, style = Stroke(unit))
+            drawCircle(lerp(colour, Color.White, 0.18f), 7 * unit, middle, alpha = 0.25f)
+            drawCircle(edge, 7 * unit, middle, alpha = 0.3f, style = Stroke(unit))
         }
     }
 }

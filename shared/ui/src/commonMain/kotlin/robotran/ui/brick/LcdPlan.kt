@@ -9,14 +9,14 @@ internal object LcdPlan {
     const val HEIGHT = 128f
 
     /** The digits by their position: 0 the program digit on the right, 1 to 4 the main number from right to left. */
-    val DIGITS: List<Rect> = listOf(88f, 58.5f, 43.5f, 28.5f, 13.5f).map { Rect(it, 42f, it + 11f, 70f) }
+    val DIGITS: List<Rect> = listOf(88f, 52.5f, 38.5f, 24.5f, 10.5f).map { Rect(it, 41f, it + 10.5f, 71f) }
 
-    val MINUS = Rect(4f, 54.5f, 11f, 57.5f)
+    val MINUS = Rect(3f, 54.5f, 8.5f, 57.5f)
 
     /** The decimal points before the last one, two and three digits of the main number. */
-    val POINTS: List<Offset> = listOf(Offset(57f, 71f), Offset(42f, 71f), Offset(27f, 71f))
+    val POINTS: List<Offset> = listOf(Offset(50.75f, 71f), Offset(36.75f, 71f), Offset(22.75f, 71f))
 
-    val MAN = Rect(73f, 42f, 86f, 70f)
+    val MAN = Rect(69f, 42f, 82f, 70f)
 
     /** The middles of ports 1, 2, 3 above and A, B, C below. */
     val PORT_COLUMNS: List<Float> = listOf(20f, 52f, 84f)

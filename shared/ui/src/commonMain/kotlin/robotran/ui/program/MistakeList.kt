@@ -34,11 +34,13 @@ import robotran.ui.theme.focusRing
 /**
  * The first few mistakes under the program, each with a button that mends it where that is possible.
  *
+ * @param most how many there is room for; the others come up as these are mended.
  * @param pointedOut whether somebody tried to run the program: the first mistake then stands out.
  */
 @Composable
 internal fun MistakeList(
     mistakes: List<Diagnostic>,
+    most: Int,
     pointedOut: Boolean,
     onFix: (Diagnostic) -> Unit,
     modifier: Modifier = Modifier,
@@ -52,8 +54,8 @@ internal fun MistakeList(
             .semantics { liveRegion = LiveRegionMode.Polite }
             .padding(horizontal = 16.dp, vertical = 4.dp),
     ) {
-        mistakes.take(SHOWN).forEachIndexed { index, mistake -> MistakeRow(mistake, pointedOut && index == 0, onFix) }
-        val more = mistakes.size - SHOWN
+        mistakes.take(most).forEachIndexed { index, mistake -> MistakeRow(mistake, pointedOut && index == 0, onFix) }
+        val more = mistakes.size - most
         if (more > 0) {
             val text = if (more == 1) stringResource(Res.string.mistakes_more_one) else stringResource(Res.string.mistakes_more, more)
             Text(text, Modifier.padding(bottom = 8.dp), color = colours.mistake, fontSize = 14.sp)
@@ -92,6 +94,3 @@ private fun FixButton(mistake: Diagnostic, onFix: (Diagnostic) -> Unit) {
         )
     }
 }
-
-/** More than these would push the program out of sight; the others come up as these are mended. */
-private const val SHOWN = 3

@@ -9,9 +9,13 @@ import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorkshopStatus
 
-/** The program to write in, and under it what is wrong with it. */
+/**
+ * The program to write in, and under it what is wrong with it.
+ *
+ * @param mostMistakes how many mistakes there is room for.
+ */
 @Composable
-internal fun ProgramPane(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun ProgramPane(state: WorkshopState, mostMistakes: Int, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val running = state.status as? WorkshopStatus.Running
     Column(modifier.background(LocalRobotranColours.current.pane)) {
         ProgramEditor(
@@ -22,7 +26,7 @@ internal fun ProgramPane(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
             modifier = Modifier.weight(1f),
         )
         if (state.mistakes.isNotEmpty()) {
-            MistakeList(state.mistakes, state.mistakePointedOut, { onEvent(WorkshopEvent.FixApplied(it)) })
+            MistakeList(state.mistakes, mostMistakes, state.mistakePointedOut, { onEvent(WorkshopEvent.FixApplied(it)) })
         }
     }
 }

@@ -30,7 +30,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
         PaneTabs(state.pane, state.mistakes.isNotEmpty(), { onEvent(WorkshopEvent.PaneChosen(it)) })
         val pane = Modifier.weight(1f)
         when (state.pane) {
-            Pane.PROGRAM -> ProgramPane(state, onEvent, pane)
+            Pane.PROGRAM -> ProgramPane(state, MOST_MISTAKES, onEvent, pane)
             Pane.WORLD -> WorldWithStrip(state, onEvent, pane)
             Pane.BRICK -> BrickAlone(state, onEvent, pane)
         }
@@ -67,3 +67,6 @@ private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, m
         )
     }
 }
+
+/** A keyboard on the screen takes half of it: more would push the program out of sight. */
+private const val MOST_MISTAKES = 2

@@ -23,6 +23,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.LEAST_BRICK_WIDTH
+import robotran.ui.program.ProgramName
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.theme.LocalRobotranColours
@@ -37,7 +38,10 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
     BoxWithConstraints(Modifier.fillMaxSize()) {
         val whole = maxWidth
         Row(Modifier.fillMaxSize()) {
-            ProgramPane(state, onEvent, Modifier.width(whole * share).fillMaxHeight())
+            Column(Modifier.width(whole * share).fillMaxHeight()) {
+                ProgramName(state.programName)
+                ProgramPane(state, MOST_MISTAKES, onEvent, Modifier.weight(1f))
+            }
             Column(Modifier.weight(1f).fillMaxHeight()) {
                 Desk(state, onEvent, Modifier.weight(1f))
                 RunBar(state, onEvent)
@@ -68,7 +72,8 @@ private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifie
     }
 }
 
-private const val PROGRAM_SHARE = 0.34f
+private const val PROGRAM_SHARE = 0.32f
+private const val MOST_MISTAKES = 3
 private const val BRICK_SHARE = 0.3f
 private val MOST_BRICK_WIDTH = 300.dp
 private val MARGIN: Dp = 16.dp

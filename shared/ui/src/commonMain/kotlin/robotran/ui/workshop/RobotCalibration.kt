@@ -4,4 +4,4 @@ import robotran.robolang.Calibration
 import robotran.world.Penbot
 
 /** The figures of the robot that stands on the paper, as a language wants them. */
-internal val CALIBRATION = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+val PENBOT_CALIBRATION = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)

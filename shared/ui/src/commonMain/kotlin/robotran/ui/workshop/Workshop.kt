@@ -124,7 +124,7 @@ class Workshop(
 
     private fun mistakes(): List<Diagnostic> = (reading as? RobolangResult.Mistaken)?.diagnostics.orEmpty()
 
-    private fun read(text: String): RobolangResult = readRobolang(programName, text, CALIBRATION)
+    private fun read(text: String): RobolangResult = readRobolang(programName, text, PENBOT_CALIBRATION)
 
     private fun show() {
         val now = session.state
@@ -132,6 +132,7 @@ class Workshop(
     }
 
     private fun firstState(text: String) = WorkshopState(
+        programName = programName,
         programText = text,
         mistakes = mistakes(),
         changed = false,

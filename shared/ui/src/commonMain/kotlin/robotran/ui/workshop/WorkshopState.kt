@@ -10,6 +10,7 @@ import robotran.world.World
 /**
  * Everything the screen shows.
  *
+ * @property programName what the program is called, usually the name of its file.
  * @property mistakes what is wrong with [programText], in its order.
  * @property changed whether [programText] differs from the program in the brick.
  * @property mistakePointedOut whether somebody wanted to run a program with mistakes since it was last edited.
@@ -20,6 +21,7 @@ import robotran.world.World
  */
 @Immutable
 data class WorkshopState(
+    val programName: String,
     val programText: String,
     val mistakes: List<Diagnostic>,
     val changed: Boolean,

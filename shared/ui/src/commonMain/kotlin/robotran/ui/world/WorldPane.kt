@@ -28,4 +28,4 @@ internal fun WorldPane(state: WorkshopState, modifier: Modifier = Modifier) {
 }
 
 /** The desk that is always seen around the paper. */
-private const val DESK_MARGIN_CENTIMETRES = 2.0
+private const val DESK_MARGIN_CENTIMETRES = 3.0

@@ -15,7 +15,7 @@ private object JvmPhysicsEngine : PhysicsEngine {
     }
 
     override fun createWorld(settings: PhysicsSettings): PhysicsWorld = with(settings) {
-        JvmPhysicsWorld(RigidWorld(stepSeconds, lengthTolerance, velocityIterations, positionIterations))
+        JvmPhysicsWorld(RigidWorld(stepSeconds, stepParts, lengthTolerance, velocityIterations, positionIterations))
     }
 }
 

@@ -6,7 +6,7 @@ import kotlin.js.Promise
 
 /** The functions of `PhysicsModule.java`, compiled to WebAssembly; worlds, bodies and fixtures are numbers. */
 internal external interface PhysicsModule : JsAny {
-    fun createWorld(stepSeconds: Double, lengthTolerance: Double, velocityIterations: Int, positionIterations: Int): Int
+    fun createWorld(stepSeconds: Double, stepParts: Int, lengthTolerance: Double, velocityIterations: Int, positionIterations: Int): Int
     fun closeWorld(world: Int)
     fun addBody(world: Int, x: Double, y: Double, angle: Double): Int
     fun addPolygon(world: Int, body: Int, corners: JsAny, friction: Double): Int

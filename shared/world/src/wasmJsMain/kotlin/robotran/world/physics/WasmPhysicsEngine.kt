@@ -16,7 +16,7 @@ private class WasmPhysicsEngine(private val module: PhysicsModule) : PhysicsEngi
     }
 
     override fun createWorld(settings: PhysicsSettings): PhysicsWorld = with(settings) {
-        WasmPhysicsWorld(module, module.createWorld(stepSeconds, lengthTolerance, velocityIterations, positionIterations))
+        WasmPhysicsWorld(module, module.createWorld(stepSeconds, stepParts, lengthTolerance, velocityIterations, positionIterations))
     }
 }
 

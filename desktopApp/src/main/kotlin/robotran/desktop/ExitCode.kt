@@ -1,4 +1,4 @@
-package robotran.desktop.cli
+package robotran.desktop
 
 /** What the command line tells the shell that called it. */
 enum class ExitCode(val status: Int) {

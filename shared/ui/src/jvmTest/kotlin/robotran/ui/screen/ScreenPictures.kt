@@ -1,4 +1,4 @@
-package robotran.ui
+package robotran.ui.screen
 
 import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
@@ -7,6 +7,8 @@ import kotlin.test.Test
 import kotlin.test.assertTrue
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.EncodedImageFormat
+import robotran.ui.RobotranApp
+import robotran.ui.openWorkshop
 import robotran.ui.sheet.sheetPng
 import robotran.ui.workshop.Pane
 import robotran.ui.workshop.Workshop
@@ -73,6 +75,8 @@ class ScreenPictures {
         PHONE(411, 891, Pane.entries),
         TABLET(1280, 800, listOf(Pane.WORLD)),
         LAPTOP(1440, 900, listOf(Pane.WORLD)),
+        PHONE_ACROSS(891, 411, Pane.entries),
+        TABLET_UPRIGHT(800, 1280, Pane.entries),
     }
 
     private companion object {

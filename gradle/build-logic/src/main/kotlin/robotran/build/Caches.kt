@@ -1,0 +1,18 @@
+package robotran.build
+
+import org.gradle.api.Project
+import java.io.File
+import java.security.MessageDigest
+
+/** The folder outside the tree that holds what the build sets up once for all checkouts; the scripts use the same. */
+fun cacheDirectory(project: Project): File {
+    val base = project.providers.environmentVariable("XDG_CACHE_HOME").orNull
+    return File(base ?: File(System.getProperty("user.home"), ".cache").path, "robotran")
+}
+
+/** The first twelve hexadecimal digits of the SHA-256 of [file]. */
+fun shortHash(file: File): String = sha256(file).take(12)
+
+/** The SHA-256 of [file] in hexadecimal digits. */
+fun sha256(file: File): String =
+    MessageDigest.getInstance("SHA-256").digest(file.readBytes()).joinToString("") { "%02x".format(it) }

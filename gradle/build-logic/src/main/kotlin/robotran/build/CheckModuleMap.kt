@@ -1,0 +1,50 @@
+package robotran.build
+
+import org.gradle.api.DefaultTask
+import org.gradle.api.GradleException
+import org.gradle.api.file.ConfigurableFileCollection
+import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.file.RegularFileProperty
+import org.gradle.api.tasks.CacheableTask
+import org.gradle.api.tasks.InputFile
+import org.gradle.api.tasks.InputFiles
+import org.gradle.api.tasks.Internal
+import org.gradle.api.tasks.OutputFile
+import org.gradle.api.tasks.PathSensitive
+import org.gradle.api.tasks.PathSensitivity
+import org.gradle.api.tasks.TaskAction
+
+/** Fails if a module imports what the module map in `docs/architecture.md` does not allow it, or is not on the map. */
+@CacheableTask
+abstract class CheckModuleMap : DefaultTask() {
+    @get:InputFile
+    @get:PathSensitive(PathSensitivity.RELATIVE)
+    abstract val map: RegularFileProperty
+
+    /** All Kotlin and Java files of all modules. */
+    @get:InputFiles
+    @get:PathSensitive(PathSensitivity.RELATIVE)
+    abstract val sources: ConfigurableFileCollection
+
+    @get:Internal
+    abstract val root: DirectoryProperty
+
+    @get:OutputFile
+    abstract val report: RegularFileProperty
+
+    @TaskAction
+    fun check() {
+        val map = ModuleMap.parse(map.get().asFile.readText())
+        val rootFolder = root.get().asFile
+        val files = sources.files.map { SourceFile(it.relativeTo(rootFolder).invariantSeparatorsPath, it.readText()) }
+        val violations =
+            files.flatMap { file ->
+                val module = map.modules.find { file.path.startsWith(it.folder + "/") }
+                if (module == null) listOf("${file.path}: its module is not on the map") else map.violations(module, file)
+            }
+        report.get().asFile.writeText(violations.ifEmpty { listOf("${files.size} files keep to the module map") }.joinToString("\n", postfix = "\n"))
+        if (violations.isNotEmpty()) {
+            throw GradleException(violations.joinToString("\n", prefix = "Against the module map of docs/architecture.md:\n"))
+        }
+    }
+}

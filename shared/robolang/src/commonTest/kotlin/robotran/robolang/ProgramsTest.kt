@@ -1,0 +1,30 @@
+package robotran.robolang
+
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+class ProgramsTest {
+    @Test
+    fun `every test program does what its comments say`() {
+        assertTrue(testPrograms.size >= 40, "only ${testPrograms.size} test programs were found")
+        assertEquals("", testPrograms.flatMap(::differences).joinToString("\n"))
+    }
+
+    @Test
+    fun `every test program says what it expects`() {
+        assertEquals(emptyList(), testPrograms.filter { Expectations(it.text).isEmpty }.map { it.path })
+    }
+
+    @Test
+    fun `every program in the document does what its comments say`() {
+        assertTrue(documentedPrograms.isNotEmpty(), "no programs were found in the document")
+        assertEquals("", documentedPrograms.flatMap(::differences).joinToString("\n"))
+    }
+
+    @Test
+    fun `every example runs to its end without a mistake`() {
+        assertTrue(examplePrograms.isNotEmpty(), "no examples were found")
+        assertEquals("", examplePrograms.flatMap(::differences).joinToString("\n"))
+    }
+}

@@ -1,0 +1,40 @@
+package robotran.robolang
+
+import robotran.rom.ProgramStatus
+import robotran.rom.RcxProgram
+
+/** One that makes round figures: 50 ms a centimetre and 5 ms a degree. */
+internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
+
+internal fun read(source: String, calibration: Calibration = testCalibration): RobolangResult =
+    readRobolang("test", source, calibration)
+
+/** The mistakes of [source], none if it can run. */
+internal fun mistakesOf(source: String): List<Diagnostic> = when (val result = read(source)) {
+    is RobolangResult.Ready -> emptyList()
+    is RobolangResult.Mistaken -> result.diagnostics
+}
+
+internal fun programOf(source: String, calibration: Calibration = testCalibration): RcxProgram =
+    when (val result = read(source, calibration)) {
+        is RobolangResult.Ready -> result.program
+        is RobolangResult.Mistaken -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
+    }
+
+/** Runs [program] to its end, the clock jumping over every wait. */
+internal fun runToEnd(program: RcxProgram): RecordingRom {
+    val rom = RecordingRom()
+    val run = program.start(rom)
+    repeat(MOST_RESUMES) {
+        when (val status = run.resume(STEPS)) {
+            ProgramStatus.Running -> Unit
+            ProgramStatus.Ended -> return rom
+            is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
+            is ProgramStatus.Failed -> throw AssertionError(status.failure.message)
+        }
+    }
+    throw AssertionError("${program.name} does not come to an end")
+}
+
+private const val STEPS = 1000
+private const val MOST_RESUMES = 100_000

@@ -1,0 +1,48 @@
+package robotran.robolang.syntax
+
+import robotran.robolang.EnglishMessages
+import robotran.robolang.Mistakes
+import robotran.robolang.SourceRange
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNull
+
+class ScannerTest {
+    @Test
+    fun `a line becomes tokens with their places`() {
+        val line = scan("  forward -2.5cm // ahead").single()
+        assertEquals(
+            listOf(
+                Token(TokenKind.WORD, SourceRange(1, 3, 10), "forward", Keyword.FORWARD),
+                Token(TokenKind.MINUS, SourceRange(1, 11, 12), "-"),
+                Token(TokenKind.NUMBER, SourceRange(1, 12, 15), "2.5"),
+                Token(TokenKind.WORD, SourceRange(1, 15, 17), "cm", Keyword.CM),
+            ),
+            line.tokens,
+        )
+        assertEquals(Token(TokenKind.COMMENT, SourceRange(1, 18, 26), "// ahead"), line.comment)
+    }
+
+    @Test
+    fun `a word keeps the way it is typed`() {
+        val word = scan("RePeat_2").single().tokens.single()
+        assertEquals("RePeat_2", word.text)
+        assertNull(word.keyword)
+        assertEquals(Keyword.REPEAT, scan("RePeat").single().tokens.single().keyword)
+    }
+
+    @Test
+    fun `a letter that only looks like one of a keyword is not`() {
+        assertNull(Keyword.of("bac\u212Award"))
+    }
+
+    @Test
+    fun `the tree keeps every comment`() {
+        val mistakes = Mistakes(EnglishMessages)
+        val tree = Parser(scan("// one\nbeep // two\n\n//", mistakes), mistakes).program()
+        assertEquals(listOf("// one", "// two", "//"), tree.comments.map { it.text })
+        assertEquals(listOf(1, 2, 4), tree.comments.map { it.range.line })
+    }
+
+    private fun scan(source: String): List<ScannedLine> = scan(source, Mistakes(EnglishMessages))
+}

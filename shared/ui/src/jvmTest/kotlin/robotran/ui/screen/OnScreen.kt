@@ -1,0 +1,37 @@
+package robotran.ui.screen
+
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.runDesktopComposeUiTest
+import kotlinx.coroutines.runBlocking
+import robotran.ui.RobotranApp
+import robotran.ui.openWorkshop
+import robotran.ui.workshop.Workshop
+
+/** Shows the app on a screen of that many dp, with a clock that only goes on when the test says so, and runs [check] on it. */
+@OptIn(ExperimentalTestApi::class)
+internal fun onScreen(width: Int, height: Int, check: ComposeUiTest.(Workshop) -> Unit) {
+    val workshop = runBlocking { openWorkshop() }
+    runDesktopComposeUiTest(width, height) {
+        mainClock.autoAdvance = false
+        setContent { RobotranApp(workshop, dark = false) }
+        pass(100)
+        check(workshop)
+    }
+    workshop.close()
+}
+
+/** A tablet in landscape. */
+@OptIn(ExperimentalTestApi::class)
+internal fun onTablet(check: ComposeUiTest.(Workshop) -> Unit) = onScreen(1280, 800, check)
+
+/** A phone held upright. */
+@OptIn(ExperimentalTestApi::class)
+internal fun onPhone(check: ComposeUiTest.(Workshop) -> Unit) = onScreen(411, 891, check)
+
+/** Lets [milliseconds] of frames go by. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.pass(milliseconds: Long) {
+    mainClock.advanceTimeBy(milliseconds)
+    waitForIdle()
+}

@@ -1,0 +1,67 @@
+package robotran.ui.screen
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertIsSelected
+import androidx.compose.ui.test.onAllNodesWithTag
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performTextReplacement
+import androidx.compose.ui.test.performTouchInput
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+import robotran.ui.workshop.Pane
+import robotran.ui.workshop.WorkshopEvent
+
+@OptIn(ExperimentalTestApi::class)
+class PhoneTest {
+    @Test
+    fun `three tabs show one pane each and the run bar is always there`() = onPhone {
+        val panes = listOf("tab-program" to "program", "tab-world" to "world", "tab-brick" to "brick")
+        for ((tab, pane) in panes) {
+            onNodeWithTag(tab).performClick()
+            pass(300)
+            onNodeWithTag(tab).assertIsSelected()
+            onNodeWithTag(pane).assertIsDisplayed()
+            onNodeWithTag("run").assertIsDisplayed()
+            for ((_, other) in panes.filter { it.second != pane }) {
+                assertEquals(0, onAllNodesWithTag(other).fetchSemanticsNodes().size, "$other beside $pane")
+            }
+        }
+    }
+
+    @Test
+    fun `beside the world the brick keeps its display and its Run`() = onPhone { workshop ->
+        onNodeWithTag("lcd").assertIsDisplayed()
+        onNodeWithTag("brick-run").performTouchInput { down(center) }
+        pass(100)
+        onNodeWithTag("brick-run").performTouchInput { up() }
+        pass(1500)
+        assertTrue(workshop.state.session.ink.lengthCentimetres > 5)
+    }
+
+    @Test
+    fun `a button that goes out of sight while it is held comes up`() = onPhone { workshop ->
+        onNodeWithTag("brick-run").performTouchInput { down(center) }
+        pass(100)
+        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        pass(300)
+        assertEquals(emptySet(), workshop.state.down)
+    }
+
+    @Test
+    fun `Run with a mistake shows the program and the mistake`() = onPhone {
+        onNodeWithTag("tab-program").performClick()
+        pass(300)
+        onNodeWithTag("program").performTextReplacement("beep\nbep")
+        pass(100)
+        onNodeWithTag("tab-world").performClick()
+        pass(300)
+        onNodeWithTag("run").performClick()
+        pass(300)
+        onNodeWithTag("tab-program").assertIsSelected()
+        onNodeWithText("Line 2:", substring = true).assertIsDisplayed()
+    }
+}

@@ -1,0 +1,109 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.graphics.toPixelMap
+import androidx.compose.ui.graphics.toArgb
+import java.io.ByteArrayInputStream
+import javax.imageio.ImageIO
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFailsWith
+import kotlin.test.assertNotEquals
+import robotran.rom.BrickState
+import robotran.rom.LcdGlass
+import robotran.rom.RunState
+import robotran.world.BuiltInWorlds
+import robotran.world.Ink
+import robotran.world.InkStroke
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.RobotState
+import robotran.world.SessionState
+
+class SheetPictureTest {
+    private val world = BuiltInWorlds.plain
+
+    @Test
+    fun `ink is where the pen went, as wide as the pen`() {
+        val picture = picture(ink = listOf(Point(60.0, 60.0), Point(80.0, 60.0)))
+        assertEquals(SheetColours.INK, picture.at(70.0, 60.0))
+        assertEquals(SheetColours.INK, picture.at(70.0, 60.1))
+        assertEquals(SheetColours.LIGHT.paper, picture.at(70.0, 60.4))
+        assertEquals(SheetColours.LIGHT.paper, picture.at(81.0, 60.0))
+    }
+
+    @Test
+    fun `a pen that is put down and lifted leaves a dot`() {
+        assertEquals(SheetColours.INK, picture(ink = listOf(Point(60.0, 60.0))).at(60.0, 60.0))
+    }
+
+    @Test
+    fun `the paper lies on the desk inside its walls`() {
+        val picture = picture()
+        assertEquals(SheetColours.LIGHT.paper, picture.at(1.0, 1.0))
+        assertEquals(SheetColours.LIGHT.desk, picture.at(-1.6, 40.0))
+        assertNotEquals(SheetColours.LIGHT.desk, picture.at(-0.5, 40.0))
+        assertNotEquals(SheetColours.LIGHT.paper, picture.at(100.5, 40.0))
+    }
+
+    @Test
+    fun `the tip of the pen is red while it is down`() {
+        assertEquals(RobotColours.PEN_TIP_DOWN, picture(penDown = true).at(40.0, 30.0))
+        assertEquals(RobotColours.PEN_TIP_UP, picture(penDown = false).at(40.0, 30.0))
+    }
+
+    @Test
+    fun `the robot looks where it is headed`() {
+        val brick = RobotPlan.BRICK.left + 0.4
+        assertEquals(RobotColours.BRICK, picture(heading = 0.0).at(40.0 + brick, 30.0))
+        assertEquals(RobotColours.BRICK, picture(heading = 90.0).at(40.0, 30.0 + brick))
+        assertEquals(RobotColours.BRICK, picture(heading = 180.0).at(40.0 - brick, 30.0))
+    }
+
+    @Test
+    fun `a bumper that is hit moves in`() {
+        val front = RobotPlan.LEFT_BUMPER.right - 0.25
+        assertNotEquals(SheetColours.LIGHT.paper, picture(leftBumper = false).at(40.0 + front, 33.0))
+        assertEquals(SheetColours.LIGHT.paper, picture(leftBumper = true).at(40.0 + front, 33.0))
+        assertNotEquals(SheetColours.LIGHT.paper, picture(leftBumper = true).at(40.0 + front, 27.0))
+    }
+
+    @Test
+    fun `the file is a PNG of the width asked for`() {
+        val image = ImageIO.read(ByteArrayInputStream(sheetPng(world, state(), widthPixels = 520)))
+        assertEquals(520, image.width)
+        assertEquals(420, image.height)
+        assertEquals(SheetColours.LIGHT.paper.toArgb(), image.getRGB(260, 40))
+    }
+
+    @Test
+    fun `a picture without any size is refused`() {
+        assertFailsWith<IllegalArgumentException> { renderSheet(world, state(), widthPixels = 0) }
+    }
+
+    private fun picture(
+        ink: List<Point> = emptyList(),
+        penDown: Boolean = false,
+        heading: Double = 0.0,
+        leftBumper: Boolean = false,
+    ): ImageBitmap = renderSheet(world, state(ink, penDown, heading, leftBumper), widthPixels = 2080)
+
+    /** The colour at a place in centimetres: 2080 pixels are 20 a centimetre, 2 cm of which are desk on every side. */
+    private fun ImageBitmap.at(x: Double, y: Double): Color =
+        toPixelMap()[((x + 2) * 20).toInt(), ((82 - y) * 20).toInt()]
+
+    private fun state(
+        ink: List<Point> = emptyList(),
+        penDown: Boolean = false,
+        heading: Double = 0.0,
+        leftBumper: Boolean = false,
+    ) = SessionState(
+        milliseconds = 0,
+        brick = BrickState(0, true, LcdGlass.BLANK, emptyList(), emptySet(), 0, RunState.Idle, false),
+        robot = RobotState(Pose(40.0, 30.0, heading), 0.0, 0.0, penDown, leftBumper, false),
+        ink = if (ink.isEmpty()) Ink.NONE else Ink(listOf(InkStroke(ink)), 0.0),
+        bumps = 0,
+        romCalls = 0,
+    )
+}

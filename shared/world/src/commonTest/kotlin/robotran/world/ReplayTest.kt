@@ -1,0 +1,71 @@
+package robotran.world
+
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNotEquals
+import kotlinx.coroutines.test.runTest
+import robotran.rom.BrickButton
+import robotran.world.physics.loadPhysicsEngine
+
+/** The recorded hashes are the proof that a run is the same on every target: these tests run on each of them. */
+class ReplayTest {
+    @Test
+    fun `a square is the same run on every target`() = runTest {
+        val session = startRun(ScriptedProgram.square)
+        session.advance(10_000)
+        assertEquals("0", session.traceHash)
+    }
+
+    /** A minute of driving into walls at all angles, sliding along them and spinning in corners. */
+    private val hardProgram = ScriptedProgram {
+        penDown()
+        for (round in 0 until 40) {
+            motors(ScriptedProgram.FORWARD, round % 8)
+            pause(900)
+            motors(if (round % 3 == 0) ScriptedProgram.FLOAT else ScriptedProgram.BRAKE, 7)
+            turnRight(37.0 + 11 * (round % 5))
+            if (round % 4 == 3) backward(6.0)
+        }
+    }
+
+    @Test
+    fun `a minute among walls is the same run on every target`() = runTest {
+        val session = startRun(hardProgram)
+        session.advance(60_000)
+        assertEquals("0", session.traceHash)
+        assertEquals("{}", session.report().toJson())
+    }
+
+    @Test
+    fun `the same inputs at the same times give the same run`() = runTest {
+        val session = startRun(hardProgram)
+        session.advance(7_777)
+        session.apply(SessionInput.Stop)
+        session.advance(1_000)
+        session.apply(SessionInput.Press(BrickButton.RUN))
+        session.advance(50)
+        session.apply(SessionInput.Release(BrickButton.RUN))
+        session.advance(4_321)
+
+        val again = Session.replay(session.world, listOf(hardProgram), loadPhysicsEngine(), session.inputs, session.state.milliseconds)
+
+        assertEquals(session.traceHash, again.traceHash)
+        assertEquals(session.state.robot, again.state.robot)
+        assertEquals(session.inputs, again.inputs)
+    }
+
+    @Test
+    fun `how time is asked for makes no difference`() = runTest {
+        val inOne = startRun(ScriptedProgram.square).apply { advance(3_000) }
+        val inPieces = startRun(ScriptedProgram.square).apply { repeat(1_000) { advance(3) } }
+        assertEquals(inOne.traceHash, inPieces.traceHash)
+    }
+
+    @Test
+    fun `an input at another time makes another run`() = runTest {
+        val session = startRun(ScriptedProgram.square).apply { advance(3_000) }
+        val later = session.inputs.map { if (it.input is SessionInput.Release) it.copy(milliseconds = it.milliseconds + 1) else it }
+        val other = Session.replay(session.world, listOf(ScriptedProgram.square), loadPhysicsEngine(), later, session.state.milliseconds)
+        assertNotEquals(session.traceHash, other.traceHash)
+    }
+}
