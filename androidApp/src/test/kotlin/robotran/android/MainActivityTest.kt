@@ -3,12 +3,16 @@ package robotran.android
 import android.content.pm.PackageManager
 import android.graphics.Bitmap
 import android.graphics.Canvas
+import android.graphics.Insets
+import android.view.WindowInsets
 import androidx.compose.ui.graphics.toArgb
 import androidx.compose.ui.semantics.SemanticsProperties
-import androidx.compose.ui.test.hasSetTextAction
 import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.hasSetTextAction
 import androidx.compose.ui.test.junit4.createAndroidComposeRule
 import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
 import java.io.File
@@ -20,6 +24,7 @@ import org.junit.Rule
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
+import org.robolectric.RuntimeEnvironment
 import org.robolectric.annotation.Config
 import robotran.ui.sheet.SheetColours
 
@@ -47,15 +52,28 @@ class MainActivityTest {
     fun `on a tablet the robot draws a square after Run on the brick`() = drawSquare("tablet")
 
     @Test
-    @Config(qualifiers = TABLET)
-    fun `a run and the program text survive a turn of the tablet`() {
+    @Config(qualifiers = PHONE)
+    fun `a run and the program text survive a turn of the phone`() {
         pressRunOnTheBrick()
         screen.mainClock.advanceTimeBy(WHOLE_SQUARE)
+        choose("Program")
         screen.onNode(hasSetTextAction()).performTextReplacement("forward 7")
-        screen.activityRule.scenario.recreate()
-        screen.mainClock.advanceTimeBy(SETTLING)
+        turnToLandscape()
         screen.onNode(hasSetTextAction()).assertTextContains("forward 7")
+        choose("World")
         assertEquals(80.0, inkCentimetres(), 1.0)
+    }
+
+    @Test
+    @Config(qualifiers = PHONE)
+    fun `nothing to touch lies under the bars of the system`() {
+        val bars = WindowInsets.Builder().setInsets(WindowInsets.Type.systemBars(), Insets.of(0, 90, 0, 120)).build()
+        val window = screen.activity.window.decorView
+        screen.runOnUiThread { window.dispatchApplyWindowInsets(bars) }
+        screen.mainClock.advanceTimeBy(SETTLING)
+        photograph("phone-bars")
+        assertTrue(screen.onNodeWithText("Program").fetchSemanticsNode().boundsInRoot.top >= 90)
+        assertTrue(screen.onNodeWithText("Stop").fetchSemanticsNode().boundsInRoot.bottom <= window.height - 120)
     }
 
     @Test
@@ -82,6 +100,19 @@ class MainActivityTest {
         screen.mainClock.advanceTimeBy(PRESS)
         screen.onNodeWithTag("brick-run").performTouchInput { up() }
         screen.mainClock.advanceTimeBy(SETTLING)
+    }
+
+    private fun choose(tab: String) {
+        screen.onNodeWithText(tab).performClick()
+        screen.mainClock.advanceTimeBy(SETTLING)
+    }
+
+    private fun turnToLandscape() {
+        RuntimeEnvironment.setQualifiers("+land")
+        screen.activityRule.scenario.recreate()
+        screen.mainClock.advanceTimeBy(SETTLING)
+        val size = screen.activity.window.decorView
+        assertTrue(size.width > size.height)
     }
 
     /** What a screen reader says of the paper ends with "80.0 cm of line drawn". */
