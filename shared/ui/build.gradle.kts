@@ -20,6 +20,9 @@ kotlin {
             implementation(libs.compose.resources)
             implementation(libs.coroutines.core)
         }
+        jvmTest.dependencies {
+            implementation(libs.kotest.property)
+        }
     }
 }
 
