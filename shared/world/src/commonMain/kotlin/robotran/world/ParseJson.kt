@@ -34,8 +34,8 @@ private fun refuseDeepNesting(text: String) {
     }
 }
 
-/** The parser tells the place of a mistake only in its message. */
+/** The parser tells the place of a mistake only in its message, and not at all if the file ends too early. */
 private fun lineOf(mistake: SerializationException, text: String): String {
-    val offset = Regex("offset (\\d+)").find(mistake.message.orEmpty())?.groupValues?.get(1)?.toIntOrNull() ?: return "The world file"
+    val offset = Regex("offset (\\d+)").find(mistake.message.orEmpty())?.groupValues?.get(1)?.toIntOrNull() ?: text.length
     return "Line ${1 + text.take(offset).count { it == '\n' }} of the world file"
 }

@@ -4,7 +4,6 @@ import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.api.artifacts.Configuration
 import org.gradle.api.artifacts.VersionCatalogsExtension
-import org.gradle.api.plugins.JavaPluginExtension
 import org.gradle.api.tasks.SourceSetContainer
 import org.gradle.api.tasks.compile.JavaCompile
 
@@ -56,7 +55,6 @@ class PhysicsPlugin : Plugin<Project> {
             it.isCanBeConsumed = true
             it.outgoing.artifact(compile.flatMap { task -> task.outputFolder })
         }
-        project.extensions.getByType(JavaPluginExtension::class.java)
         // A constant of one file may be compiled into another, which incremental compilation does not always notice.
         project.tasks.withType(JavaCompile::class.java).configureEach { it.options.isIncremental = false }
     }
