@@ -32,6 +32,9 @@ kotlin {
             // Compose asks for 2.8.3, which not every mirror of Google's repository has.
             implementation(libs.androidx.lifecycle.runtime.compose)
         }
+        jvmTest.dependencies {
+            implementation(libs.kotest.property)
+        }
     }
 }
 

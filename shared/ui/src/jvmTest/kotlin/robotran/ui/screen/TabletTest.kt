@@ -17,12 +17,12 @@ import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
+import robotran.rom.BrickButton
+import robotran.rom.RunState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
-import robotran.rom.BrickButton
-import robotran.rom.RunState
 
 @OptIn(ExperimentalTestApi::class)
 class TabletTest {
