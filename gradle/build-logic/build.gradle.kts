@@ -5,6 +5,8 @@ plugins {
 
 dependencies {
     implementation(libs.plugin.kotlin)
+    implementation(libs.plugin.android)
+    implementation(libs.apksig)
     implementation(libs.plugin.kotlin.compose)
     implementation(libs.plugin.compose)
     implementation(libs.plugin.kotlin.serialization)
@@ -56,6 +58,14 @@ gradlePlugin {
         create("texts") {
             id = "robotran.texts"
             implementationClass = "robotran.build.texts.TextsPlugin"
+        }
+        create("android") {
+            id = "robotran.android"
+            implementationClass = "robotran.build.AndroidPlugin"
+        }
+        create("androidApp") {
+            id = "robotran.android.app"
+            implementationClass = "robotran.build.AndroidAppPlugin"
         }
     }
 }

@@ -1,6 +1,12 @@
 plugins {
+    id("com.android.library")
+    id("robotran.android")
     id("robotran.compose")
     id("robotran.texts")
+}
+
+android {
+    namespace = "robotran.ui"
 }
 
 texts {
@@ -19,6 +25,12 @@ kotlin {
             api(libs.compose.ui)
             implementation(libs.compose.resources)
             implementation(libs.coroutines.core)
+            // Material asks for 0.6.0, whose wasm library is not on every registry.
+            implementation(libs.datetime)
+        }
+        androidMain.dependencies {
+            // Compose asks for 2.8.3, which not every mirror of Google's repository has.
+            implementation(libs.androidx.lifecycle.runtime.compose)
         }
     }
 }

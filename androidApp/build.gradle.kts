@@ -1,0 +1,20 @@
+plugins {
+    id("robotran.android.app")
+}
+
+android {
+    namespace = "robotran.android"
+    defaultConfig {
+        applicationId = "org.robotran.app"
+        versionCode = 1
+        versionName = "0.1"
+    }
+}
+
+dependencies {
+    implementation(project(":shared:ui"))
+    implementation(libs.androidx.activity.compose)
+    testImplementation(libs.androidx.compose.ui.test)
+    testImplementation(libs.junit4)
+    testImplementation(libs.robolectric)
+}
