@@ -23,14 +23,19 @@ private fun refuseDeepNesting(text: String) {
     var escaped = false
     for (character in text) {
         if (character == '\n') line++
-        when {
-            escaped -> escaped = false
-            inString -> if (character == '\\') escaped = true else if (character == '"') inString = false
-            character == '"' -> inString = true
-            character == '{' || character == '[' -> depth++
-            character == '}' || character == ']' -> depth--
+        if (inString) {
+            inString = escaped || character != '"'
+            escaped = !escaped && character == '\\'
+        } else {
+            when (character) {
+                '"' -> inString = true
+                '{', '[' -> depth++
+                '}', ']' -> depth--
+            }
         }
-        if (depth > WorldLimits.MAXIMUM_DEPTH) throw WorldRefusal("Line $line of the world file opens too many brackets inside one another.")
+        if (depth > WorldLimits.MAXIMUM_DEPTH) {
+            throw WorldRefusal("Line $line of the world file opens too many brackets inside one another.")
+        }
     }
 }
 

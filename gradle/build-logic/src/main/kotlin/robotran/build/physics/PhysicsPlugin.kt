@@ -17,6 +17,7 @@ class PhysicsPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.pluginManager.apply("java-library")
         val libraries = project.extensions.getByType(VersionCatalogsExtension::class.java).named("libs")
+
         fun library(name: String) = libraries.findLibrary(name).get()
 
         val original = project.toolConfiguration("originalDyn4j").apply { isTransitive = false }
