@@ -42,6 +42,13 @@ class ModuleMapTest {
     }
 
     @Test
+    fun `a test may import any module`() {
+        val text = "package robotran.rom\n\nimport robotran.world.Pose\n"
+        assertEquals(emptyList(), violations("shared/rom", "src/commonTest/kotlin/BrickTest.kt", text))
+        assertEquals(emptyList(), violations("app", "src/test/kotlin/AppTest.kt", "package robotran.app\n\nimport robotran.rom.Rom\n"))
+    }
+
+    @Test
     fun `a file must be in its module's package`() {
         assertEquals(1, violations("shared/rom", "src/commonMain/kotlin/Brick.kt", "package robotran.world\n").size)
     }
