@@ -7,6 +7,10 @@ import { findColour, startBrowser } from './browser.mjs';
 import { serve } from './serve.mjs';
 
 const RUN_GREEN = [0x2e, 0x9e, 0x4f];
+
+// Skiko of Compose 1.7.3 reaches its memory the way older Kotlin gave it out; it works, and newer ones mend it.
+const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated/;
+
 let browser;
 let site;
 
@@ -26,10 +30,11 @@ async function open({ width, height, dark = false }) {
   const page = await context.newPage();
   const troubles = [];
   page.on('pageerror', (error) => troubles.push(String(error)));
-  page.on('console', (message) => message.type() === 'error' && troubles.push(message.text()));
+  page.on('console', (message) => message.type() === 'error' && !KNOWN_COMPLAINT.test(message.text()) && troubles.push(message.text()));
   page.on('request', (request) => request.url().startsWith(site.address) || /^(data|blob):/.test(request.url()) || troubles.push(`fetched ${request.url()}`));
   await page.goto(site.address);
   await page.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
+  await page.waitForLoadState('networkidle'); // words and fonts come after the first picture
   await page.waitForTimeout(500);
   return { page, troubles };
 }

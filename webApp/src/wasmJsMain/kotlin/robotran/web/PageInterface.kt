@@ -32,7 +32,10 @@ private fun promiseRun(
 ): Promise<JsAny?> =
     GlobalScope.promise {
         when (val result = readRobolang("program", program, PENBOT_CALIBRATION)) {
-            is RobolangResult.Mistaken -> error(result.diagnostics.first().let { "Line ${it.range.line}: ${it.message}" })
+            is RobolangResult.Mistaken -> {
+                error(result.diagnostics.first().let { "Line ${it.range.line}: ${it.message}" })
+            }
+
             is RobolangResult.Ready -> {
                 val session = Session(BuiltInWorlds.plain, listOf(result.program), loadPhysicsEngine())
                 session.runUnattended(milliseconds)

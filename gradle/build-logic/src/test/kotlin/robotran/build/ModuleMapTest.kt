@@ -55,7 +55,8 @@ class ModuleMapTest {
 
     @Test
     fun `a core module knows no clock and no platform`() {
-        val text = "package robotran.rom\n\nimport java.io.File\nimport kotlin.time.TimeSource\nimport kotlin.math.sin\nimport kotlin.math.sqrt\n"
+        val imports = listOf("java.io.File", "kotlin.time.TimeSource", "kotlin.math.sin", "kotlin.math.sqrt")
+        val text = "package robotran.rom\n\n" + imports.joinToString("") { "import $it\n" }
         assertEquals(3, violations("shared/rom", "src/commonMain/kotlin/Brick.kt", text).size)
         assertEquals(0, violations("shared/rom", "src/jvmTest/kotlin/BrickTest.kt", text).size)
     }
