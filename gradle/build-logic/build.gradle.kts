@@ -31,10 +31,6 @@ gradlePlugin {
             id = "robotran.core"
             implementationClass = "robotran.build.CorePlugin"
         }
-        create("testPrograms") {
-            id = "robotran.test-programs"
-            implementationClass = "robotran.build.TestProgramsPlugin"
-        }
         create("compose") {
             id = "robotran.compose"
             implementationClass = "robotran.build.ComposePlugin"

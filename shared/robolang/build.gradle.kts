@@ -1,6 +1,12 @@
 plugins {
     id("robotran.core")
-    id("robotran.test-programs")
+    id("robotran.texts")
+}
+
+texts {
+    constant("commonTest", "robotran.robolang.testPrograms", "shared/robolang/src/commonTest/resources/programs", "**/*.robo")
+    constant("commonTest", "robotran.robolang.examplePrograms", "examples", "*.robo")
+    blocks("commonTest", "robotran.robolang.documentedPrograms", "docs", "robolang.md", "robolang")
 }
 
 kotlin {

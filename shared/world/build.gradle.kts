@@ -7,7 +7,7 @@ plugins {
 
 texts {
     constant("commonMain", "robotran.world.worldTexts", "worlds", "*.world.json")
-    constant("commonTest", "robotran.world.pages", "docs", "worlds.md")
+    blocks("commonTest", "robotran.world.documentedWorlds", "docs", "worlds.md", "json")
     constant("commonTest", "robotran.world.exampleTexts", "examples", "*.robo")
     constant("commonTest", "robotran.world.expectedRuns", "shared/world/src/commonTest/resources/runs", "*")
 }

@@ -50,7 +50,7 @@ class CommandLineTest {
     @Test
     fun `run without a program is refused`() {
         assertEquals(2, execute("run"))
-        assertContains(console.complaints.single(), "FILE")
+        assertContains(console.complaints.single(), "missing argument <file>")
     }
 
     @Test

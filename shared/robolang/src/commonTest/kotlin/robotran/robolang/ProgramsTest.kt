@@ -8,23 +8,26 @@ class ProgramsTest {
     @Test
     fun `every test program does what its comments say`() {
         assertTrue(testPrograms.size >= 40, "only ${testPrograms.size} test programs were found")
-        assertEquals("", testPrograms.flatMap(::differences).joinToString("\n"))
+        assertEquals("", differencesIn(testPrograms))
     }
 
     @Test
     fun `every test program says what it expects`() {
-        assertEquals(emptyList(), testPrograms.filter { Expectations(it.text).isEmpty }.map { it.path })
+        assertEquals(emptyList(), testPrograms.filterValues { Expectations(it).isEmpty }.keys.toList())
     }
 
     @Test
     fun `every program in the document does what its comments say`() {
         assertTrue(documentedPrograms.isNotEmpty(), "no programs were found in the document")
-        assertEquals("", documentedPrograms.flatMap(::differences).joinToString("\n"))
+        assertEquals("", differencesIn(documentedPrograms))
     }
 
     @Test
     fun `every example runs to its end without a mistake`() {
         assertTrue(examplePrograms.isNotEmpty(), "no examples were found")
-        assertEquals("", examplePrograms.flatMap(::differences).joinToString("\n"))
+        assertEquals("", differencesIn(examplePrograms))
     }
+
+    private fun differencesIn(programs: Map<String, String>): String =
+        programs.flatMap { (path, text) -> differences(TestProgram(path, text)) }.joinToString("\n")
 }

@@ -99,4 +99,7 @@ object Penbot {
 
     /** The part of the way down at which the tip meets the paper; the rest of the way a rubber band gives. */
     const val PEN_CONTACT = 0.8
+
+    /** How wide the pen's line is: a broad felt-tip pen. */
+    const val PEN_LINE_WIDTH = 0.3
 }

@@ -27,7 +27,7 @@ internal object SimulationLimits {
     /** A wheel slower than this, in cm/s, stands still. */
     const val STANDSTILL_SPEED = 1e-6
 
-    /** How far the drawn line may lie beside the pen's real way, in centimetres: a twentieth of a pen's line. */
+    /** How far the drawn line may lie beside the pen's real way, in centimetres: a small part of the pen's line. */
     const val INK_TOLERANCE = 0.005
 
     /** Corners of all strokes together, enough for days of drawing by hand; whatever is drawn after that is measured but not kept. */

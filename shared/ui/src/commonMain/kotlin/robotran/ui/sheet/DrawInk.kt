@@ -7,11 +7,12 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.world.Ink
 import robotran.world.InkStroke
+import robotran.world.Penbot
 import kotlin.math.max
 
 /** The lines the pen has left, as wide as the pen is. */
 internal fun DrawScope.drawInk(ink: Ink, transform: SheetTransform) {
-    val width = max(PEN_WIDTH_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_WIDTH_PIXELS)
+    val width = max(Penbot.PEN_LINE_WIDTH.toFloat() * transform.pixelsPerCentimetre, LEAST_WIDTH_PIXELS)
     for (stroke in ink.strokes) drawStroke(stroke, width, transform)
 }
 
@@ -28,9 +29,6 @@ private fun DrawScope.drawStroke(stroke: InkStroke, width: Float, transform: She
     }
     drawPath(path, SheetColours.INK, style = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round))
 }
-
-/** A broad felt-tip pen. */
-private const val PEN_WIDTH_CENTIMETRES = 0.3f
 
 /** In a picture so small that the line would vanish. */
 private const val LEAST_WIDTH_PIXELS = 1f
