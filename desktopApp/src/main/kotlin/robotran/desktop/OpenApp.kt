@@ -1,8 +1,8 @@
 package robotran.desktop
 
 import robotran.ui.workshop.ProgramFile
-import kotlin.io.path.name
 import java.nio.file.Path
+import kotlin.io.path.name
 
 /**
  * Opens the window, with the program in the first of [files] or, without one, the square, and returns when it is closed.

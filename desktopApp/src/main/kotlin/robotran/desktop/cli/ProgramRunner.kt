@@ -1,9 +1,9 @@
 package robotran.desktop.cli
 
-import robotran.desktop.TextFile
-import robotran.desktop.readTextFile
 import kotlinx.coroutines.runBlocking
 import robotran.desktop.ExitCode
+import robotran.desktop.TextFile
+import robotran.desktop.readTextFile
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.rom.RcxProgram

@@ -23,7 +23,9 @@ internal class RunResults(
             )
         report.error?.let { console.complain(it) }
         val forgotten = session.romLog.total - session.romLog.entries.size
-        if (outputs.romLog != null && forgotten > 0) console.complain("The ROM log lacks the first $forgotten calls: it keeps only the newest.")
+        if (outputs.romLog != null && forgotten > 0) {
+            console.complain("The ROM log lacks the first $forgotten calls: it keeps only the newest.")
+        }
         if (CONSOLE !in listOf(outputs.romLog, outputs.report)) console.say(summary(report))
         return problems
     }
