@@ -25,10 +25,15 @@ kotlin {
             api(libs.compose.ui)
             implementation(libs.compose.resources)
             implementation(libs.coroutines.core)
+            // Material asks for 0.6.0, whose wasm library is not on every registry.
+            implementation(libs.datetime)
         }
         androidMain.dependencies {
             // Compose asks for 2.8.3, which not every mirror of Google's repository has.
             implementation(libs.androidx.lifecycle.runtime.compose)
+        }
+        jvmTest.dependencies {
+            implementation(libs.kotest.property)
         }
     }
 }

@@ -6,11 +6,11 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.Window
 import androidx.compose.ui.window.application
 import androidx.compose.ui.window.rememberWindowState
-import java.awt.Dimension
-import java.awt.Toolkit
 import robotran.ui.RobotranStart
 import robotran.ui.brick.BrickIcon
 import robotran.ui.workshop.ProgramFile
+import java.awt.Dimension
+import java.awt.Toolkit
 
 /** Shows the window with [program], or without one the square, and returns when it is closed. */
 internal fun showWindow(program: ProgramFile?) {

@@ -1,7 +1,7 @@
 package robotran.desktop
 
-import java.nio.file.Path
 import robotran.ui.workshop.ProgramFile
+import java.nio.file.Path
 
 /**
  * Opens the window, with the program in the first of [files] or, without one, the square, and returns when it is closed.

@@ -1,12 +1,12 @@
 package robotran.desktop
 
+import robotran.robolang.RobolangLimits
+import robotran.ui.workshop.ProgramFile
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.isRegularFile
 import kotlin.io.path.name
-import robotran.robolang.RobolangLimits
-import robotran.ui.workshop.ProgramFile
 
 /** What came of reading a program from a file. */
 internal sealed interface ProgramFileResult {

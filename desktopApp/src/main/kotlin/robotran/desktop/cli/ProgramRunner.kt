@@ -4,17 +4,16 @@ import robotran.desktop.ExitCode
 import kotlinx.coroutines.runBlocking
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
-import robotran.rom.BrickButton
 import robotran.rom.RcxProgram
 import robotran.rom.RunState
 import robotran.ui.workshop.PENBOT_CALIBRATION
 import robotran.world.BuiltInWorlds
 import robotran.world.Session
-import robotran.world.SessionInput
 import robotran.world.World
 import robotran.world.WorldFileResult
 import robotran.world.physics.loadPhysicsEngine
 import robotran.world.readWorld
+import robotran.world.runUnattended
 import kotlin.io.path.Path
 import kotlin.io.path.name
 
@@ -38,9 +37,7 @@ internal class ProgramRunner(
 
         val session = runBlocking { Session(world, listOf(program), loadPhysicsEngine()) }
         try {
-            session.apply(SessionInput.Press(BrickButton.RUN))
-            session.apply(SessionInput.Release(BrickButton.RUN))
-            session.advanceUntilOver(milliseconds)
+            session.runUnattended(milliseconds)
             val problems = RunResults(session, console).write(outputs)
             problems.forEach(console::complain)
             val run = session.state.brick.run
@@ -99,19 +96,3 @@ internal class ProgramRunner(
         const val ROBOLANG_EXTENSION = ".robo"
     }
 }
-
-/** Lets time pass until the program is over and the robot has come to rest, or [milliseconds] have passed. */
-private fun Session.advanceUntilOver(milliseconds: Int) {
-    var left = milliseconds
-    while (left > 0) {
-        val before = state
-        val part = minOf(left, LOOK_MILLISECONDS)
-        advance(part)
-        left -= part
-        val over = state.brick.run is RunState.Ended || state.brick.run is RunState.Failed
-        if (over && state.robot.pose == before.robot.pose) return
-    }
-}
-
-/** How much time passes between two looks at whether the run is over; several steps of the physics. */
-private const val LOOK_MILLISECONDS = 20

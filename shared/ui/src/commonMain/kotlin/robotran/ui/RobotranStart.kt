@@ -24,11 +24,15 @@ import robotran.ui.theme.RobotranTheme
 import robotran.ui.workshop.ProgramFile
 import robotran.ui.workshop.Workshop
 
-/** What every platform's app shows: a word while things get ready, then [RobotranApp] with [program] or, without one, the square. */
+/**
+ * What every platform's app shows: a word while things get ready, then [RobotranApp] with [program] or, without one, the square.
+ *
+ * @param onOpened is told the workshop once it is there.
+ */
 @Composable
-fun RobotranStart(program: ProgramFile? = null) {
+fun RobotranStart(program: ProgramFile? = null, onOpened: (Workshop) -> Unit = {}) {
     var workshop by remember { mutableStateOf<Workshop?>(null) }
-    LaunchedEffect(program) { workshop = openWorkshop(program) }
+    LaunchedEffect(program) { workshop = openWorkshop(program).also(onOpened) }
     DisposableEffect(Unit) { onDispose { workshop?.close() } }
     val ready = workshop
     if (ready == null) RobotranTheme { GettingReady() } else RobotranApp(ready)

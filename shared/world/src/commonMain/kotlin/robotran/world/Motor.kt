@@ -1,8 +1,8 @@
 package robotran.world
 
-import kotlin.math.abs
 import robotran.rom.MotorMode
 import robotran.rom.MotorState
+import kotlin.math.abs
 
 /**
  * A motor with its gears, as the speed of the tyre in cm/s.

@@ -23,19 +23,24 @@ private fun refuseDeepNesting(text: String) {
     var escaped = false
     for (character in text) {
         if (character == '\n') line++
-        when {
-            escaped -> escaped = false
-            inString -> if (character == '\\') escaped = true else if (character == '"') inString = false
-            character == '"' -> inString = true
-            character == '{' || character == '[' -> depth++
-            character == '}' || character == ']' -> depth--
+        if (inString) {
+            inString = escaped || character != '"'
+            escaped = !escaped && character == '\\'
+        } else {
+            when (character) {
+                '"' -> inString = true
+                '{', '[' -> depth++
+                '}', ']' -> depth--
+            }
         }
-        if (depth > WorldLimits.MAXIMUM_DEPTH) throw WorldRefusal("Line $line of the world file opens too many brackets inside one another.")
+        if (depth > WorldLimits.MAXIMUM_DEPTH) {
+            throw WorldRefusal("Line $line of the world file opens too many brackets inside one another.")
+        }
     }
 }
 
-/** The parser tells the place of a mistake only in its message. */
+/** The parser tells the place of a mistake only in its message, and not at all if the file ends too early. */
 private fun lineOf(mistake: SerializationException, text: String): String {
-    val offset = Regex("offset (\\d+)").find(mistake.message.orEmpty())?.groupValues?.get(1)?.toIntOrNull() ?: return "The world file"
+    val offset = Regex("offset (\\d+)").find(mistake.message.orEmpty())?.groupValues?.get(1)?.toIntOrNull() ?: text.length
     return "Line ${1 + text.take(offset).count { it == '\n' }} of the world file"
 }

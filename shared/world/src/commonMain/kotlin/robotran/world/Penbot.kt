@@ -39,9 +39,10 @@ object Penbot {
 
     /**
      * How quickly a motor comes to its speed, and to rest when it brakes. One figure for both, and for every braking power, so that
-     * what a wheel lacks at the start it makes up for at the end and a command of t ms drives exactly t / 50 cm. Real ones take 20 to 60 ms.
+     * what a wheel lacks at the start it makes up for at the end and a command of t ms drives exactly t / 50 cm. Shorter, and the tyres
+     * would slip when a turn follows a straight piece at once; longer, and the corners drawn would be round.
      */
-    const val MOTOR_LAG = 20.0
+    const val MOTOR_LAG = 30.0
 
     /** How quickly a wheel that floats loses speed to the friction of its gears, in cm/s each second: 20 cm/s die away over 3.3 cm. */
     const val ROLLING_DECELERATION = 60.0

@@ -1,9 +1,9 @@
 package robotran.world
 
-import kotlin.math.PI
 import robotran.world.physics.BodyMotion
 import robotran.world.physics.PhysicsEngine
 import robotran.world.physics.PhysicsWorld
+import kotlin.math.PI
 
 /** The penbot as a body among the world's walls. */
 internal class PenbotBody(private val physics: PhysicsWorld, private val engine: PhysicsEngine, start: Pose) {
@@ -75,6 +75,7 @@ internal fun PhysicsWorld.addWall(wall: Wall) {
     val directionY = if (along == 0.0) 0.0 else (wall.to.y - wall.from.y) / along
     val reach = (along + wall.thickness) / 2
     val half = wall.thickness / 2
+
     fun corner(forwards: Double, leftwards: Double) =
         listOf(forwards * directionX - leftwards * directionY, forwards * directionY + leftwards * directionX)
     val corners = corner(-reach, -half) + corner(reach, -half) + corner(reach, half) + corner(-reach, half)

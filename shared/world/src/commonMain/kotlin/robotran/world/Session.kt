@@ -86,7 +86,13 @@ class Session(val world: World, programs: List<RcxProgram>, physics: PhysicsEngi
 
     companion object {
         /** A new session to which [inputs], in the order of their times, are done again, after [milliseconds]. */
-        fun replay(world: World, programs: List<RcxProgram>, physics: PhysicsEngine, inputs: List<RecordedInput>, milliseconds: Long): Session {
+        fun replay(
+            world: World,
+            programs: List<RcxProgram>,
+            physics: PhysicsEngine,
+            inputs: List<RecordedInput>,
+            milliseconds: Long,
+        ): Session {
             val session = Session(world, programs, physics)
             inputs.filter { it.milliseconds <= milliseconds }.forEach { recorded ->
                 session.advanceTo(recorded.milliseconds)

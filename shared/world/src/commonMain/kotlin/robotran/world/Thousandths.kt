@@ -1,7 +1,5 @@
 package robotran.world
 
-import kotlin.math.abs
-import kotlin.math.floor
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
@@ -11,9 +9,13 @@ import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 import kotlinx.serialization.json.JsonEncoder
 import kotlinx.serialization.json.JsonUnquotedLiteral
+import kotlin.math.abs
+import kotlin.math.floor
 
 /** A number that is written to JSON with at most three decimals. */
-typealias Thousandths = @Serializable(with = ThousandthsSerializer::class) Double
+typealias Thousandths =
+    @Serializable(with = ThousandthsSerializer::class)
+    Double
 
 /** How many thousandths are nearest to [number]. */
 internal fun thousandthsIn(number: Double): Long = floor(number * THOUSAND + HALF).toLong()

@@ -34,7 +34,9 @@ private class WorldReader(private val file: JsonPlace) {
             throw WorldRefusal("This is not a Robotran world: a world file says \"format\": \"$FORMAT\".")
         }
         val version = file.member("version").wholeNumber()
-        if (version > VERSION) throw WorldRefusal("This world was made by a newer Robotran (it has version $version, this Robotran reads up to $VERSION).")
+        if (version > VERSION) {
+            throw WorldRefusal("This world was made by a newer Robotran (it has version $version, this Robotran reads up to $VERSION).")
+        }
         if (version < VERSION) throw WorldRefusal("There is no version $version of the world format.")
     }
 

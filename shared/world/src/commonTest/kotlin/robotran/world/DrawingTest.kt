@@ -1,22 +1,35 @@
 package robotran.world
 
+import kotlinx.coroutines.test.runTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertSame
 import kotlin.test.assertTrue
-import kotlinx.coroutines.test.runTest
 
 class DrawingTest {
     @Test
     fun `a pen that is down leaves ink`() = runTest {
-        val ink = runToEnd(ScriptedProgram { penDown(); forward(20.0) }).state.ink
+        val ink = runToEnd(
+            ScriptedProgram {
+                penDown()
+                forward(20.0)
+            },
+        ).state.ink
         assertEquals(20.0, ink.lengthCentimetres, 0.2)
         assertEquals(1, ink.strokes.size)
     }
 
     @Test
     fun `a pen that is up leaves none`() = runTest {
-        val session = runToEnd(ScriptedProgram { forward(20.0); pause(500); penDown(); penUp(); forward(10.0) })
+        val session = runToEnd(
+            ScriptedProgram {
+                forward(20.0)
+                pause(500)
+                penDown()
+                penUp()
+                forward(10.0)
+            },
+        )
         assertEquals(0.0, session.state.ink.lengthCentimetres)
         assertEquals(false, session.state.robot.penDown)
     }
@@ -37,7 +50,15 @@ class DrawingTest {
 
     @Test
     fun `a straight line needs two points`() = runTest {
-        assertEquals(2, runToEnd(ScriptedProgram { penDown(); forward(20.0) }).state.ink.strokes.single().points.size)
+        assertEquals(
+            2,
+            runToEnd(
+                ScriptedProgram {
+                    penDown()
+                    forward(20.0)
+                },
+            ).state.ink.strokes.single().points.size,
+        )
     }
 
     @Test
@@ -57,7 +78,13 @@ class DrawingTest {
 
     @Test
     fun `the ink stays the same object while nothing is drawn`() = runTest {
-        val session = runToEnd(ScriptedProgram { penDown(); forward(5.0); penUp() })
+        val session = runToEnd(
+            ScriptedProgram {
+                penDown()
+                forward(5.0)
+                penUp()
+            },
+        )
         val before = session.state.ink
         session.advance(100)
         assertSame(before, session.state.ink)
@@ -76,7 +103,13 @@ class DrawingTest {
     @Test
     fun `beside the paper there is nothing to draw on`() = runTest {
         val world = BuiltInWorlds.plain.copy(walls = emptyList(), start = Pose(95.0, 40.0, 0.0))
-        val ink = runToEnd(ScriptedProgram { penDown(); forward(20.0) }, world).state.ink
+        val ink = runToEnd(
+            ScriptedProgram {
+                penDown()
+                forward(20.0)
+            },
+            world,
+        ).state.ink
         assertEquals(5.0, ink.lengthCentimetres, 0.2)
     }
 }

@@ -1,9 +1,9 @@
 package robotran.world
 
+import kotlinx.coroutines.test.runTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
-import kotlinx.coroutines.test.runTest
 
 class DrivingTest {
     private val start = BuiltInWorlds.plain.start

@@ -1,7 +1,5 @@
 package robotran.world
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
 import kotlinx.coroutines.test.runTest
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonObject
@@ -10,6 +8,8 @@ import robotran.rom.ProgramRun
 import robotran.rom.ProgramStatus
 import robotran.rom.RcxProgram
 import robotran.rom.Rom
+import kotlin.test.Test
+import kotlin.test.assertEquals
 
 class RunReportTest {
     private object FailingProgram : RcxProgram {

@@ -1,10 +1,10 @@
 package robotran.world
 
+import kotlinx.coroutines.test.runTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
-import kotlinx.coroutines.test.runTest
 
 class WallTest {
     /** The plain sheet's right wall begins at its edge. */

@@ -53,7 +53,10 @@ class WorldFileTest {
 
     @Test
     fun `text that is not JSON is refused with its line`() {
-        assertEquals("Line 5 of the world file cannot be read: something is missing or out of place there.", refusalWith("\"Plain sheet\",", "\"Plain sheet\""))
+        assertEquals(
+            "Line 5 of the world file cannot be read: something is missing or out of place there.",
+            refusalWith("\"Plain sheet\",", "\"Plain sheet\""),
+        )
         assertTrue(refusal("").startsWith("Line 1 of the world file"))
         assertTrue(refusal("{").startsWith("Line 1 of the world file"))
         assertTrue(refusal("\u0000\uD800").startsWith("Line 1 of the world file"))
@@ -115,7 +118,13 @@ class WorldFileTest {
     @Test
     fun `too many walls are refused`() {
         val wall = "{ \"from\": { \"x\": 1, \"y\": 1 }, \"to\": { \"x\": 2, \"y\": 1 }, \"thickness\": 1 },"
-        assertEquals("The world file's walls has 204 entries, but at most 200 are allowed.", refusalWith("\"walls\": [", "\"walls\": [" + wall.repeat(200)))
+        assertEquals(
+            "The world file's walls has 204 entries, but at most 200 are allowed.",
+            refusalWith(
+                "\"walls\": [",
+                "\"walls\": [" + wall.repeat(200),
+            ),
+        )
     }
 
     @Test

@@ -32,8 +32,6 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         compile(folder, "$name.wasm")
         folder.resolve("$name-runtime.mjs").writeText(runtime())
         parameters.glue.get().asFile.copyTo(folder.resolve("$name.mjs"))
-        // TeaVM leaves a copy of its own loader for plain scripts beside the module; nothing here uses it.
-        folder.listFiles().orEmpty().filterNot { it.name in setOf("$name.wasm", "$name-runtime.mjs", "$name.mjs") }.forEach { it.deleteRecursively() }
     }
 
     private fun compile(folder: File, fileName: String) {
@@ -52,7 +50,9 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
             tool.generate()
         }
         TeaVMProblemRenderer.describeProblems(tool.dependencyInfo.callGraph, tool.problemProvider, log)
-        if (tool.problemProvider.severeProblems.isNotEmpty()) throw GradleException("TeaVM could not compile ${parameters.mainClass.get()}.")
+        if (tool.problemProvider.severeProblems.isNotEmpty()) {
+            throw GradleException("TeaVM could not compile ${parameters.mainClass.get()}.")
+        }
     }
 
     /** TeaVM's loader as an ES module; the mark keeps webpack from following the imports it makes for Node only. */

@@ -26,7 +26,13 @@ internal class MathCallRewriter(
     }
 
     private inner class Redirection(private val className: String, writer: ClassWriter) : ClassVisitor(Opcodes.ASM9, writer) {
-        override fun visitMethod(access: Int, name: String, descriptor: String, signature: String?, exceptions: Array<String>?): MethodVisitor =
+        override fun visitMethod(
+            access: Int,
+            name: String,
+            descriptor: String,
+            signature: String?,
+            exceptions: Array<String>?,
+        ): MethodVisitor =
             MethodRedirection(className, super.visitMethod(access, name, descriptor, signature, exceptions))
     }
 

@@ -4,7 +4,6 @@ import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.api.artifacts.Configuration
 import org.gradle.api.artifacts.VersionCatalogsExtension
-import org.gradle.api.plugins.JavaPluginExtension
 import org.gradle.api.tasks.SourceSetContainer
 import org.gradle.api.tasks.compile.JavaCompile
 
@@ -18,6 +17,7 @@ class PhysicsPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.pluginManager.apply("java-library")
         val libraries = project.extensions.getByType(VersionCatalogsExtension::class.java).named("libs")
+
         fun library(name: String) = libraries.findLibrary(name).get()
 
         val original = project.toolConfiguration("originalDyn4j").apply { isTransitive = false }
@@ -56,7 +56,6 @@ class PhysicsPlugin : Plugin<Project> {
             it.isCanBeConsumed = true
             it.outgoing.artifact(compile.flatMap { task -> task.outputFolder })
         }
-        project.extensions.getByType(JavaPluginExtension::class.java)
         // A constant of one file may be compiled into another, which incremental compilation does not always notice.
         project.tasks.withType(JavaCompile::class.java).configureEach { it.options.isIncremental = false }
     }

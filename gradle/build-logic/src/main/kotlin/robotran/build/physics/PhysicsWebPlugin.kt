@@ -6,8 +6,8 @@ import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
 /**
  * For every module that links `shared/world` into a wasm test or executable: lays the physics module (`physics.mjs` and what it loads)
- * beside the generated JavaScript, where `loadPhysicsEngine()` imports it from. Kotlin does not hand a library's resources on
- * to those who use it, so each such module applies `id("robotran.physics-web")`.
+ * beside the generated JavaScript, where `loadPhysicsEngine()` imports it from. Kotlin hands a module's
+ * resources to its own executables and tests but not to the modules that use it, so each of them applies `id("robotran.physics-web")`.
  */
 class PhysicsWebPlugin : Plugin<Project> {
     override fun apply(project: Project) {
@@ -19,7 +19,7 @@ class PhysicsWebPlugin : Plugin<Project> {
         project.dependencies.add(files.name, physics)
         project.pluginManager.withPlugin("org.jetbrains.kotlin.multiplatform") {
             val kotlin = project.extensions.getByType(KotlinMultiplatformExtension::class.java)
-            kotlin.sourceSets.matching { it.name == "wasmJsMain" || it.name == "wasmJsTest" }.configureEach { it.resources.srcDir(files) }
+            kotlin.sourceSets.matching { it.name == "wasmJsMain" }.configureEach { it.resources.srcDir(files) }
         }
     }
 }

@@ -56,7 +56,11 @@ internal fun BrickButtonView(
             .semantics {
                 role = Role.Button
                 contentDescription = name
-                onClick(name) { onPress(); onRelease(); true }
+                onClick(name) {
+                    onPress()
+                    onRelease()
+                    true
+                }
             }
             .background(lerp(look.colour, Color.Black, 0.45f), shape),
     ) {
@@ -83,7 +87,7 @@ internal fun BrickButtonView(
 
 /** How far a button sinks, and how large its name is written, in units of the [BrickPlan]. */
 private const val SUNK = 4f
-private const val LABEL_SIZE = 14f
+private const val LABEL_SIZE = 13.5f
 
 private class ButtonLook(val name: StringResource, val colour: Color, val label: Color)
 

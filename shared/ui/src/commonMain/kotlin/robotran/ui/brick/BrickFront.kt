@@ -35,9 +35,12 @@ internal fun BrickFront(
     val description = stringResource(Res.string.brick)
     BoxWithConstraints(
         modifier
-            .aspectRatio(BrickPlan.WIDTH / BrickPlan.HEIGHT)
+            .aspectRatio(BRICK_ASPECT)
             .testTag("brick")
-            .semantics { contentDescription = description; isTraversalGroup = true },
+            .semantics {
+                contentDescription = description
+                isTraversalGroup = true
+            },
     ) {
         val unit = maxWidth / BrickPlan.WIDTH
         Canvas(Modifier.matchParentSize()) { drawBrickBody() }
@@ -51,6 +54,9 @@ internal fun BrickFront(
         }
     }
 }
+
+/** How wide the brick is for its height. */
+internal const val BRICK_ASPECT = BrickPlan.WIDTH / BrickPlan.HEIGHT
 
 /** The least width at which every button is still large enough for a finger. */
 internal val LEAST_BRICK_WIDTH = Dp(BrickPlan.WIDTH * BrickPlan.LEAST_UNIT)

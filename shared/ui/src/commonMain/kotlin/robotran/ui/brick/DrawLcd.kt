@@ -25,7 +25,8 @@ internal fun DrawScope.drawLcd(glass: LcdGlass) {
 internal fun DrawScope.drawLcdNumbers(glass: LcdGlass) {
     val unit = size.width / LcdPlan.WIDTH
     drawRoundRect(BrickColours.GLASS_EDGE, Offset.Zero, size, CornerRadius(8f * unit))
-    drawRoundRect(BrickColours.GLASS, Offset(2 * unit, 2 * unit), Size(size.width - 4 * unit, size.height - 4 * unit), CornerRadius(6f * unit))
+    val edge = 2 * unit
+    drawRoundRect(BrickColours.GLASS, Offset(edge, edge), Size(size.width - 2 * edge, size.height - 2 * edge), CornerRadius(6f * unit))
     val top = (size.height - LcdPlan.MAN.height * unit) / 2 - LcdPlan.MAN.top * unit
     withTransform({
         translate(0f, top)

@@ -80,12 +80,14 @@ private fun MistakeRow(mistake: Diagnostic, standsOut: Boolean, onFix: (Diagnost
 @Composable
 private fun FixButton(mistake: Diagnostic, onFix: (Diagnostic) -> Unit) {
     val replacement = mistake.fix?.replacement?.trim().orEmpty()
+    val text =
+        if (replacement.isEmpty()) stringResource(Res.string.mistake_fix_remove) else stringResource(Res.string.mistake_fix, replacement)
     TextButton(
         onClick = { onFix(mistake) },
         modifier = Modifier.padding(start = 8.dp).defaultMinSize(minHeight = Measures.TARGET).testTag("fix").focusRing(),
     ) {
         Text(
-            if (replacement.isEmpty()) stringResource(Res.string.mistake_fix_remove) else stringResource(Res.string.mistake_fix, replacement),
+            text,
             color = LocalRobotranColours.current.focus,
             fontSize = 16.sp,
             fontWeight = FontWeight.SemiBold,

@@ -87,7 +87,10 @@ private fun ProgramField(
     var layout by remember { mutableStateOf<TextLayoutResult?>(null) }
     BasicTextField(
         value = value,
-        onValueChange = { value = it; onEdit(it.text) },
+        onValueChange = {
+            value = it
+            onEdit(it.text)
+        },
         modifier = modifier
             .testTag("program")
             .semantics { contentDescription = label }

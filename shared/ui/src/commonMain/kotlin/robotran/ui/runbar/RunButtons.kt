@@ -85,7 +85,10 @@ internal fun StopButton(enabled: Boolean, onClick: () -> Unit, modifier: Modifie
             .focusRing(CORNER)
             .defaultMinSize(minWidth = 104.dp, minHeight = HEIGHT),
         shape = RoundedCornerShape(CORNER),
-        colors = ButtonDefaults.outlinedButtonColors(contentColor = colours.onPane, disabledContentColor = colours.quiet.copy(alpha = 0.6f)),
+        colors = ButtonDefaults.outlinedButtonColors(
+            contentColor = colours.onPane,
+            disabledContentColor = colours.quiet.copy(alpha = 0.6f),
+        ),
         border = BorderStroke(if (enabled) 2.dp else 1.dp, if (enabled) colours.onPane else colours.line),
         contentPadding = PADDING,
     ) {

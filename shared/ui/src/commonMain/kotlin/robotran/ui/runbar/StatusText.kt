@@ -1,8 +1,6 @@
 package robotran.ui.runbar
 
 import androidx.compose.runtime.Composable
-import kotlin.math.abs
-import kotlin.math.roundToLong
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.status_changed
@@ -16,20 +14,43 @@ import robotran.ui.resources.status_running
 import robotran.ui.resources.status_running_line
 import robotran.ui.resources.status_stopped
 import robotran.ui.workshop.WorkshopStatus
+import kotlin.math.abs
+import kotlin.math.roundToLong
 
 /** [status] in a learner's words. */
 @Composable
 internal fun statusText(status: WorkshopStatus): String = when (status) {
-    WorkshopStatus.Ready -> stringResource(Res.string.status_ready)
-    WorkshopStatus.Empty -> stringResource(Res.string.status_empty)
-    WorkshopStatus.Changed -> stringResource(Res.string.status_changed)
-    WorkshopStatus.Off -> stringResource(Res.string.status_off)
-    is WorkshopStatus.Mistaken -> stringResource(Res.string.status_mistake, status.line)
-    is WorkshopStatus.Running ->
+    WorkshopStatus.Ready -> {
+        stringResource(Res.string.status_ready)
+    }
+
+    WorkshopStatus.Empty -> {
+        stringResource(Res.string.status_empty)
+    }
+
+    WorkshopStatus.Changed -> {
+        stringResource(Res.string.status_changed)
+    }
+
+    WorkshopStatus.Off -> {
+        stringResource(Res.string.status_off)
+    }
+
+    is WorkshopStatus.Mistaken -> {
+        stringResource(Res.string.status_mistake, status.line)
+    }
+
+    is WorkshopStatus.Running -> {
         if (status.line > 0) stringResource(Res.string.status_running_line, status.line) else stringResource(Res.string.status_running)
-    is WorkshopStatus.Ended -> stringResource(if (status.stopped) Res.string.status_stopped else Res.string.status_ended)
-    is WorkshopStatus.Failed ->
+    }
+
+    is WorkshopStatus.Ended -> {
+        stringResource(if (status.stopped) Res.string.status_stopped else Res.string.status_ended)
+    }
+
+    is WorkshopStatus.Failed -> {
         if (status.line > 0) stringResource(Res.string.status_failed, status.line, status.message) else status.message
+    }
 }
 
 /** [value] with exactly one decimal, as `-0.5` or `12.0`, the same on every platform. */

@@ -2,16 +2,19 @@ package robotran.ui.screen
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickStrip
 import robotran.ui.brick.LEAST_BRICK_WIDTH
@@ -38,35 +41,51 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
     }
 }
 
+/** The brick's strip lies under the paper, or beside it if there is more room there. */
 @Composable
 private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
-    Column(modifier.background(LocalRobotranColours.current.desk), horizontalAlignment = Alignment.CenterHorizontally) {
-        WorldPane(state, Modifier.weight(1f))
-        BrickStrip(
-            state.session.brick,
-            state.down,
-            { onEvent(WorkshopEvent.ButtonPressed(it)) },
-            { onEvent(WorkshopEvent.ButtonReleased(it)) },
-            Modifier.padding(bottom = 12.dp),
-        )
+    BoxWithConstraints(modifier.fillMaxSize().background(LocalRobotranColours.current.desk)) {
+        val strip: @Composable () -> Unit = {
+            BrickStrip(
+                state.session.brick,
+                state.down,
+                { onEvent(WorkshopEvent.ButtonPressed(it)) },
+                { onEvent(WorkshopEvent.ButtonReleased(it)) },
+                Modifier.padding(12.dp),
+            )
+        }
+        if (maxWidth > maxHeight) {
+            Row(Modifier.fillMaxSize(), verticalAlignment = Alignment.Bottom) {
+                WorldPane(state, Modifier.weight(1f))
+                strip()
+            }
+        } else {
+            Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
+                WorldPane(state, Modifier.weight(1f))
+                strip()
+            }
+        }
     }
 }
 
+/** The whole brick, as large as it fits; where its buttons would become too small for a finger, it can be scrolled instead. */
 @Composable
 private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
-    Box(
-        modifier.fillMaxSize().background(LocalRobotranColours.current.desk).verticalScroll(rememberScrollState()).padding(16.dp),
-        Alignment.TopCenter,
-    ) {
-        BrickFront(
-            state.session.brick,
-            state.down,
-            { onEvent(WorkshopEvent.ButtonPressed(it)) },
-            { onEvent(WorkshopEvent.ButtonReleased(it)) },
-            Modifier.widthIn(LEAST_BRICK_WIDTH, 360.dp),
-        )
+    BoxWithConstraints(modifier.fillMaxSize().background(LocalRobotranColours.current.desk), Alignment.Center) {
+        val width = minOf(maxWidth - MARGIN * 2, (maxHeight - MARGIN * 2) * BRICK_ASPECT).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
+        Box(Modifier.verticalScroll(rememberScrollState()).padding(MARGIN)) {
+            BrickFront(
+                state.session.brick,
+                state.down,
+                { onEvent(WorkshopEvent.ButtonPressed(it)) },
+                { onEvent(WorkshopEvent.ButtonReleased(it)) },
+                Modifier.width(width),
+            )
+        }
     }
 }
 
 /** A keyboard on the screen takes half of it: more would push the program out of sight. */
 private const val MOST_MISTAKES = 2
+private val MARGIN = 16.dp
+private val MOST_BRICK_WIDTH = 440.dp

@@ -65,7 +65,10 @@ internal fun PaneDivider(share: Float, width: Float, onShare: (Float) -> Unit, m
             .semantics {
                 contentDescription = description
                 progressBarRangeInfo = ProgressBarRangeInfo(now.value, SHARES)
-                setProgress { onShare(it.coerceIn(SHARES)); true }
+                setProgress {
+                    onShare(it.coerceIn(SHARES))
+                    true
+                }
             }
             .drawBehind { drawGrip(colours.line, colours.quiet) },
     )

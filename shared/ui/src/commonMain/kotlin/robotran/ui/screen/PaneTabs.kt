@@ -1,8 +1,8 @@
 package robotran.ui.screen
 
 import androidx.compose.foundation.layout.defaultMinSize
-import androidx.compose.material3.PrimaryTabRow
 import androidx.compose.material3.ExperimentalMaterial3Api
+import androidx.compose.material3.PrimaryTabRow
 import androidx.compose.material3.Tab
 import androidx.compose.material3.TabRowDefaults
 import androidx.compose.material3.Text

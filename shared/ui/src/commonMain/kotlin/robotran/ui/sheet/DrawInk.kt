@@ -5,9 +5,9 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.StrokeJoin
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
-import kotlin.math.max
 import robotran.world.Ink
 import robotran.world.InkStroke
+import kotlin.math.max
 
 /** The lines the pen has left, as wide as the pen is. */
 internal fun DrawScope.drawInk(ink: Ink, transform: SheetTransform) {

@@ -6,10 +6,10 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.clipPath
-import kotlin.math.hypot
-import kotlin.math.max
 import robotran.world.Wall
 import robotran.world.World
+import kotlin.math.hypot
+import kotlin.math.max
 
 /** The walls from above: brick-red, and hatched, so that nobody needs the colour to know them. */
 internal fun DrawScope.drawWalls(world: World, transform: SheetTransform) {
@@ -40,6 +40,7 @@ private fun outline(wall: Wall, transform: SheetTransform): Path {
     val alongX = if (length > 0) (wall.to.x - wall.from.x) / length else 1.0
     val alongY = if (length > 0) (wall.to.y - wall.from.y) / length else 0.0
     val half = wall.thickness / 2
+
     fun corner(x: Double, y: Double, along: Double, across: Double): Offset =
         transform.toPixels(x + half * (along * alongX - across * alongY), y + half * (along * alongY + across * alongX))
     val corners = listOf(

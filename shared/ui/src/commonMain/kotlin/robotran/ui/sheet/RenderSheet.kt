@@ -6,9 +6,9 @@ import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.drawscope.CanvasDrawScope
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
-import kotlin.math.roundToInt
 import robotran.world.SessionState
 import robotran.world.World
+import kotlin.math.roundToInt
 
 /**
  * A picture of the sheet, as the screen shows it by day; needs no screen.

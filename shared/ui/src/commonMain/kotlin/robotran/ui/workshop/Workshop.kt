@@ -8,10 +8,12 @@ import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.rom.BrickButton
+import robotran.world.RunReport
 import robotran.world.Session
 import robotran.world.SessionInput
 import robotran.world.World
 import robotran.world.physics.PhysicsEngine
+import robotran.world.report
 
 /**
  * What happens behind the screen: takes [WorkshopEvent]s, lets virtual time pass, and shows the result as one [WorkshopState].
@@ -66,6 +68,9 @@ class Workshop(
         rest.passed(milliseconds, session.state)
         show()
     }
+
+    /** What came of the run up to now. */
+    fun report(): RunReport = session.report()
 
     /** Gives back what the session holds. Nothing may be called afterwards. */
     fun close() = session.close()

@@ -11,11 +11,11 @@ import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.pressKey
+import robotran.rom.BrickButton
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
-import robotran.rom.BrickButton
 
 @OptIn(ExperimentalTestApi::class)
 class KeyboardTest {
@@ -52,11 +52,12 @@ class KeyboardTest {
 
     @Test
     fun `the arrow keys move the divider`() = onTablet {
-        val before = onNodeWithTag("program").fetchSemanticsNode().size.width
+        val before = onNodeWithTag("world").fetchSemanticsNode().size.width
         goTo("divider")
         onRoot().performKeyInput { pressKey(Key.DirectionRight) }
         pass(100)
-        assertTrue(onNodeWithTag("program").fetchSemanticsNode().size.width > before)
+        val after = onNodeWithTag("world").fetchSemanticsNode().size.width
+        assertTrue(after < before, "the world was $before wide and is $after")
     }
 
     @Test

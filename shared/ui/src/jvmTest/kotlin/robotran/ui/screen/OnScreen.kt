@@ -29,9 +29,10 @@ internal fun onTablet(check: ComposeUiTest.(Workshop) -> Unit) = onScreen(1280, 
 @OptIn(ExperimentalTestApi::class)
 internal fun onPhone(check: ComposeUiTest.(Workshop) -> Unit) = onScreen(411, 891, check)
 
-/** Lets [milliseconds] of frames go by. */
+/** Lets at least [milliseconds] go by, frame by frame. */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.pass(milliseconds: Long) {
-    mainClock.advanceTimeBy(milliseconds)
+    val end = mainClock.currentTime + milliseconds
+    while (mainClock.currentTime < end) mainClock.advanceTimeByFrame()
     waitForIdle()
 }

@@ -9,11 +9,11 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
+import robotran.ui.workshop.Pane
+import robotran.ui.workshop.WorkshopEvent
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.WorkshopEvent
 
 @OptIn(ExperimentalTestApi::class)
 class PhoneTest {

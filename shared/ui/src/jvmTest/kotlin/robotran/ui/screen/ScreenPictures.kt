@@ -2,9 +2,6 @@ package robotran.ui.screen
 
 import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
-import java.io.File
-import kotlin.test.Test
-import kotlin.test.assertTrue
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.EncodedImageFormat
 import robotran.ui.RobotranApp
@@ -13,6 +10,9 @@ import robotran.ui.sheet.sheetPng
 import robotran.ui.workshop.Pane
 import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.WorkshopEvent
+import java.io.File
+import kotlin.test.Test
+import kotlin.test.assertTrue
 
 /** Writes pictures of the screen into build/pictures, to be looked at. */
 class ScreenPictures {

@@ -17,12 +17,12 @@ import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
+import robotran.rom.BrickButton
+import robotran.rom.RunState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
-import robotran.rom.BrickButton
-import robotran.rom.RunState
 
 @OptIn(ExperimentalTestApi::class)
 class TabletTest {
@@ -42,7 +42,7 @@ class TabletTest {
         assertFalse(workshop.state.running)
         assertEquals(setOf(BrickButton.RUN), workshop.state.session.brick.pressed)
         onNodeWithTag("brick-run").performTouchInput { up() }
-        pass(1500)
+        pass(800)
         assertTrue(workshop.state.running)
         assertTrue(workshop.state.session.ink.lengthCentimetres > 5)
         onNodeWithTag("world").assertContentDescriptionContains("pen down", substring = true)
@@ -72,7 +72,7 @@ class TabletTest {
         onNodeWithTag("status").assertTextEquals("Stopped")
         val ink = workshop.state.session.ink.lengthCentimetres
         pass(2000)
-        assertEquals(ink, workshop.state.session.ink.lengthCentimetres)
+        assertEquals(ink, workshop.state.session.ink.lengthCentimetres, absoluteTolerance = 0.01)
     }
 
     @Test

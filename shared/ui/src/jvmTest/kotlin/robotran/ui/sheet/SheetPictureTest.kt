@@ -2,14 +2,8 @@ package robotran.ui.sheet
 
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
-import androidx.compose.ui.graphics.toPixelMap
 import androidx.compose.ui.graphics.toArgb
-import java.io.ByteArrayInputStream
-import javax.imageio.ImageIO
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFailsWith
-import kotlin.test.assertNotEquals
+import androidx.compose.ui.graphics.toPixelMap
 import robotran.rom.BrickState
 import robotran.rom.LcdGlass
 import robotran.rom.RunState
@@ -20,6 +14,12 @@ import robotran.world.Point
 import robotran.world.Pose
 import robotran.world.RobotState
 import robotran.world.SessionState
+import java.io.ByteArrayInputStream
+import javax.imageio.ImageIO
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFailsWith
+import kotlin.test.assertNotEquals
 
 class SheetPictureTest {
     private val world = BuiltInWorlds.plain

@@ -1,13 +1,13 @@
 package robotran.ui.workshop
 
+import kotlinx.coroutines.runBlocking
+import robotran.rom.BrickButton
+import robotran.ui.openWorkshop
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
-import kotlinx.coroutines.runBlocking
-import robotran.rom.BrickButton
-import robotran.ui.openWorkshop
 
 class FrameTimeTest {
     private val workshop = runBlocking { openWorkshop() }

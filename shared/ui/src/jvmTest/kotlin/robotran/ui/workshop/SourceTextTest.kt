@@ -1,10 +1,10 @@
 package robotran.ui.workshop
 
+import robotran.robolang.SourceFix
+import robotran.robolang.SourceRange
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
 
 class SourceTextTest {
     @Test

@@ -1,0 +1,72 @@
+// Drives the built page as a pupil would: looks for the green Run on the brick, presses it, and watches the robot draw.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { findColour, startBrowser } from './browser.mjs';
+import { serve } from './serve.mjs';
+
+const RUN_GREEN = [0x2e, 0x9e, 0x4f];
+const expected = JSON.parse(await readFile(process.env.EXPECTED_REPORT, 'utf8'));
+let browser;
+let site;
+
+before(async () => {
+  browser = await startBrowser();
+  site = await serve(process.env.PAGE);
+});
+
+after(async () => {
+  await browser?.close();
+  site?.stop();
+});
+
+/** Opens the page and waits until the workshop is there; what goes wrong in the page, or is fetched from elsewhere, is collected. */
+async function open({ width, height, dark = false }) {
+  const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light' });
+  const page = await context.newPage();
+  const troubles = [];
+  page.on('pageerror', (error) => troubles.push(String(error)));
+  page.on('console', (message) => message.type() === 'error' && troubles.push(message.text()));
+  page.on('request', (request) => request.url().startsWith(site.address) || /^(data|blob):/.test(request.url()) || troubles.push(`fetched ${request.url()}`));
+  await page.goto(site.address);
+  await page.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
+  await page.waitForTimeout(500);
+  return { page, troubles };
+}
+
+const report = async (page) => JSON.parse(await page.evaluate(() => globalThis.robotran.report()));
+const photograph = (page, name) => page.screenshot({ path: path.join(process.env.PICTURES, `${name}.png`) });
+
+test('Run on the brick makes the robot draw the square, exactly as on the desktop', async () => {
+  const { page, troubles } = await open({ width: 1280, height: 800 });
+  await photograph(page, 'tablet-before');
+  const button = await findColour(page, RUN_GREEN);
+  assert.ok(button, 'there is a green Run button to be seen');
+  await page.mouse.move(button.x, button.y);
+  await page.mouse.down();
+  assert.equal((await report(page)).inkCentimetres, 0, 'a program starts when Run is let go');
+  await page.mouse.up();
+  await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).inkCentimetres > 30, null, { timeout: 60_000 });
+  await photograph(page, 'tablet-drawing');
+  await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended', null, { timeout: 60_000 });
+  await page.waitForTimeout(500);
+  await photograph(page, 'tablet-ended');
+  const { inkCentimetres, pose } = await report(page);
+  assert.deepEqual({ inkCentimetres, pose }, { inkCentimetres: expected.inkCentimetres, pose: expected.pose });
+  assert.deepEqual(troubles, []);
+});
+
+test('the page fits a phone and a laptop, by day and by night', async () => {
+  for (const [name, size] of Object.entries({
+    phone: { width: 411, height: 891 },
+    'phone-dark': { width: 411, height: 891, dark: true },
+    laptop: { width: 1440, height: 900 },
+    'laptop-dark': { width: 1440, height: 900, dark: true },
+  })) {
+    const { page, troubles } = await open(size);
+    await photograph(page, name);
+    assert.deepEqual(troubles, [], name);
+    await page.context().close();
+  }
+});
