@@ -6,6 +6,7 @@ kotlin {
     sourceSets {
         wasmJsMain.dependencies {
             implementation(project(":shared:ui"))
+            implementation(libs.coroutines.core)
         }
     }
 }

@@ -8,6 +8,8 @@ plugins {
 texts {
     constant("commonMain", "robotran.world.worldTexts", "worlds", "*.world.json")
     constant("commonTest", "robotran.world.pages", "docs", "worlds.md")
+    constant("commonTest", "robotran.world.exampleTexts", "examples", "*.robo")
+    constant("commonTest", "robotran.world.expectedRuns", "shared/world/src/commonTest/resources/runs", "*")
 }
 
 kotlin {
@@ -15,6 +17,9 @@ kotlin {
         commonMain.dependencies {
             api(project(":shared:rcx-rom"))
             implementation(libs.serialization.json)
+        }
+        commonTest.dependencies {
+            implementation(project(":shared:robolang"))
         }
         jvmMain.dependencies {
             implementation(project(":shared:physics"))

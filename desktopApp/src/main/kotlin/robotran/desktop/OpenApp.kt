@@ -1,6 +1,7 @@
 package robotran.desktop
 
 import robotran.ui.workshop.ProgramFile
+import kotlin.io.path.name
 import java.nio.file.Path
 
 /**
@@ -10,9 +11,9 @@ import java.nio.file.Path
  */
 internal fun openApp(files: List<String>): ExitCode {
     val program = files.firstOrNull()?.let { name ->
-        when (val file = readProgramFile(Path.of(name))) {
-            is ProgramFileResult.Read -> file.program
-            is ProgramFileResult.Refused -> return refuse(file.message, ExitCode.BAD_INPUT)
+        when (val file = readTextFile(name)) {
+            is TextFile.Read -> ProgramFile(Path.of(name).name, file.text)
+            is TextFile.Refused -> return refuse(file.reason, ExitCode.BAD_INPUT)
         }
     }
     if (!hasDisplay()) return refuse(NO_DISPLAY, ExitCode.NO_DISPLAY)

@@ -10,5 +10,5 @@ import robotran.ui.RobotranStart
 fun main() {
     val page = checkNotNull(document.body) { "The page has no body." }
     document.getElementById("loading")?.remove()
-    ComposeViewport(page) { RobotranStart(onOpened = ::publishReport) }
+    ComposeViewport(page) { RobotranStart(onOpened = ::openPageInterface) }
 }

@@ -1,10 +1,10 @@
 package robotran.desktop.cli
 
-import robotran.desktop.ExitCode
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
+import robotran.desktop.ExitCode
 
 /**
  * The command line of Robotran.

@@ -1,7 +1,9 @@
 package robotran.desktop.cli
 
-import robotran.desktop.ExitCode
+import robotran.desktop.TextFile
+import robotran.desktop.readTextFile
 import kotlinx.coroutines.runBlocking
+import robotran.desktop.ExitCode
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.rom.RcxProgram
@@ -56,16 +58,12 @@ internal class ProgramRunner(
             console.complain("$name is not a Robolang program: its name does not end in $ROBOLANG_EXTENSION.")
             return null
         }
-        val text =
-            when (val file = readTextFile(name)) {
-                is TextFile.Read -> file.text
-                is TextFile.Refused -> {
-                    console.complain(file.reason)
-                    return null
-                }
-            }
+        val text = textOf(name) ?: return null
         return when (val result = readRobolang(Path(name).name, text, PENBOT_CALIBRATION)) {
-            is RobolangResult.Ready -> result.program
+            is RobolangResult.Ready -> {
+                result.program
+            }
+
             is RobolangResult.Mistaken -> {
                 result.diagnostics.forEach { console.complain("$name:${it.range.line}:${it.range.column}: ${it.message}") }
                 null
@@ -75,22 +73,30 @@ internal class ProgramRunner(
 
     private fun readWorldFile(name: String?): World? {
         if (name == null) return BuiltInWorlds.plain
-        val text =
-            when (val file = readTextFile(name)) {
-                is TextFile.Read -> file.text
-                is TextFile.Refused -> {
-                    console.complain(file.reason)
-                    return null
-                }
-            }
+        val text = textOf(name) ?: return null
         return when (val result = readWorld(text)) {
-            is WorldFileResult.Loaded -> result.world
+            is WorldFileResult.Loaded -> {
+                result.world
+            }
+
             is WorldFileResult.Refused -> {
                 console.complain("$name: ${result.message}")
                 null
             }
         }
     }
+
+    private fun textOf(name: String): String? =
+        when (val file = readTextFile(name)) {
+            is TextFile.Read -> {
+                file.text
+            }
+
+            is TextFile.Refused -> {
+                console.complain(file.reason)
+                null
+            }
+        }
 
     private companion object {
         const val ROBOLANG_EXTENSION = ".robo"

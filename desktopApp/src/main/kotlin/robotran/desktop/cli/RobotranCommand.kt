@@ -1,11 +1,11 @@
 package robotran.desktop.cli
 
-import robotran.desktop.ExitCode
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
+import robotran.desktop.ExitCode
 
 /** `robotran` alone opens the app. */
 internal class RobotranCommand(
@@ -20,7 +20,7 @@ internal class RobotranCommand(
     }
 }
 
-/** `robotran app [FILE..]` */
+/** `robotran app FILE..`: opens the app on these programs. */
 internal class AppCommand(
     private val openWindow: (List<String>) -> ExitCode,
 ) : CoreCliktCommand("app") {

@@ -1,5 +1,6 @@
 package robotran.desktop.cli
 
+import robotran.desktop.writeFile
 import robotran.ui.sheet.sheetPng
 import robotran.world.RunReport
 import robotran.world.RunStatus
@@ -21,6 +22,8 @@ internal class RunResults(
                 outputs.report?.let { writeText(it, report.toJson() + "\n") },
             )
         report.error?.let { console.complain(it) }
+        val forgotten = session.romLog.total - session.romLog.entries.size
+        if (outputs.romLog != null && forgotten > 0) console.complain("The ROM log lacks the first $forgotten calls: it keeps only the newest.")
         if (CONSOLE !in listOf(outputs.romLog, outputs.report)) console.say(summary(report))
         return problems
     }

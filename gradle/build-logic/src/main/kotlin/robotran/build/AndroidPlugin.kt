@@ -45,7 +45,7 @@ class AndroidPlugin : Plugin<Project> {
     private fun leaveLintOut(project: Project) {
         project.afterEvaluate {
             project.tasks.named(LifecycleBasePlugin.CHECK_TASK_NAME) { check ->
-                check.setDependsOn(check.dependsOn.filterNot { (it as? Named)?.name == "lint" || it == "lint" })
+                check.setDependsOn(check.dependsOn.filterNot { (it is Named && it.name == "lint") || it == "lint" })
             }
         }
     }

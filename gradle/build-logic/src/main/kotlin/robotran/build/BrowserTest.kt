@@ -17,6 +17,7 @@ import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 import org.gradle.process.ExecOperations
 import java.io.ByteArrayOutputStream
+import java.io.File
 import javax.inject.Inject
 
 /** Runs the `*.test.mjs` among [tests] with Node's own test runner; they serve [page] themselves and drive it in Chromium. */
@@ -34,6 +35,15 @@ abstract class BrowserTest
         @get:InputFiles
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val tests: ConfigurableFileCollection
+
+        /** The programs that the page runs, and in [expectedRuns] the report and the ROM log that each must leave. */
+        @get:InputFiles
+        @get:PathSensitive(PathSensitivity.RELATIVE)
+        abstract val examples: ConfigurableFileCollection
+
+        @get:InputDirectory
+        @get:PathSensitive(PathSensitivity.RELATIVE)
+        abstract val expectedRuns: DirectoryProperty
 
         /** A script that prints the path of a Chromium. */
         @get:InputFile
@@ -70,6 +80,8 @@ abstract class BrowserTest
                 exec.environment("CHROMIUM", browser.toString().trim())
                 exec.environment("NODE_PATH", modules.get())
                 exec.environment("PAGE", page.get().asFile.path)
+                exec.environment("EXAMPLES", examples.files.joinToString(File.pathSeparator) { it.path })
+                exec.environment("EXPECTED_RUNS", expectedRuns.get().asFile.path)
                 exec.environment("PICTURES", pictures.get().asFile.path)
             }
         }

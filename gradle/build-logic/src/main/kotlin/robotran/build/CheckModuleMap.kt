@@ -42,7 +42,11 @@ abstract class CheckModuleMap : DefaultTask() {
                 val module = map.modules.find { file.path.startsWith(it.folder + "/") }
                 if (module == null) listOf("${file.path}: its module is not on the map") else map.violations(module, file)
             }
-        report.get().asFile.writeText(violations.ifEmpty { listOf("${files.size} files keep to the module map") }.joinToString("\n", postfix = "\n"))
+        report.get().asFile.writeText(
+            violations.ifEmpty {
+                listOf("${files.size} files keep to the module map")
+            }.joinToString("\n", postfix = "\n"),
+        )
         if (violations.isNotEmpty()) {
             throw GradleException(violations.joinToString("\n", prefix = "Against the module map of docs/architecture.md:\n"))
         }

@@ -24,7 +24,7 @@ object CodeStyle {
         val scripts = kotlinFiles(project, "**/*.gradle.kts")
         val sources = kotlinFiles(project, "**/src/**/*.kt")
         val checkScripts =
-            ktlintTask(project, ktlint, "checkBuildScripts", "Checks that every build script is legal Kotlin, in the project's style.", scripts)
+            ktlintTask(project, ktlint, "checkBuildScripts", "Checks that every build script is legal Kotlin, in our style.", scripts)
         val checkStyle = ktlintTask(project, ktlint, "checkCodeStyle", "Checks that all Kotlin is in the project's style.", sources)
         checkStyle.configure { it.mustRunAfter(checkScripts) }
         project.tasks.register("formatCode", JavaExec::class.java) { task ->

@@ -3,6 +3,7 @@ package robotran.build
 import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.api.tasks.JavaExec
+import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.testing.Test
 
 /** An application for the desktop's JVM with a Compose window; `installDist` puts it together with a start script. */
@@ -15,7 +16,14 @@ class DesktopPlugin : Plugin<Project> {
         val libraries = catalog(project)
         project.dependencies.add("testImplementation", "org.jetbrains.kotlin:kotlin-test")
         project.dependencies.add("testImplementation", libraries.findLibrary("coroutines-test").get())
-        project.tasks.withType(Test::class.java).configureEach { it.useJUnitPlatform() }
+        project.tasks.withType(Test::class.java).configureEach { test ->
+            test.useJUnitPlatform()
+            // The tests run the tree's own examples and hold them against its recorded runs.
+            test.systemProperty("robotran.tree", project.rootDir.path)
+            listOf("examples", "worlds", "shared/world/src/commonTest/resources/runs").forEach {
+                test.inputs.dir(project.rootProject.file(it)).withPathSensitivity(PathSensitivity.RELATIVE)
+            }
+        }
         // The folder of the caller, not that of the module, is where the files named on the command line lie.
         project.tasks.named("run", JavaExec::class.java) { it.workingDir = project.rootDir }
     }

@@ -26,11 +26,15 @@ fun fencedPrograms(document: ProgramText, mark: String): List<ProgramText> {
                 block = StringBuilder()
                 firstLine = index + 2
             }
+
             open != null && line == FENCE -> {
                 programs += ProgramText("${document.path}:$firstLine", open.toString())
                 block = null
             }
-            open != null -> open.append(line).append('\n')
+
+            open != null -> {
+                open.append(line).append('\n')
+            }
         }
     }
     require(block == null) { "${document.path}: the block that begins at line $firstLine has no end" }

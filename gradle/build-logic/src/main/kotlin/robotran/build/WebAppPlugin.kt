@@ -33,6 +33,8 @@ class WebAppPlugin : Plugin<Project> {
                     project.tasks.named("wasmJsBrowserDevelopmentExecutableDistribution").map { it.outputs.files.singleFile },
                 )
                 task.tests.from(project.fileTree("src/browserTest"))
+                task.examples.from(project.rootProject.fileTree("examples"))
+                task.expectedRuns.set(project.rootProject.file("shared/world/src/commonTest/resources/runs"))
                 task.browserFinder.set(project.rootProject.file(Chromium.SCRIPT))
                 task.node.set(WebTools.node(project).path)
                 task.modules.set(WebTools.directory(project).resolve("node_modules").path)

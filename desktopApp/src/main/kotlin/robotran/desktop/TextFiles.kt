@@ -1,4 +1,4 @@
-package robotran.desktop.cli
+package robotran.desktop
 
 import java.io.IOException
 import java.nio.ByteBuffer
@@ -26,7 +26,7 @@ internal fun readTextFile(name: String): TextFile =
         val path = Path.of(name)
         when {
             path.isDirectory() -> TextFile.Refused("$name is a folder, not a file.")
-            path.fileSize() > LARGEST_TEXT_BYTES -> TextFile.Refused("$name is too large: at most ${LARGEST_TEXT_BYTES / MEGABYTE} MB can be read.")
+            path.fileSize() > LARGEST_TEXT_BYTES -> TextFile.Refused("$name is too large: it can have $LARGEST_TEXT_BYTES bytes at most.")
             else -> TextFile.Read(Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(path.readBytes())).toString())
         }
     } catch (_: NoSuchFileException) {
@@ -53,7 +53,5 @@ internal fun writeFile(
         "$name could not be written: ${problem.message}"
     }
 
-private const val MEGABYTE = 1024L * 1024
-
 /** Far more than a program or a world may have; what they may have is checked by those who read them. */
-private const val LARGEST_TEXT_BYTES = 16 * MEGABYTE
+private const val LARGEST_TEXT_BYTES = 16_000_000L

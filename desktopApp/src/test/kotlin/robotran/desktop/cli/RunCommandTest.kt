@@ -1,0 +1,124 @@
+package robotran.desktop.cli
+
+import robotran.desktop.ExitCode
+import java.io.File
+import java.nio.file.Files
+import java.nio.file.Path
+import javax.imageio.ImageIO
+import kotlin.io.path.exists
+import kotlin.io.path.readText
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
+import kotlin.test.AfterTest
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
+
+class RunCommandTest {
+    private val console = RememberingConsole()
+    private val commandLine = CommandLine(console) { ExitCode.NO_DISPLAY }
+    private val folder: Path = Files.createTempDirectory("robotran")
+    private val tree = File(System.getProperty("robotran.tree"))
+    private val square = tree.resolve("examples/square.robo").path
+
+    @AfterTest
+    fun tidyUp() {
+        folder.toFile().deleteRecursively()
+    }
+
+    private fun run(vararg arguments: String) = commandLine.execute(listOf("run") + arguments)
+
+    private fun program(text: String) = folder.resolve("mine.robo").also { it.writeText(text) }.toString()
+
+    private fun recorded(ending: String) = tree.resolve("shared/world/src/commonTest/resources/runs/square$ending").readText()
+
+    @Test
+    fun `the square leaves the recorded report and ROM log`() {
+        val report = folder.resolve("results/report.json")
+        val romLog = folder.resolve("results/rom.txt")
+        assertEquals(0, run(square, "--report", "$report", "--rom-log", "$romLog"))
+        assertEquals(recorded(".report.json"), report.readText())
+        assertEquals(recorded(".rom-log.txt"), romLog.readText())
+        assertContains(console.said.single(), "The program ended after")
+    }
+
+    @Test
+    fun `a dash writes to the console and nothing else is said there`() {
+        assertEquals(0, run(square, "--report", "-"))
+        assertEquals(listOf(recorded(".report.json").trimEnd()), console.said)
+    }
+
+    @Test
+    fun `the picture shows ink where the robot drew and none where it did not`() {
+        val picture = folder.resolve("square.png")
+        assertEquals(0, run(square, "--picture", "$picture"))
+        val image = ImageIO.read(picture.toFile())
+        // The paper is 100 cm wide, with 2 cm of desk around it; the square's sides lie at x and y of 40, 60 and 30, 50 cm.
+        val pixelsPerCentimetre = image.width / 104.0
+
+        fun isInk(x: Double, y: Double): Boolean {
+            val column = ((x + 2) * pixelsPerCentimetre).toInt()
+            val row = (image.height - (y + 2) * pixelsPerCentimetre).toInt()
+            return (-3..3).any { step ->
+                listOf(image.getRGB(column + step, row), image.getRGB(column, row + step)).any { it and 0xFF > 2 * (it shr 16 and 0xFF) }
+            }
+        }
+        for ((x, y) in listOf(55.0 to 30.0, 60.0 to 40.0, 50.0 to 50.0, 40.0 to 45.0)) assertTrue(isInk(x, y), "ink at $x, $y")
+        for ((x, y) in listOf(50.0 to 40.0, 20.0 to 60.0, 80.0 to 40.0)) assertFalse(isInk(x, y), "no ink at $x, $y")
+    }
+
+    @Test
+    fun `time that is up is no failure`() {
+        assertEquals(0, run(square, "--for", "1.5", "--report", "-"))
+        assertContains(console.said.single(), "\"status\": \"running\"")
+        assertContains(console.said.single(), "\"seconds\": 1.5")
+    }
+
+    @Test
+    fun `three mistakes are told with line and column, and nothing runs`() {
+        val report = folder.resolve("report.json")
+        val file = program("forwrd 20\nturn 90\nrepeat 4 times\n  beep\n")
+        assertEquals(2, run(file, "--report", "$report"))
+        assertEquals(3, console.complaints.size)
+        assertTrue(console.complaints[0].startsWith("$file:1:1: "), console.complaints[0])
+        assertTrue(console.complaints[1].startsWith("$file:2:"), console.complaints[1])
+        assertTrue(console.complaints[2].startsWith("$file:3:"), console.complaints[2])
+        assertFalse(report.exists())
+    }
+
+    @Test
+    fun `a program that is not there, or not a program, is refused in one sentence`() {
+        val folderName = folder.resolve("folder.robo").also(Files::createDirectory).toString()
+        val notText = folder.resolve("picture.robo").also { it.writeBytes(byteArrayOf(-119, 80, 78, 71)) }.toString()
+        for (name in listOf("$folder/missing.robo", folderName, notText, "$folder/letter.txt", "bad\u0000name.robo")) {
+            console.complaints.clear()
+            assertEquals(2, run(name), name)
+            assertContains(console.complaints.single(), name)
+        }
+    }
+
+    @Test
+    fun `a world that is not there, or broken, is refused in one sentence`() {
+        val broken = folder.resolve("broken.world.json").also { it.writeText("""{"format": "robotran-world", "version": 1,""") }.toString()
+        for (name in listOf("$folder/missing.world.json", broken)) {
+            console.complaints.clear()
+            assertEquals(2, run(square, "--world", name), name)
+            assertContains(console.complaints.single(), name)
+        }
+    }
+
+    @Test
+    fun `the plain world from its file is the plain sheet`() {
+        assertEquals(0, run(square, "--world", tree.resolve("worlds/plain.world.json").path, "--report", "-"))
+        assertEquals(listOf(recorded(".report.json").trimEnd()), console.said)
+    }
+
+    @Test
+    fun `a result that cannot be written is told`() {
+        val file = folder.resolve("file").also { it.writeText("in the way") }
+        assertEquals(2, run(square, "--picture", "$file/square.png"))
+        assertContains(console.complaints.single(), "$file/square.png could not be written")
+    }
+}

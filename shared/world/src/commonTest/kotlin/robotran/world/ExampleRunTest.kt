@@ -1,0 +1,51 @@
+package robotran.world
+
+import kotlinx.coroutines.test.runTest
+import robotran.robolang.Calibration
+import robotran.robolang.RobolangResult
+import robotran.robolang.readRobolang
+import robotran.world.physics.loadPhysicsEngine
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+
+/**
+ * The examples, run as `robotran run` runs them, leave the reports and ROM logs recorded in `resources/runs`: the tests run on each
+ * target, so all targets make the same calls at the same times. The command line and the web page are held against the same records.
+ */
+class ExampleRunTest {
+    private suspend fun run(name: String): Session {
+        val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+        val result = assertIs<RobolangResult.Ready>(readRobolang(name, exampleTexts.getValue(name), calibration))
+        return Session(BuiltInWorlds.plain, listOf(result.program), loadPhysicsEngine()).apply {
+            runUnattended(60_000)
+            close()
+        }
+    }
+
+    @Test
+    fun `every example makes its recorded run`() = runTest {
+        assertTrue(exampleTexts.isNotEmpty())
+        for (name in exampleTexts.keys) {
+            val session = run(name)
+            val record = name.removeSuffix(".robo")
+            assertEquals(expectedRuns["$record.rom-log.txt"], session.romLog.entries.joinToString("") { it.text + "\n" }, name)
+            assertEquals(expectedRuns["$record.report.json"], session.report().toJson() + "\n", name)
+        }
+    }
+
+    @Test
+    fun `the square is closed and twenty centimetres wide`() = runTest {
+        val session = run("square.robo")
+        val end = session.state.robot.pose
+        val start = BuiltInWorlds.plain.start
+        assertEquals(start.x, end.x, 0.5)
+        assertEquals(start.y, end.y, 0.5)
+        assertEquals(start.heading, end.heading, 2.0)
+        assertEquals(80.0, session.state.ink.lengthCentimetres, 1.0)
+        val corners = session.state.ink.strokes.flatMap { it.points }
+        assertEquals(20.0, corners.maxOf { it.x } - corners.minOf { it.x }, 0.3)
+        assertEquals(20.0, corners.maxOf { it.y } - corners.minOf { it.y }, 0.3)
+    }
+}
