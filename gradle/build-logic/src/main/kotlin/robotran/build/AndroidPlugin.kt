@@ -3,6 +3,7 @@ package robotran.build
 import com.android.build.api.dsl.CommonExtension
 import com.android.build.api.variant.AndroidComponentsExtension
 import com.android.build.api.variant.HasAndroidTestBuilder
+import com.android.build.api.variant.LibraryVariantBuilder
 import org.gradle.api.JavaVersion
 import org.gradle.api.Named
 import org.gradle.api.Plugin
@@ -24,11 +25,17 @@ class AndroidPlugin : Plugin<Project> {
         }
     }
 
-    /** A release needs a signing key, which the project does not have; tests on a device need a device. */
+    /**
+     * A release needs a signing key, which the project does not have; tests on a device need a device. A library's code is tested
+     * on the desktop's JVM.
+     */
     private fun buildDebugOnly(project: Project) {
         val components = project.extensions.getByType(AndroidComponentsExtension::class.java)
         components.beforeVariants(components.selector().withBuildType("release")) { it.enable = false }
-        components.beforeVariants { variant -> (variant as? HasAndroidTestBuilder)?.androidTest?.enable = false }
+        components.beforeVariants { variant ->
+            (variant as? HasAndroidTestBuilder)?.androidTest?.enable = false
+            if (variant is LibraryVariantBuilder) variant.hostTests.values.forEach { it.enable = false }
+        }
     }
 
     /**
