@@ -28,7 +28,7 @@ if is_made; then
   exit
 fi
 
-echo "No Android SDK on this machine: making one that can build Robotran, once, in $dest" >&2
+echo "Robotran: no Android SDK on this machine: making one that can build it, once (200 MB, about 20 s), in $dest" >&2
 
 java_bin=${JAVA_HOME:+$JAVA_HOME/bin/}
 command -v "${java_bin}javac" >/dev/null || fail "there is no javac (install JDK 17)"
@@ -49,7 +49,7 @@ platform=$sdk/platforms/android-$api
 tools=$sdk/build-tools/$build_tools
 mkdir -p "$platform" "$tools" "$sdk/platform-tools" "$work/classes" "$work/empty"
 
-mvn -q -B -f "$here/pom.xml" dependency:copy-dependencies -DoutputDirectory="$jars" >&2 ||
+mvn -q -B -Dstyle.color=never -f "$here/pom.xml" dependency:copy-dependencies -DoutputDirectory="$jars" >&2 ||
   fail "Maven could not fetch its parts (is there a network? the lines above say more)"
 
 "${java_bin}javac" -cp "$jars/*" -d "$work/classes" "$here"/src/robotran/sdk/*.java ||

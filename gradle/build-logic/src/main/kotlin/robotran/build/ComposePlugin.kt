@@ -30,6 +30,7 @@ class ComposePlugin : Plugin<Project> {
                 implementation(DesktopDependencies.currentOs)
             }
         }
+        WebTools.use(project)
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.useJUnitPlatform()
             test.environment("SKIKO_RENDER_API", "SOFTWARE")
