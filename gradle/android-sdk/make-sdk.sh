@@ -49,8 +49,10 @@ platform=$sdk/platforms/android-$api
 tools=$sdk/build-tools/$build_tools
 mkdir -p "$platform" "$tools" "$sdk/platform-tools" "$work/classes" "$work/empty"
 
-mvn -q -B -Dstyle.color=never -f "$here/pom.xml" dependency:copy-dependencies -DoutputDirectory="$jars" >&2 ||
+if ! mvn -q -B -f "$here/pom.xml" dependency:copy-dependencies -DoutputDirectory="$jars" >"$work/maven.log" 2>&1; then
+  cat "$work/maven.log" >&2
   fail "Maven could not fetch its parts (is there a network? the lines above say more)"
+fi
 
 "${java_bin}javac" -cp "$jars/*" -d "$work/classes" "$here"/src/robotran/sdk/*.java ||
   fail "its Java sources do not compile"

@@ -17,7 +17,7 @@ fresh=$(mktemp -d "$destination.XXXXXX")
 trap 'rm -rf "$fresh"' EXIT
 lib=$fresh/lib
 mkdir -p "$lib/plugins" "$fresh/bin" "$fresh/classes" # Gradle takes a 'lib' with a 'plugins' beside its jar for its home
-if ! mvn -q -B -Dstyle.color=never -f "$here/pom.xml" dependency:copy-dependencies -DoutputDirectory="$lib" > "$fresh/maven.log" 2>&1; then
+if ! mvn -q -B -f "$here/pom.xml" dependency:copy-dependencies -DoutputDirectory="$lib" > "$fresh/maven.log" 2>&1; then
   cat "$fresh/maven.log" >&2
   echo "Robotran could not fetch Gradle's jars: see Maven's words above." >&2
   exit 1
