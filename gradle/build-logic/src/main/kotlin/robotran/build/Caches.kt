@@ -7,7 +7,9 @@ import java.security.MessageDigest
 /** The folder outside the tree that holds what the build sets up once for all checkouts; the scripts use the same. */
 fun cacheDirectory(project: Project): File {
     val base = project.providers.environmentVariable("XDG_CACHE_HOME").orNull
-    return File(base ?: File(System.getProperty("user.home"), ".cache").path, "robotran")
+    // The scripts go by HOME, which Java's user.home need not be.
+    val home = project.providers.environmentVariable("HOME").orNull ?: System.getProperty("user.home")
+    return File(base ?: File(home, ".cache").path, "robotran")
 }
 
 /** The first twelve hexadecimal digits of the SHA-256 of [file]. */
