@@ -10,7 +10,7 @@ import robotran.rom.Rom
 class RobolangProgram internal constructor(
     override val name: String,
     internal val checked: CheckedProgram,
-    private val calibration: Calibration,
+    internal val calibration: Calibration,
 ) : RcxProgram {
     override fun start(rom: Rom): ProgramRun = RobolangRun(checked.tree, calibration, rom)
 }

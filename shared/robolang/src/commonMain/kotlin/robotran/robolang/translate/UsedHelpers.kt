@@ -1,0 +1,21 @@
+package robotran.robolang.translate
+
+import robotran.robolang.Calibration
+import robotran.robolang.run.Durations
+
+/** Which helpers a translation needs: only those are written. */
+internal class UsedHelpers(calibration: Calibration) {
+    private val used = mutableSetOf<JavaHelper>()
+
+    /** For what is worked out before the run. */
+    val durations = Durations(calibration)
+
+    /** The helpers that are needed, in the order they are declared in. */
+    val all: List<JavaHelper> get() = JavaHelper.entries.filter { it in used }
+
+    /** Notes that [helper], and what it needs itself, is wanted; the answer is the name of its method. */
+    fun use(helper: JavaHelper): String {
+        if (used.add(helper)) helper.needs.forEach(::use)
+        return helper.method
+    }
+}
