@@ -34,11 +34,11 @@ internal class JavaLoops(
     private fun repeat(loop: Statement.Repeat) {
         val count = expressions.text(loop.count)
         if (flow.isConstant(loop.count)) {
-            val round = names.local("round")
+            val round = names.local("lap")
             val last = expressions.text(loop.count, JavaStrength.PRIMARY)
             around(loop, "for (int $round = 0; $round < $last; $round++)")
         } else {
-            val rounds = names.local("rounds")
+            val rounds = names.local("laps")
             around(loop, "for (int $rounds = $count; $rounds > 0; $rounds--)")
         }
     }
