@@ -57,6 +57,17 @@ class Brick(programs: List<RcxProgram>) {
         if (hardware.buttons.hold(button, down = false)) shell.released(button)
     }
 
+    /**
+     * What the input [port] measures from now on, until it is told otherwise; the firmware reads it every three milliseconds.
+     *
+     * @param port 0..2 for the ports 1..3.
+     * @param raw 0..1023; what is beyond counts as the nearest of these. An open port measures [SensorCode.OPEN_RAW].
+     */
+    fun setRawSensorValue(port: Int, raw: Int) = hardware.sensors.measure(port, raw)
+
+    /** Whether the input [port], 0..2, is supplied with power, as a light sensor needs it to shine. */
+    fun sensorIsActive(port: Int): Boolean = hardware.sensors.isActive(port)
+
     /** Ends the running program, if there is one, as no single button of a real brick does. */
     fun stopProgram() = shell.stopProgram()
 
