@@ -26,10 +26,10 @@ fun readRobolang(
         return RobolangResult.Mistaken(mistakes.inSourceOrder())
     }
     val tree = Parser(scan(source, mistakes), mistakes).program()
-    Checker(calibration, mistakes).check(tree)
+    val checked = Checker(calibration, mistakes).check(tree)
     val diagnostics = mistakes.inSourceOrder()
     return if (diagnostics.isEmpty()) {
-        RobolangResult.Ready(RobolangProgram(name, tree, calibration))
+        RobolangResult.Ready(RobolangProgram(name, checked, calibration))
     } else {
         RobolangResult.Mistaken(diagnostics)
     }

@@ -1,7 +1,7 @@
 package robotran.robolang
 
+import robotran.robolang.check.CheckedProgram
 import robotran.robolang.run.RobolangRun
-import robotran.robolang.syntax.SyntaxTree
 import robotran.rom.ProgramRun
 import robotran.rom.RcxProgram
 import robotran.rom.Rom
@@ -9,8 +9,8 @@ import robotran.rom.Rom
 /** A Robolang program without mistakes, ready to be loaded into a brick; [readRobolang] makes it. Never changes. */
 class RobolangProgram internal constructor(
     override val name: String,
-    internal val tree: SyntaxTree,
+    internal val checked: CheckedProgram,
     private val calibration: Calibration,
 ) : RcxProgram {
-    override fun start(rom: Rom): ProgramRun = RobolangRun(tree, calibration, rom)
+    override fun start(rom: Rom): ProgramRun = RobolangRun(checked.tree, calibration, rom)
 }

@@ -19,17 +19,18 @@ internal class Checker(
     private val durations = Durations(calibration)
     private val messages = mistakes.messages
 
-    fun check(tree: SyntaxTree) {
+    fun check(tree: SyntaxTree): CheckedProgram {
         tree.statements.forEach(::check)
+        return CheckedProgram(tree, emptyList(), emptyMap(), emptyMap())
     }
 
     private fun check(statement: Statement) {
         when (statement) {
-            is Statement.Move -> checkDuration(statement.distance, durations.ofMove(value(statement.distance)))
-            is Statement.Turn -> checkDuration(statement.angle, durations.ofTurn(value(statement.angle)))
+            is Statement.Move -> statement.distance?.let { checkDuration(it, durations.ofMove(value(it))) }
+            is Statement.Turn -> statement.angle?.let { checkDuration(it, durations.ofTurn(value(it))) }
             is Statement.Wait -> checkWait(statement)
             is Statement.Repeat -> checkRepeat(statement)
-            is Statement.Pen, is Statement.Beep, is Statement.Show -> Unit
+            else -> Unit
         }
     }
 
@@ -64,9 +65,11 @@ internal class Checker(
 
     private fun value(expression: Expression): NumberValue = when (expression) {
         is Expression.Number -> expression.value
+        else -> error("The parser makes numbers only.")
     }
 
     private fun textOf(expression: Expression): String = when (expression) {
         is Expression.Number -> expression.text
+        else -> error("The parser makes numbers only.")
     }
 }

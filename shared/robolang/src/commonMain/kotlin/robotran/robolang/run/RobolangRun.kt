@@ -65,18 +65,19 @@ internal class RobolangRun(
             is Statement.Beep -> commands.beep(sourceLine)
             is Statement.Show -> commands.show(value(statement.value), sourceLine)
             is Statement.Repeat -> repeat(statement)
+            else -> error("The parser makes no such statement.")
         }
     }
 
     private fun move(statement: Statement.Move) {
-        val distance = value(statement.distance)
+        val distance = value(checkNotNull(statement.distance))
         val forward = (statement.direction == MoveDirection.FORWARD) != distance.isNegative
         commands.startMoving(if (forward) MoveDirection.FORWARD else MoveDirection.BACKWARD, sourceLine)
         last(durations.ofMove(distance), Ending.STOP_DRIVING)
     }
 
     private fun turn(statement: Statement.Turn) {
-        val angle = value(statement.angle)
+        val angle = value(checkNotNull(statement.angle))
         val left = (statement.direction == TurnDirection.LEFT) != angle.isNegative
         commands.startTurning(if (left) TurnDirection.LEFT else TurnDirection.RIGHT, sourceLine)
         last(durations.ofTurn(angle), Ending.STOP_DRIVING)
@@ -129,5 +130,6 @@ internal class RobolangRun(
 
     private fun value(expression: Expression): NumberValue = when (expression) {
         is Expression.Number -> expression.value
+        else -> error("The parser makes numbers only.")
     }
 }

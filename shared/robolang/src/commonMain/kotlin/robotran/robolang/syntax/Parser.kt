@@ -20,7 +20,7 @@ internal class Parser(
             if (line.tokens.isNotEmpty()) line(LineReader(line))
         }
         reportMissingEnds(blocks.lackingEnds(), lines, mistakes)
-        return SyntaxTree(blocks.program(), lines.mapNotNull { it.comment })
+        return SyntaxTree(null, emptyList(), emptyList(), blocks.program(), lines.mapNotNull { it.comment })
     }
 
     private fun line(reader: LineReader) {
@@ -58,7 +58,7 @@ internal class Parser(
         }
         val distance = number(reader, "20") ?: return null
         unit(reader, Keyword.CM)
-        return Statement.Move(reader.readRange, direction, distance)
+        return Statement.Move(reader.readRange, direction, distance, null)
     }
 
     private fun turn(reader: LineReader): Statement? {
@@ -70,7 +70,7 @@ internal class Parser(
         }
         val angle = number(reader, "90") ?: return null
         unit(reader, Keyword.DEGREES)
-        return Statement.Turn(reader.readRange, direction, angle)
+        return Statement.Turn(reader.readRange, direction, angle, null)
     }
 
     private fun pen(reader: LineReader): Statement? {
@@ -116,7 +116,7 @@ internal class Parser(
         val count = repetitions(reader)
         val range = reader.readRange
         if (blocks.isFull && !blocks.isOverfull) mistakes.reportNesting(reader, keyword)
-        blocks.open(keyword) { body -> count?.let { Statement.Repeat(range, it, body) } }
+        blocks.open(keyword) { body -> count?.let { Statement.Repeat(range, range, it, body) } }
     }
 
     private fun repetitions(reader: LineReader): Expression? {
