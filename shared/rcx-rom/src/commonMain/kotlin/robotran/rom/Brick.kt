@@ -73,12 +73,19 @@ class Brick(programs: List<RcxProgram>) {
 
     /**
      * Lets one millisecond pass: first the firmware's work, then the program's, until it waits or its [STEPS_PER_MILLISECOND] are used up.
-     * The clock goes on while the brick is switched off.
+     * The clock goes on while the brick is switched off. If a [StatementWatch] stops the program, the millisecond is not over yet:
+     * [isPaused] is true, and the next call goes on with the same one.
      */
     fun tick() {
-        hardware.tick()
+        if (!isPaused) hardware.tick()
         shell.resumeProgram(STEPS_PER_MILLISECOND)
     }
+
+    /** Whether the program was stopped in the middle of a millisecond. */
+    val isPaused: Boolean get() = shell.isPaused
+
+    /** The run of the program, to be looked into; null if none runs or if its language cannot be looked into. */
+    val debuggableRun: DebuggableRun? get() = shell.debuggableRun
 
     /** The tones begun since the last call, the oldest first; only the newest thousand if nobody asks for long. */
     fun takeSounds(): List<SoundEvent> = hardware.speaker.takeEvents()

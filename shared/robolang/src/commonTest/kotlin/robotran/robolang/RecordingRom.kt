@@ -12,6 +12,12 @@ internal class RecordingRom : Rom {
 
     override var milliseconds: Long = 0
 
+    private val sensors = IntArray(3) { 1023 }
+
+    override fun readSensor(port: Int, request: SensorRequest): Int = 0
+
+    override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) = Unit
+
     override fun call(call: RomCall, sourceLine: Int) {
         calls += RecordedCall(milliseconds, call, sourceLine)
     }
