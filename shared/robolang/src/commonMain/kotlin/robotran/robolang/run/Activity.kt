@@ -27,7 +27,7 @@ internal class Activity(
 
     val isWaiting: Boolean get() = waits && machine.rom.milliseconds < waitUntil
 
-    val isOver: Boolean get() = instructions[next] === Boundary.End
+    val isOver: Boolean get() = !isWaiting && instructions[next] === Boundary.End
 
     /** The statement about to be executed, null in the middle of one. */
     val statement: Boundary.Statement? get() = instructions[next] as? Boundary.Statement
@@ -36,7 +36,7 @@ internal class Activity(
     val depth: Int get() = calls.size
 
     /** The line it is at or, before a statement, about to be at. */
-    val sourceLine: Int get() = if (waits) line else statement?.line ?: line
+    val sourceLine: Int get() = if (isWaiting) line else statement?.line ?: line
 
     /** The line of the statement it is in the middle of. */
     val currentLine: Int get() = line
