@@ -29,7 +29,7 @@ fun readRobolang(
     val checked = Checker(calibration, mistakes).check(tree)
     val diagnostics = mistakes.inSourceOrder()
     return if (diagnostics.isEmpty()) {
-        RobolangResult.Ready(RobolangProgram(name, checked, calibration))
+        RobolangResult.Ready(RobolangProgram(name, checked, calibration, messages))
     } else {
         RobolangResult.Mistaken(diagnostics)
     }

@@ -17,13 +17,29 @@ internal class Expectations(text: String) {
     var end: Long? = null
         private set
 
-    val isEmpty: Boolean get() = errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null
+    /** What each line that shows something lets the LCD show, one after the other. */
+    val shown = mutableMapOf<Int, List<String>>()
+
+    /** What the sensors measure. */
+    val sensors = mutableListOf<SensorEvent>()
+
+    /** Why the program cannot go on, as `line message`; null if it can. */
+    var failure: String? = null
+        private set
+
+    val isEmpty: Boolean
+        get() = errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null && shown.isEmpty() && failure == null
 
     init {
         text.lines().forEachIndexed { index, line -> read(line.substringAfter("//", "").trim(), index + 1) }
     }
 
     private fun read(comment: String, line: Int) {
+        SHOWS.matchEntire(comment)?.let { shown[line] = it.groupValues[1].split(" ") }
+        FAILS.matchEntire(comment)?.let { failure = it.groupValues[1] }
+        SENSOR.matchEntire(comment)?.destructured?.let { (port, milliseconds, raw) ->
+            sensors += SensorEvent(port.toInt(), milliseconds.toLong(), raw.toInt())
+        }
         ERROR.matchEntire(comment)?.let { errors += it.groupValues[1] }
         END.matchEntire(comment)?.let { end = it.groupValues[1].toLong() }
         ROM.matchEntire(comment)?.let {
@@ -40,6 +56,9 @@ internal class Expectations(text: String) {
         val ERROR = Regex("""error (\d+:\d+ .+)""")
         val END = Regex("""ends at (\d+)""")
         val ROM = Regex("""rom(?: (\d+) times)?: (.+)""")
+        val SHOWS = Regex("""shows: (.+)""")
+        val FAILS = Regex("""fails (\d+ .+)""")
+        val SENSOR = Regex("""sensor (\d) at (\d+): raw (\d+)""")
         val LOG = Regex("""log: (\d+) (.+) ; (\d+)""")
     }
 }

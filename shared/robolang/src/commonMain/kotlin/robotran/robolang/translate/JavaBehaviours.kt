@@ -2,8 +2,12 @@ package robotran.robolang.translate
 
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.syntax.Behaviour
+import robotran.robolang.syntax.BinaryOperator
 
-/** Writes the `whenever` blocks, and the main program with them, as leJOS behaviours under an arbitrator. */
+/**
+ * Writes the `whenever` blocks as leJOS behaviours under an arbitrator. The main program is the least of them: unlike an action it
+ * is not begun again after a behaviour but goes on, so it has a thread of its own that its behaviour only holds and lets go.
+ */
 internal class JavaBehaviours(
     private val program: CheckedProgram,
     private val names: JavaNames,
@@ -18,62 +22,66 @@ internal class JavaBehaviours(
     fun reserveNames() {
         if (behaviours.isEmpty()) return
         names.reserve(MAIN_PROGRAM)
+        names.reserve(REACTIONS)
         behaviours.indices.forEach { names.reserve(className(it)) }
     }
 
+    /** Lets the behaviours begin to watch, just before the main program begins. */
     fun writeStart() {
+        writer.line("mainThread = Thread.currentThread();")
+        writer.line("new $REACTIONS().start();")
+    }
+
+    fun writeClasses() {
+        behaviours.forEachIndexed { index, behaviour -> write(behaviour, className(index)) }
+        if (behaviours.isEmpty()) return
         val all = listOf(MAIN_PROGRAM) + behaviours.indices.map(::className)
-        writer.line("Behavior[] behaviours = {${all.joinToString(", ") { "new $it()" }}};")
-        writer.line("new Arbitrator(behaviours).start();")
+        writer.blank()
+        writer.lines(JavaBehaviourTexts.MAIN_PROGRAM)
+        writer.blank()
+        writer.lines(JavaBehaviourTexts.REACTIONS.replace("ALL", all.joinToString(", ") { "new $it()" }))
     }
-
-    fun writeMainProgram(body: () -> Unit) {
-        behaviourClass(MAIN_PROGRAM, "true", throwing.mayWait(program.tree.statements), LineMap.NO_LINE, LineMap.NO_LINE, body)
-    }
-
-    fun writeClasses() = behaviours.forEachIndexed { index, behaviour -> write(behaviour, className(index)) }
 
     private fun write(behaviour: Behaviour, name: String) {
-        writer.takeComments(comments.of(behaviour.range))
-        val condition = expressions.text(behaviour.condition)
-        behaviourClass(name, condition, throwing.mayWait(behaviour.body), behaviour.range.line, behaviour.endRange.line) {
-            statements.block(behaviour.body)
-            writer.commentsAbove(behaviour.endRange.line)
-        }
-    }
-
-    private fun behaviourClass(name: String, condition: String, mayWait: Boolean, line: Int, endLine: Int, body: () -> Unit) {
+        val line = behaviour.range.line
         writer.blank()
+        writer.takeComments(comments.of(behaviour.range))
         writer.open("static class $name implements Behavior", line)
-        writer.line("private Thread runner;")
+        writer.line("private boolean isActive;")
         writer.blank()
         writer.open("public boolean takeControl()")
-        writer.line("return $condition;", line)
+        writer.line("return isActive || ${expressions.text(behaviour.condition, JavaStrength.of(BinaryOperator.OR) + 1)};", line)
         writer.close()
         writer.blank()
         writer.open("public void action()")
-        writer.line("runner = Thread.currentThread();")
-        if (mayWait) {
-            writer.open("try")
-            body()
-            writer.reopen("catch (InterruptedException suppressed)", LineMap.NO_LINE)
-            writer.line("Motor.A.stop();")
-            writer.line("Motor.C.stop();")
-            writer.close()
-        } else {
-            body()
-        }
-        writer.close(endLine)
+        writer.line("isActive = true;")
+        writer.line("actionIsSuppressed = false;")
+        action(behaviour)
+        writer.line("isActive = false;")
+        writer.close(behaviour.endRange.line)
         writer.blank()
-        writer.open("public void suppress()")
-        writer.line("if (runner != null) runner.interrupt();")
+        writer.lines(JavaBehaviourTexts.SUPPRESS)
         writer.close()
+    }
+
+    private fun action(behaviour: Behaviour) {
+        if (!throwing.mayWait(behaviour.body)) return body(behaviour)
+        writer.open("try")
+        body(behaviour)
+        writer.reopen("catch (InterruptedException suppressed)", LineMap.NO_LINE)
+        writer.line("// A later behaviour has taken over.")
         writer.close()
+    }
+
+    private fun body(behaviour: Behaviour) {
+        statements.block(behaviour.body)
+        writer.commentsAbove(behaviour.endRange.line)
     }
 
     private fun className(index: Int) = "Whenever${index + 1}"
 
     private companion object {
         const val MAIN_PROGRAM = "MainProgram"
+        const val REACTIONS = "Reactions"
     }
 }

@@ -9,7 +9,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
     private val checked = program.checked
     private val tree = checked.tree
     private val names = JavaNames(className)
-    private val helpers = UsedHelpers(program.calibration)
+    private val helpers = UsedHelpers(program.calibration, isReacting = tree.behaviours.isNotEmpty())
     private val comments = CommentsOfItems(tree)
     private val throwing = Throwing(checked)
     private val expressions = JavaExpressions(checked, names, helpers)
@@ -31,17 +31,11 @@ internal class JavaClass(private val program: RobolangProgram, private val class
 
     private fun main() {
         body.blank()
-        if (tree.behaviours.isEmpty()) {
-            body.open("public static void main(String[] arguments)${throwsClause(throwing.mayWait(tree.statements))}")
-            JavaSensors(tree).setUp().forEach { body.line(it) }
-            mainStatements()
-        } else {
-            body.open("public static void main(String[] arguments)")
-            JavaSensors(tree).setUp().forEach { body.line(it) }
-            behaviours.writeStart()
-        }
+        body.open("public static void main(String[] arguments)${throwsClause(throwing.mayWait(tree.statements))}")
+        JavaSensors(tree).setUp().forEach { body.line(it) }
+        if (helpers.isReacting) behaviours.writeStart()
+        mainStatements()
         body.close()
-        if (tree.behaviours.isNotEmpty()) behaviours.writeMainProgram(::mainStatements)
     }
 
     private fun mainStatements() {
@@ -88,7 +82,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         append(body)
         helpers.all.filterNot { it.isFigure }.forEach {
             blank()
-            lines(it.text)
+            lines(it.textIn(helpers.isReacting))
         }
         close()
     }

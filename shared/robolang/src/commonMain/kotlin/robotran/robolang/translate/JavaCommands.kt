@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.robolang.check.ValueType
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
@@ -43,11 +44,15 @@ internal class JavaCommands(
             },
         )
         is Statement.Wait -> listOf(wait(statement))
-        is Statement.WaitUntil -> listOf("while (${expressions.negated(statement.condition)}) Thread.sleep($CHECK_MILLISECONDS);")
+        is Statement.WaitUntil -> listOf(
+            "while (${expressions.negated(statement.condition)}) ${helpers.sleep(RobotConstants.LOOKING_MILLISECONDS)}",
+        )
         is Statement.ResetTimer -> listOf(call(JavaHelper.RESET_TIMER))
         is Statement.Beep -> listOf("Sound.beep();")
         is Statement.Buzz -> listOf("Sound.buzz();")
-        is Statement.Play -> listOf(call(JavaHelper.PLAY, statement.frequency, statement.duration))
+        is Statement.Play -> listOf(
+            "${helpers.use(JavaHelper.PLAY)}(${whole(statement.frequency)}, ${expressions.text(statement.duration)});",
+        )
         is Statement.Show -> listOf(show(statement.value))
         is Statement.ShowText -> listOf("TextLCD.print(${javaString(statement.text)});")
         is Statement.ClearScreen -> listOf("LCD.clear();", "LCD.refresh();")
@@ -78,7 +83,7 @@ internal class JavaCommands(
         measure?.let { call(measured, it) } ?: call(timed, checkNotNull(duration) { "A move has a measure or a duration." })
 
     private fun power(statement: Statement.Power): List<String> = when (statement.side) {
-        PowerSide.BOTH -> listOf(call(JavaHelper.POWER_BOTH, statement.power))
+        PowerSide.BOTH -> listOf("${helpers.use(JavaHelper.POWER_BOTH)}(${whole(statement.power)});")
         PowerSide.LEFT -> listOf(setPower("A", statement.power))
         PowerSide.RIGHT -> listOf(setPower("C", statement.power))
     }
@@ -94,12 +99,18 @@ internal class JavaCommands(
         }
     }
 
-    private fun setPower(port: String, power: Expression): String = "Motor.$port.setPower(${expressions.text(power)});"
+    private fun setPower(port: String, power: Expression): String = "Motor.$port.setPower(${whole(power)});"
+
+    /** [value] rounded, if it is a decimal number where the brick takes whole ones. */
+    private fun whole(value: Expression): String {
+        val text = expressions.text(value)
+        return if (expressions.typeOf(value) == ValueType.DECIMAL) "${helpers.use(JavaHelper.ROUND)}($text)" else text
+    }
 
     /** A wait that is written as a number is worked out here, anything else by the brick. */
     private fun wait(statement: Statement.Wait): String {
         val written = (statement.duration as? Expression.Number)?.value
-        if (written != null) return "Thread.sleep(${helpers.durations.ofWait(written, statement.unit)});"
+        if (written != null) return helpers.sleep(helpers.durations.ofWait(written, statement.unit))
         return when (statement.unit) {
             TimeUnit.SECONDS -> call(JavaHelper.WAIT_SECONDS, statement.duration)
             TimeUnit.MILLISECONDS -> call(JavaHelper.WAIT_MILLISECONDS, statement.duration)
@@ -107,16 +118,12 @@ internal class JavaCommands(
     }
 
     private fun show(value: Expression): String = when (expressions.typeOf(value)) {
-        robotran.robolang.check.ValueType.DECIMAL -> call(JavaHelper.SHOW_DECIMAL, value)
+        ValueType.DECIMAL -> call(JavaHelper.SHOW_DECIMAL, value)
         else -> call(JavaHelper.SHOW_WHOLE, value)
     }
 
     private fun call(helper: JavaHelper, vararg values: Expression): String =
         "${helpers.use(helper)}(${expressions.arguments(values.toList())});"
-
-    private companion object {
-        const val CHECK_MILLISECONDS = 1
-    }
 }
 
 /** [text] as a string of Java, in plain characters only. */

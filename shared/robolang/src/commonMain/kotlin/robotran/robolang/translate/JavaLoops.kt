@@ -114,6 +114,7 @@ internal class JavaLoops(
     }
 
     private fun finish(loop: Statement.Loop) {
+        if (program.tree.behaviours.isNotEmpty()) writer.line("giveWay();")
         block(loop.body)
         writer.close(loop.endRange.line)
     }

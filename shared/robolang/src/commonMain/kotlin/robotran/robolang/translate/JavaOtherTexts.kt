@@ -2,9 +2,15 @@ package robotran.robolang.translate
 
 /** The Java of the helpers for the display, for sounds and for the time. */
 internal object JavaOtherTexts {
-    const val PLAY = """/** Plays a tone, for 2.55 seconds at most, and goes on at once. */
-static void play(int frequency, float seconds) {
-    Sound.playTone(frequency, roundHalfUp(seconds * 100));
+    const val PLAY = """/** Plays a tone to its end; a long one is several, for the brick plays 2.55 seconds at most. */
+static void play(int frequency, float seconds) throws InterruptedException {
+    int hundredths = roundHalfUp(seconds * 100);
+    while (hundredths > 0) {
+        int part = Math.min(hundredths, 255);
+        Sound.playTone(frequency, part);
+        Thread.sleep(part * 10);
+        hundredths -= part;
+    }
 }"""
 
     const val SHOW_WHOLE = """/** Shows a whole number with its sign. */

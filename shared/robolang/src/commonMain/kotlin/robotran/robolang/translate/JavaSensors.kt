@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.robolang.run.RobotConstants
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Sense
 import robotran.robolang.syntax.SyntaxTree
@@ -10,13 +11,15 @@ internal class JavaSensors(private val tree: SyntaxTree) {
         val senses = allExpressions(tree).filterIsInstance<Expression.Sense>().map { it.sense }
         val bumpers = senses.any { it == Sense.LeftBumper || it == Sense.RightBumper }
         return buildList {
-            if (bumpers) BUMPER_PORTS.forEach { add("Sensor.$it.setTypeAndMode($TOUCH);") }
-            if (Sense.Light in senses) add("Sensor.S${lightPort(tree)}.activate();")
+            val light = lightPort(tree).takeIf { Sense.Light in senses }
+            // A bumper that shares its port with a light sensor can be told from percent, too.
+            if (bumpers) BUMPER_PORTS.filter { it != light }.forEach { add("Sensor.S$it.setTypeAndMode($TOUCH);") }
+            if (light != null) add("Sensor.S$light.activate();")
         }
     }
 
     private companion object {
-        val BUMPER_PORTS = listOf("S1", "S3")
+        val BUMPER_PORTS = listOf(RobotConstants.LEFT_BUMPER_PORT, RobotConstants.RIGHT_BUMPER_PORT)
         const val TOUCH = "SensorConstants.SENSOR_TYPE_TOUCH, SensorConstants.SENSOR_MODE_BOOL"
     }
 }

@@ -1,5 +1,6 @@
 package robotran.robolang.translate
 
+import robotran.robolang.run.RobotConstants
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
@@ -48,9 +49,7 @@ internal fun allExpressions(tree: SyntaxTree): List<Expression> {
 }
 
 /** The port, 1 to 3, that the light sensor is on. */
-internal fun lightPort(tree: SyntaxTree): Int = tree.robot?.lightSensor?.port ?: USUAL_LIGHT_PORT
+internal fun lightPort(tree: SyntaxTree): Int = tree.robot?.lightSensor?.port ?: RobotConstants.LIGHT_PORT
 
 private fun withStatements(statement: Statement): List<Statement> =
     listOf(statement) + statementsIn(statement).flatten().flatMap(::withStatements)
-
-private const val USUAL_LIGHT_PORT = 2

@@ -30,7 +30,8 @@ internal class Throwing(private val program: CheckedProgram) {
     }
 
     private fun waitsItself(statement: Statement): Boolean = when (statement) {
-        is Statement.Move, is Statement.Turn, is Statement.Pen, is Statement.Wait, is Statement.WaitUntil -> true
+        is Statement.Move, is Statement.Turn, is Statement.Pen, is Statement.Wait, is Statement.WaitUntil, is Statement.Play -> true
+        is Statement.Loop -> program.tree.behaviours.isNotEmpty()
         else -> false
     }
 
