@@ -29,9 +29,18 @@ internal class CheckCommand(
         file: RobolangFile,
     ) {
         when (file) {
-            is RobolangFile.Ready -> console.say("$name has no mistakes.")
-            is RobolangFile.Mistaken -> file.diagnostics.forEach { console.complain(lineOf(name, it)) }
-            is RobolangFile.Unreadable -> console.complain(file.reason)
+            is RobolangFile.Ready -> {
+                file.warnings.forEach { console.say("${lineOf(name, it)} (a warning)") }
+                console.say("$name has no mistakes.")
+            }
+
+            is RobolangFile.Mistaken -> {
+                file.diagnostics.forEach { console.complain(lineOf(name, it)) }
+            }
+
+            is RobolangFile.Unreadable -> {
+                console.complain(file.reason)
+            }
         }
     }
 

@@ -24,6 +24,7 @@ class CommandLine(
                 RunCommand(console),
                 CheckCommand(console),
                 TranslateCommand(console),
+                FormatCommand(console),
             )
         return try {
             command.parse(arguments)

@@ -12,8 +12,8 @@ import kotlin.io.path.name
 
 /** A Robolang file as the commands meet it. */
 internal sealed interface RobolangFile {
-    /** It can run. */
-    data class Ready(val source: String, val program: RobolangProgram) : RobolangFile
+    /** It can run; [warnings] are what is doubtful. */
+    data class Ready(val source: String, val program: RobolangProgram, val warnings: List<Diagnostic>) : RobolangFile
 
     /** It has mistakes. */
     data class Mistaken(val diagnostics: List<Diagnostic>) : RobolangFile
@@ -31,7 +31,7 @@ internal fun readRobolangFile(name: String): RobolangFile =
 
         is TextFile.Read -> {
             when (val result = readRobolang(Path(name).name, file.text, PENBOT_CALIBRATION)) {
-                is RobolangResult.Ready -> RobolangFile.Ready(file.text, result.program)
+                is RobolangResult.Ready -> RobolangFile.Ready(file.text, result.program, result.warnings)
                 is RobolangResult.Mistaken -> RobolangFile.Mistaken(result.diagnostics)
             }
         }

@@ -60,7 +60,7 @@ class CheckCommandTest {
         val wrong = program("wrong.robo", "foward 20 // \"go\"\n")
         assertEquals(1, check(wrong, square, "--json"))
         val json = console.said.single()
-        assertContains(json, "\"code\": \"unknown-command\", \"line\": 1, \"column\": 1, \"endColumn\": 7, \"text\": \"foward\"")
+        assertContains(json, "\"code\": \"unknown-command\", \"severity\": \"mistake\", \"line\": 1, \"column\": 1, \"endColumn\": 7, \"text\": \"foward\"")
         assertContains(json, "\\\"foward\\\"")
         assertContains(json, "\"replacement\": \"forward\"")
         assertContains(json, "\"diagnostics\": []")

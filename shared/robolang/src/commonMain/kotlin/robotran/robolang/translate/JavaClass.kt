@@ -1,8 +1,8 @@
 package robotran.robolang.translate
 
 import robotran.robolang.RobolangProgram
-import robotran.robolang.check.SymbolKind
 import robotran.robolang.syntax.Routine
+import robotran.robolang.syntax.Statement
 
 /** Puts the class of a whole program together: figures, fields, `main`, routines, behaviours, helpers. */
 internal class JavaClass(private val program: RobolangProgram, private val className: String) {
@@ -20,7 +20,8 @@ internal class JavaClass(private val program: RobolangProgram, private val class
 
     fun write(): JavaWriter {
         behaviours.reserveNames()
-        checked.symbols.filter { it.isGlobal || it.kind in ROUTINES }.forEach(names::declareShared)
+        val globals = tree.statements.filterIsInstance<Statement.Declare>().map { it.name }
+        (globals + tree.routines.map { it.name }).map(checked::symbolOf).distinct().forEach(names::declareShared)
         fields.write(body)
         main()
         tree.routines.forEach(::routine)
@@ -87,8 +88,6 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         close()
     }
 }
-
-private val ROUTINES = setOf(SymbolKind.PROCEDURE, SymbolKind.FUNCTION)
 
 /** What stands behind the head of a method that [mayWait] or not. */
 internal fun throwsClause(mayWait: Boolean): String = if (mayWait) " throws InterruptedException" else ""

@@ -8,13 +8,12 @@ import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.PenPosition
 import robotran.robolang.syntax.PowerSide
 import robotran.robolang.syntax.Statement
-import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.TimeUnit
 import robotran.robolang.syntax.TurnDirection
 
 /** The one place where a statement that concerns the robot becomes calls of josx or of the helpers that make them. */
 internal class JavaCommands(
-    private val tree: SyntaxTree,
+    private val flow: JavaFlow,
     private val expressions: JavaExpressions,
     private val helpers: UsedHelpers,
     private val writer: JavaWriter,
@@ -44,9 +43,7 @@ internal class JavaCommands(
             },
         )
         is Statement.Wait -> listOf(wait(statement))
-        is Statement.WaitUntil -> listOf(
-            "while (${expressions.negated(statement.condition)}) ${helpers.sleep(RobotConstants.LOOKING_MILLISECONDS)}",
-        )
+        is Statement.WaitUntil -> listOf(waitUntil(statement))
         is Statement.ResetTimer -> listOf(call(JavaHelper.RESET_TIMER))
         is Statement.Beep -> listOf("Sound.beep();")
         is Statement.Buzz -> listOf("Sound.buzz();")
@@ -114,6 +111,15 @@ internal class JavaCommands(
         return when (statement.unit) {
             TimeUnit.SECONDS -> call(JavaHelper.WAIT_SECONDS, statement.duration)
             TimeUnit.MILLISECONDS -> call(JavaHelper.WAIT_MILLISECONDS, statement.duration)
+        }
+    }
+
+    private fun waitUntil(statement: Statement.WaitUntil): String {
+        val sleep = helpers.sleep(RobotConstants.LOOKING_MILLISECONDS)
+        return if (flow.isConstant(statement.condition)) {
+            "while (true) { if (${expressions.text(statement.condition)}) break; $sleep }"
+        } else {
+            "while (${expressions.negated(statement.condition)}) $sleep"
         }
     }
 

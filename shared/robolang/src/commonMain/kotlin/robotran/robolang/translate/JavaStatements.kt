@@ -15,9 +15,9 @@ internal class JavaStatements(
     helpers: UsedHelpers,
     private val writer: JavaWriter,
 ) {
-    private val commands = JavaCommands(program.tree, expressions, helpers, writer)
-    private val loops = JavaLoops(program, names, expressions, writer, ::block)
     private val flow = JavaFlow(program)
+    private val commands = JavaCommands(flow, expressions, helpers, writer)
+    private val loops = JavaLoops(program, names, expressions, writer, ::block)
 
     /** The statements of one block, which names its own variables. */
     fun block(statements: List<Statement>) {
