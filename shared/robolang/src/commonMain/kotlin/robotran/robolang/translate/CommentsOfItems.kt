@@ -41,7 +41,13 @@ internal class CommentsOfItems(tree: SyntaxTree) {
         val first = all.firstOrNull() ?: return emptyList()
         val together = all.withIndex().takeWhile { (index, comment) -> comment.range.line == first.range.line + index }.map { it.value }
         val above = together.filter { firstItem == null || it.range.line < firstItem }
-        return if (firstItem != null && above.size < together.size || above.lastOrNull()?.range?.line == firstItem?.minus(1)) emptyList() else above
+        return if (firstItem != null && above.size < together.size ||
+            above.lastOrNull()?.range?.line == firstItem?.minus(1)
+        ) {
+            emptyList()
+        } else {
+            above
+        }
     }
 
     private companion object {

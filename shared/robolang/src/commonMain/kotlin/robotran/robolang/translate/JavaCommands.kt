@@ -24,35 +24,52 @@ internal class JavaCommands(
 
     private fun lines(statement: Statement): List<String> = when (statement) {
         is Statement.Move -> listOf(move(statement))
+
         is Statement.Turn -> listOf(turn(statement))
+
         is Statement.StartMoving -> when (statement.direction) {
             MoveDirection.FORWARD -> listOf("Motor.A.forward();", "Motor.C.forward();")
             MoveDirection.BACKWARD -> listOf("Motor.A.backward();", "Motor.C.backward();")
         }
+
         is Statement.StartTurning -> when (statement.direction) {
             TurnDirection.LEFT -> listOf("Motor.A.backward();", "Motor.C.forward();")
             TurnDirection.RIGHT -> listOf("Motor.A.forward();", "Motor.C.backward();")
         }
+
         is Statement.StopDriving -> listOf("Motor.A.stop();", "Motor.C.stop();")
+
         is Statement.Power -> power(statement)
+
         is Statement.Motor -> listOf(motor(statement))
+
         is Statement.Pen -> listOf(
             when (statement.position) {
                 PenPosition.DOWN -> call(JavaHelper.PEN_DOWN)
                 PenPosition.UP -> call(JavaHelper.PEN_UP)
             },
         )
+
         is Statement.Wait -> listOf(wait(statement))
+
         is Statement.WaitUntil -> listOf(waitUntil(statement))
+
         is Statement.ResetTimer -> listOf(call(JavaHelper.RESET_TIMER))
+
         is Statement.Beep -> listOf("Sound.beep();")
+
         is Statement.Buzz -> listOf("Sound.buzz();")
+
         is Statement.Play -> listOf(
             "${helpers.use(JavaHelper.PLAY)}(${whole(statement.frequency)}, ${expressions.text(statement.duration)});",
         )
+
         is Statement.Show -> listOf(show(statement.value))
+
         is Statement.ShowText -> listOf("TextLCD.print(${javaString(statement.text)});")
+
         is Statement.ClearScreen -> listOf("LCD.clear();", "LCD.refresh();")
+
         else -> error("${statement::class.simpleName} is written elsewhere.")
     }
 

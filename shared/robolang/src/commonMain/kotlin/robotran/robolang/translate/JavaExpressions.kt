@@ -53,7 +53,10 @@ internal class JavaExpressions(
     fun elements(expression: Expression.ListOf): String = expression.elements.joinToString(", ", "{", "}") { text(it) }
 
     private fun unary(expression: Expression.Unary): JavaText = when (expression.operator) {
-        UnaryOperator.NOT -> JavaText(negated(expression.operand), JavaStrength.UNARY)
+        UnaryOperator.NOT -> {
+            JavaText(negated(expression.operand), JavaStrength.UNARY)
+        }
+
         UnaryOperator.MINUS -> {
             val operand = text(expression.operand, JavaStrength.UNARY)
             JavaText(if (operand.startsWith("-")) "-($operand)" else "-$operand", JavaStrength.UNARY)

@@ -13,22 +13,25 @@ internal class JavaFigures(private val calibration: Calibration) {
     }
 
     private fun textOf(figure: JavaHelper): String = when (figure) {
-        JavaHelper.CENTIMETRE ->
+        JavaHelper.CENTIMETRE -> {
             """
             /** How many milliseconds the wheels turn for one centimetre. Let the robot draw 100 cm and correct it. */
             static final float ${figure.method} = ${calibration.millisecondsPerCentimetre.toFloat()}f;
             """.trimIndent()
+        }
 
-        JavaHelper.DEGREE ->
+        JavaHelper.DEGREE -> {
             """
             /** How many milliseconds the wheels turn for one degree. Let the robot turn ten times round and correct it. */
             static final float ${figure.method} = ${calibration.millisecondsPerDegree.toFloat()}f;
             """.trimIndent()
+        }
 
-        else ->
+        else -> {
             """
             /** How many milliseconds the pen's motor turns to lower or to lift the pen. */
             static final int ${figure.method} = ${RobotConstants.PEN_MILLISECONDS};
             """.trimIndent()
+        }
     }
 }
