@@ -20,11 +20,12 @@ internal fun diagnosticsJson(files: List<Pair<String, RobolangFile>>): String =
     }
 
 private fun json(diagnostics: List<Diagnostic>): String =
-    if (diagnostics.isEmpty()) "\"diagnostics\": []" else diagnostics.joinToString(",\n", "\"diagnostics\": [\n", "\n  ]", transform = ::json)
+    "\"diagnostics\": " + if (diagnostics.isEmpty()) "[]" else diagnostics.joinToString(",\n", "[\n", "\n  ]", transform = ::json)
 
 private fun json(diagnostic: Diagnostic): String {
     val fix = diagnostic.fix?.let { ", \"fix\": ${json(it)}" }.orEmpty()
-    return "    {\"code\": ${quoted(diagnostic.code.id)}, \"severity\": ${quoted(diagnostic.severity.name.lowercase())}, ${json(diagnostic.range)}, " +
+    val kind = "\"code\": ${quoted(diagnostic.code.id)}, \"severity\": ${quoted(diagnostic.severity.name.lowercase())}"
+    return "    {$kind, ${json(diagnostic.range)}, " +
         "\"text\": ${quoted(diagnostic.text)}, \"message\": ${quoted(diagnostic.message)}$fix}"
 }
 

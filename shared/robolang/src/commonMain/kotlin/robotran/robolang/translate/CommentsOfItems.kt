@@ -40,14 +40,8 @@ internal class CommentsOfItems(tree: SyntaxTree) {
     private fun headingOf(all: List<Token>, firstItem: Int?): List<Token> {
         val first = all.firstOrNull() ?: return emptyList()
         val together = all.withIndex().takeWhile { (index, comment) -> comment.range.line == first.range.line + index }.map { it.value }
-        val above = together.filter { firstItem == null || it.range.line < firstItem }
-        return if (firstItem != null && above.size < together.size ||
-            above.lastOrNull()?.range?.line == firstItem?.minus(1)
-        ) {
-            emptyList()
-        } else {
-            above
-        }
+        val isAlone = firstItem == null || together.last().range.line < firstItem - 1
+        return if (isAlone) together else emptyList()
     }
 
     private companion object {
