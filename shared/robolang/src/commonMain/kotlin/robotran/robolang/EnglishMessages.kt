@@ -1,7 +1,7 @@
 package robotran.robolang
 
 /** The messages in English. */
-object EnglishMessages : RobolangMessages {
+object EnglishMessages : RobolangMessages, RunMessages by EnglishRunMessages {
     override fun unknownCommand(word: String, suggestion: String?) =
         "There is no command ${quoted(word)}.${didYouMean(suggestion)}"
 

@@ -28,7 +28,7 @@ fun readRobolang(
     val parsed = Parser(scan(source, mistakes), mistakes).program()
     val checked = Checker(calibration, mistakes).check(parsed)
     return if (mistakes.isEmpty) {
-        RobolangResult.Ready(RobolangProgram(name, checked, calibration), mistakes.warningsInSourceOrder())
+        RobolangResult.Ready(RobolangProgram(name, checked, calibration, messages), mistakes.warningsInSourceOrder())
     } else {
         RobolangResult.Mistaken(mistakes.mistakesInSourceOrder())
     }

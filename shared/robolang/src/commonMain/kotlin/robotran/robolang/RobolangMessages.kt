@@ -4,7 +4,7 @@ package robotran.robolang
  * The table of everything Robolang says to a learner, one function a message. Another language is another implementation.
  * Words of the program arrive as they were typed, already shortened; suggestions arrive as Robolang spells them.
  */
-interface RobolangMessages {
+interface RobolangMessages : RunMessages {
     /** [suggestion] is the command that was probably meant, null if nothing is near. */
     fun unknownCommand(word: String, suggestion: String?): String
 

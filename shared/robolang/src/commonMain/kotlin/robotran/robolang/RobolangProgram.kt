@@ -2,7 +2,8 @@ package robotran.robolang
 
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.run.RobolangRun
-import robotran.rom.ProgramRun
+import robotran.robolang.run.lower
+import robotran.rom.DebuggableRun
 import robotran.rom.RcxProgram
 import robotran.rom.Rom
 
@@ -11,6 +12,9 @@ class RobolangProgram internal constructor(
     override val name: String,
     internal val checked: CheckedProgram,
     private val calibration: Calibration,
+    private val messages: RunMessages,
 ) : RcxProgram {
-    override fun start(rom: Rom): ProgramRun = RobolangRun(checked.tree, calibration, rom)
+    private val code by lazy(LazyThreadSafetyMode.NONE) { lower(checked, name) }
+
+    override fun start(rom: Rom): DebuggableRun = RobolangRun(code, calibration, rom, messages)
 }
