@@ -130,7 +130,8 @@ class SteppingTest {
         session.advance(500)
         session.apply(SessionInput.Stop)
         session.advance(100)
-        val program = readRobolang("test", "beep\nbeep\nbeep\nforward 20", Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        val program =
+            readRobolang("test", "beep\nbeep\nbeep\nforward 20", Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
         val programs = listOf(assertIs<RobolangResult.Ready>(program).program)
         val again = Session.replay(BuiltInWorlds.plain, programs, loadPhysicsEngine(), session.inputs, session.state.milliseconds)
         assertEquals(session.traceHash, again.traceHash)
@@ -166,7 +167,8 @@ class SteppingTest {
     @Test
     fun `variables are shown by scope`() = runTest {
         val session = started(
-            "const side = 20\nvar tones = [1, 2]\nvar found = false\nprocedure go(way)\n  var half = way / 2.0\n  beep\n  show half\nend\n" +
+            "const side = 20\nvar tones = [1, 2]\nvar found = false\n" +
+                "procedure go(way)\n  var half = way / 2.0\n  beep\n  show half\nend\n" +
                 "show side + length(tones)\nif not found\n  go(5)\nend",
         )
         session.breakpoints = setOf(6)
