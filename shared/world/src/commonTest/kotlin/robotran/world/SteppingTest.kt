@@ -130,8 +130,8 @@ class SteppingTest {
         session.advance(500)
         session.apply(SessionInput.Stop)
         session.advance(100)
-        val program =
-            readRobolang("test", "beep\nbeep\nbeep\nforward 20", Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+        val program = readRobolang("test", "beep\nbeep\nbeep\nforward 20", calibration)
         val programs = listOf(assertIs<RobolangResult.Ready>(program).program)
         val again = Session.replay(BuiltInWorlds.plain, programs, loadPhysicsEngine(), session.inputs, session.state.milliseconds)
         assertEquals(session.traceHash, again.traceHash)
