@@ -24,11 +24,22 @@ internal object SensorReading {
     fun boolean(raw: Int, before: Int, rawBefore: Int, modeAndSlope: Int): Int {
         val slope = modeAndSlope and SLOPES
         return when {
-            slope == 0 -> if (raw < TRUE_BELOW) 1 else if (raw >= FALSE_FROM) 0 else before
+            slope == 0 -> if (raw < TRUE_BELOW) {
+                1
+            } else if (raw >= FALSE_FROM) {
+                0
+            } else {
+                before
+            }
+
             raw < slope -> 1
+
             raw > SensorCode.OPEN_RAW - slope -> 0
+
             rawBefore - raw >= slope -> 1
+
             raw - rawBefore > slope -> 0
+
             else -> before
         }
     }

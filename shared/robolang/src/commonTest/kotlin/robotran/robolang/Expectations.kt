@@ -7,6 +7,9 @@ internal class Expectations(text: String) {
     /** Each `line:column message`, in the order of the program. */
     val errors = mutableListOf<String>()
 
+    /** Each `line:column message` of what is only doubtful; empty if the program does not say. */
+    val warnings = mutableListOf<String>()
+
     /** The ROM calls of each line that has any. */
     val calls = mutableMapOf<Int, List<RomCall>>()
 
@@ -28,7 +31,8 @@ internal class Expectations(text: String) {
         private set
 
     val isEmpty: Boolean
-        get() = errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null && shown.isEmpty() && failure == null
+        get() = errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null && shown.isEmpty() && failure == null &&
+            warnings.isEmpty()
 
     init {
         text.lines().forEachIndexed { index, line -> read(line.substringAfter("//", "").trim(), index + 1) }
@@ -41,6 +45,7 @@ internal class Expectations(text: String) {
             sensors += SensorEvent(port.toInt(), milliseconds.toLong(), raw.toInt())
         }
         ERROR.matchEntire(comment)?.let { errors += it.groupValues[1] }
+        WARNING.matchEntire(comment)?.let { warnings += it.groupValues[1] }
         END.matchEntire(comment)?.let { end = it.groupValues[1].toLong() }
         ROM.matchEntire(comment)?.let {
             val once = it.groupValues[2].split("|").map(::callOf)
@@ -54,6 +59,7 @@ internal class Expectations(text: String) {
 
     private companion object {
         val ERROR = Regex("""error (\d+:\d+ .+)""")
+        val WARNING = Regex("""warning (\d+:\d+ .+)""")
         val END = Regex("""ends at (\d+)""")
         val ROM = Regex("""rom(?: (\d+) times)?: (.+)""")
         val SHOWS = Regex("""shows: (.+)""")

@@ -9,7 +9,7 @@ internal fun differences(program: TestProgram): List<String> {
     val expected = Expectations(program.text)
     val differences = when (val result = readRobolang(program.path, program.text, testCalibration)) {
         is RobolangResult.Mistaken -> differencesOfMistakes(expected, result.diagnostics)
-        is RobolangResult.Ready -> differencesOfReady(expected, result.program)
+        is RobolangResult.Ready -> differencesOfWarnings(expected, result.warnings) ?: differencesOfReady(expected, result.program)
     }
     return differences.map { "${program.path} $it" }
 }
@@ -21,6 +21,14 @@ private fun differencesOfMistakes(expected: Expectations, diagnostics: List<Diag
     } else {
         listOf("should have the mistakes\n${expected.errors.joinToString("\n")}\nbut has\n${actual.joinToString("\n")}")
     }
+}
+
+/** Null if the program does not speak of warnings: then it is run. */
+private fun differencesOfWarnings(expected: Expectations, warnings: List<Diagnostic>): List<String>? {
+    if (expected.warnings.isEmpty()) return null
+    val actual = warnings.map { "${it.range.line}:${it.range.column} ${it.message}" }
+    if (actual == expected.warnings) return emptyList()
+    return listOf("should have the warnings\n${expected.warnings.joinToString("\n")}\nbut has\n${actual.joinToString("\n")}")
 }
 
 private fun differencesOfReady(expected: Expectations, program: RobolangProgram): List<String> =

@@ -130,9 +130,54 @@ class SteppingTest {
         session.advance(500)
         session.apply(SessionInput.Stop)
         session.advance(100)
-        val program = readRobolang("test", "beep\nbeep\nbeep\nforward 20", Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+        val program = readRobolang("test", "beep\nbeep\nbeep\nforward 20", calibration)
         val programs = listOf(assertIs<RobolangResult.Ready>(program).program)
         val again = Session.replay(BuiltInWorlds.plain, programs, loadPhysicsEngine(), session.inputs, session.state.milliseconds)
         assertEquals(session.traceHash, again.traceHash)
+    }
+
+    @Test
+    fun `a step goes into a routine, over it or out of it`() = runTest {
+        val source = "procedure inner()\n  beep\n  beep\nend\nprocedure outer()\n  inner()\n  beep\nend\nouter()\nbeep"
+        val into = started(source)
+        assertEquals(9, into.line())
+        assertEquals(listOf(6, 2, 3), into.lines(StepKind.INTO, StepKind.INTO, StepKind.INTO))
+        assertEquals(listOf(7, 10), into.lines(StepKind.OUT, StepKind.OUT))
+        assertEquals(listOf(10), started(source).lines(StepKind.OVER))
+        assertEquals(listOf(6, 7, 10), started(source).lines(StepKind.INTO, StepKind.OVER, StepKind.OVER))
+    }
+
+    @Test
+    fun `a step over a recursive call stays in its own call`() = runTest {
+        val session = started("procedure down(n)\n  if n > 0\n    down(n - 1)\n    show n\n  end\nend\ndown(2)")
+        assertEquals(listOf(2, 3, 4), session.lines(StepKind.INTO, StepKind.OVER, StepKind.OVER))
+        assertEquals(listOf(VariableView("n", "2")), session.variables.first().variables)
+    }
+
+    @Test
+    fun `the call stack names each call with its line`() = runTest {
+        val session = started("function fall(n)\n  if n == 0\n    return 0\n  end\n  return fall(n - 1)\nend\nshow fall(2)")
+        session.breakpoints = setOf(3)
+        assertEquals(StopReason.Breakpoint(3), session.runUntilStop(100))
+        val expected = listOf(CallFrame("fall", 3), CallFrame("fall", 5), CallFrame("fall", 5), CallFrame("test", 7))
+        assertEquals(expected, session.callStack)
+    }
+
+    @Test
+    fun `variables are shown by scope`() = runTest {
+        val session = started(
+            "const side = 20\nvar tones = [1, 2]\nvar found = false\n" +
+                "procedure go(way)\n  var half = way / 2.0\n  beep\n  show half\nend\n" +
+                "show side + length(tones)\nif not found\n  go(5)\nend",
+        )
+        session.breakpoints = setOf(6)
+        assertEquals(StopReason.Breakpoint(6), session.runUntilStop(100))
+        val routine = VariableScope("go", listOf(VariableView("way", "5"), VariableView("half", "2.5")))
+        val main = VariableScope(
+            "test",
+            listOf(VariableView("side", "20"), VariableView("tones", "[1, 2]"), VariableView("found", "false")),
+        )
+        assertEquals(listOf(routine, main), session.variables)
     }
 }

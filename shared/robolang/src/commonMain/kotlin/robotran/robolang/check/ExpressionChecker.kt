@@ -135,7 +135,6 @@ internal class ExpressionChecker(private val context: CheckContext) {
         when (expression.operator) {
             BinaryOperator.OR, BinaryOperator.AND -> operands.forEach(::needCondition)
             BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> equality(expression)
-            BinaryOperator.MOD -> operands.forEach(::needWhole)
             else -> operands.forEach(::needNumber)
         }
         if (expression.operator == BinaryOperator.DIVIDE || expression.operator == BinaryOperator.MOD) division(expression)
@@ -151,8 +150,8 @@ internal class ExpressionChecker(private val context: CheckContext) {
 
     private fun division(expression: Expression.Binary) {
         val divisor = context.constantOf(expression.right) ?: return
-        if (divisor.decimal == 0f) return context.report(DiagnosticCode.DIVISION_BY_ZERO, expression.right.range, messages.divisionByZero())
         if (divisor !is NumberValue.Whole || context.typeOf(expression) != ValueType.WHOLE) return
+        if (divisor.value == 0) return context.report(DiagnosticCode.DIVISION_BY_ZERO, expression.right.range, messages.divisionByZero())
         val isTooLarge = divisor.value !in Short.MIN_VALUE..Short.MAX_VALUE
         if (isTooLarge) context.warn(DiagnosticCode.DIVISOR_TOO_LARGE, expression.right.range, messages.divisorTooLarge(divisor.value))
         val dividend = (context.constantOf(expression.left) as? NumberValue.Whole)?.value ?: return

@@ -117,7 +117,7 @@ internal class StatementChecker(
     }
 
     private fun play(statement: Statement.Play) {
-        expressions.needWhole(statement.frequency)
+        expressions.needNumber(statement.frequency)
         duration(statement.duration)
     }
 

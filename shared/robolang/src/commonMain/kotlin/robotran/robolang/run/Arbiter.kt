@@ -80,7 +80,11 @@ internal class Arbiter(private val machine: Machine) {
         decidedAt = NEVER
     }
 
-    private fun isAtBoundary(): Boolean = condition != null || (action ?: main).let { it.isWaiting || it.statement != null || it.isOver }
+    /** Whether nothing is in the middle of a statement, a main program that has to wait its turn left aside. */
+    private fun isAtBoundary(): Boolean {
+        val running = action ?: main.takeIf { current == NONE }
+        return condition != null || running == null || running.isWaiting || running.statement != null || running.isOver
+    }
 
     private companion object {
         const val NONE = -1

@@ -81,7 +81,15 @@ internal sealed interface Arithmetic {
 
         override fun isEqual(left: Int, right: Int) = decimal(left) == decimal(right)
 
-        override fun sign(value: Int) = decimal(value).let { if (it < 0f) -1 else if (it > 0f) 1 else 0 }
+        override fun sign(value: Int) = decimal(value).let {
+            if (it < 0f) {
+                -1
+            } else if (it > 0f) {
+                1
+            } else {
+                0
+            }
+        }
 
         override fun text(value: Int) = decimalText(decimal(value))
 

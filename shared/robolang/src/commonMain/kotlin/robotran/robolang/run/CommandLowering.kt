@@ -18,22 +18,43 @@ internal class CommandLowering(
     fun lower(statement: Statement) {
         when (statement) {
             is Statement.Move -> lowerMove(statement)
+
             is Statement.Turn -> lowerTurn(statement)
+
             is Statement.StartMoving -> command { startMoving(statement.direction, it) }
+
             is Statement.StartTurning -> command { startTurning(statement.direction, it) }
+
             is Statement.StopDriving -> command { stopDriving(it) }
+
             is Statement.Power -> withPower(statement.power) { power, line -> setPower(statement.side, power, line) }
+
             is Statement.Motor -> lowerMotor(statement)
+
             is Statement.Pen -> lowerPen(statement)
-            is Statement.Wait -> withNumber(statement.duration) { activity, duration -> activity.waitFor(time(activity, duration, statement.unit)) }
+
+            is Statement.Wait -> withNumber(statement.duration) { activity, duration ->
+                activity.waitFor(time(activity, duration, statement.unit))
+            }
+
             is Statement.WaitUntil -> lowerWaitUntil(statement)
+
             is Statement.ResetTimer -> emitter.emit { it.machine.senses.resetTimer() }
+
             is Statement.Beep -> command { beep(it) }
+
             is Statement.Buzz -> command { buzz(it) }
+
             is Statement.Play -> lowerPlay(statement)
-            is Statement.Show -> withNumber(statement.value) { activity, value -> activity.machine.commands.show(value, activity.currentLine) }
+
+            is Statement.Show -> withNumber(statement.value) { activity, value ->
+                activity.machine.commands.show(value, activity.currentLine)
+            }
+
             is Statement.ShowText -> command { showText(statement.text, it) }
+
             is Statement.ClearScreen -> command { clearScreen(it) }
+
             else -> error("${statement::class.simpleName} is lowered elsewhere.")
         }
     }

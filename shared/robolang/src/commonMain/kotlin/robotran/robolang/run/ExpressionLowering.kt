@@ -19,20 +19,46 @@ internal class ExpressionLowering(
     /** Leaves a value of the type [wanted], which is the expression's own or, of a whole number, the decimal one. */
     fun lower(expression: Expression, wanted: ValueType = scope.typeOf(expression)) {
         when (expression) {
-            is Expression.Number -> lowerNumber(expression.value)
-            is Expression.Truth -> emitter.emit { it.pushTruth(expression.value) }
-            is Expression.ListOf -> lowerList(expression)
-            is Expression.Variable -> load(expression.name)
-            is Expression.Element -> lowerElement(expression)
-            is Expression.Unary -> lowerUnary(expression)
-            is Expression.Binary -> lowerBinary(expression)
-            is Expression.Call -> lowerCall(expression)
+            is Expression.Number -> {
+                lowerNumber(expression.value)
+            }
+
+            is Expression.Truth -> {
+                emitter.emit { it.pushTruth(expression.value) }
+            }
+
+            is Expression.ListOf -> {
+                lowerList(expression)
+            }
+
+            is Expression.Variable -> {
+                load(expression.name)
+            }
+
+            is Expression.Element -> {
+                lowerElement(expression)
+            }
+
+            is Expression.Unary -> {
+                lowerUnary(expression)
+            }
+
+            is Expression.Binary -> {
+                lowerBinary(expression)
+            }
+
+            is Expression.Call -> {
+                lowerCall(expression)
+            }
+
             is Expression.Sense -> {
                 scope.sensors.note(expression.sense, expression.range.line)
                 lowerSense(expression.sense, emitter, scope.sensors.lightPort)
             }
 
-            is Expression.Brackets -> lower(expression.inner)
+            is Expression.Brackets -> {
+                lower(expression.inner)
+            }
         }
         if (wanted == ValueType.DECIMAL && scope.typeOf(expression) == ValueType.WHOLE) emitter.emit { it.pushDecimal(it.pop().toFloat()) }
     }

@@ -16,7 +16,9 @@ internal class LoopLowering(
         val line = statement.range.line
         when (statement) {
             is Statement.Repeat -> lowerRepeat(statement, line)
+
             is Statement.RepeatForever -> rounds(line, statement.body) { }
+
             is Statement.RepeatWhile -> rounds(line, statement.body) { end ->
                 expressions.lower(statement.condition)
                 emitter.jumpIfFalse(end)
@@ -28,6 +30,7 @@ internal class LoopLowering(
             }
 
             is Statement.ForRange -> lowerForRange(statement, line)
+
             is Statement.ForEach -> lowerForEach(statement, line)
         }
     }

@@ -50,10 +50,22 @@ internal class RobolangRun(
             val activity = arbiter.choose() ?: return if (arbiter.isOver) ProgramStatus.Ended else nextLook()
             val statement = activity.statement
             when {
-                activity.isWaiting -> return waiting(activity)
-                statement == null -> activity.proceed()
-                budget <= 0 -> return ProgramStatus.Running
-                isStoppedBefore(statement, activity) -> return ProgramStatus.Paused(budget)
+                activity.isWaiting -> {
+                    return waiting(activity)
+                }
+
+                statement == null -> {
+                    activity.proceed()
+                }
+
+                budget <= 0 -> {
+                    return ProgramStatus.Running
+                }
+
+                isStoppedBefore(statement, activity) -> {
+                    return ProgramStatus.Paused(budget)
+                }
+
                 else -> {
                     budget--
                     begin(statement, activity)

@@ -28,19 +28,42 @@ internal class StatementLowering(
         if (statement is Statement.Loop) return loops.lower(statement)
         emitter.statement(statement.range.line)
         when (statement) {
-            is Statement.If -> lowerIf(statement)
+            is Statement.If -> {
+                lowerIf(statement)
+            }
+
             is Statement.Declare -> {
                 expressions.lower(statement.value, scope.symbolOf(statement.name).type)
                 expressions.store(statement.name)
             }
 
-            is Statement.Assign -> lowerAssign(statement)
-            is Statement.Call -> expressions.call(statement.name, statement.arguments, isValueNeeded = false)
-            is Statement.Return -> lowerReturn(statement)
-            is Statement.Break -> loops.leave()
-            is Statement.Continue -> loops.nextRound()
-            is Statement.Halt -> emitter.emit { it.machine.isHalted = true }
-            else -> commands.lower(statement)
+            is Statement.Assign -> {
+                lowerAssign(statement)
+            }
+
+            is Statement.Call -> {
+                expressions.call(statement.name, statement.arguments, isValueNeeded = false)
+            }
+
+            is Statement.Return -> {
+                lowerReturn(statement)
+            }
+
+            is Statement.Break -> {
+                loops.leave()
+            }
+
+            is Statement.Continue -> {
+                loops.nextRound()
+            }
+
+            is Statement.Halt -> {
+                emitter.emit { it.machine.isHalted = true }
+            }
+
+            else -> {
+                commands.lower(statement)
+            }
         }
     }
 
@@ -66,7 +89,9 @@ internal class StatementLowering(
                 expressions.store(target.name)
             }
 
-            is AssignTarget.Element -> lowerElement(target.list, target, statement)
+            is AssignTarget.Element -> {
+                lowerElement(target.list, target, statement)
+            }
         }
     }
 

@@ -16,9 +16,19 @@ internal fun variableScopes(activity: Activity): List<VariableScope> {
 private fun view(symbol: Symbol, value: Int, machine: Machine) = VariableView(symbol.name, text(symbol.type, value, machine))
 
 private fun text(type: ValueType, value: Int, machine: Machine): String = when (type) {
-    ValueType.WHOLE, ValueType.NOTHING -> value.toString()
-    ValueType.DECIMAL -> decimalText(Float.fromBits(value))
-    ValueType.TRUTH -> (value != 0).toString()
-    ValueType.LIST_OF_WHOLE, ValueType.LIST_OF_DECIMAL ->
+    ValueType.WHOLE, ValueType.NOTHING -> {
+        value.toString()
+    }
+
+    ValueType.DECIMAL -> {
+        decimalText(Float.fromBits(value))
+    }
+
+    ValueType.TRUTH -> {
+        (value != 0).toString()
+    }
+
+    ValueType.LIST_OF_WHOLE, ValueType.LIST_OF_DECIMAL -> {
         machine.lists.elements(value).joinToString(", ", "[", "]") { text(type.element, it, machine) }
+    }
 }

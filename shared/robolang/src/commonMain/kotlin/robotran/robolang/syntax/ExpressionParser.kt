@@ -19,7 +19,8 @@ internal class ExpressionParser(
 
     /** Where something with a value should come; [example] completes what has been read of the line so far. */
     fun expression(expected: Expected, example: String): Expression? {
-        if (!canBegin(reader.next)) return mistakes.reportMissingValue(reader, expected, example)
+        val lacksCount = reader.first.keyword == Keyword.REPEAT && reader.next?.keyword == Keyword.TIMES && reader.peek(1) == null
+        if (lacksCount || !canBegin(reader.next)) return mistakes.reportMissingValue(reader, expected, example)
         return binary(BinaryOperator.OR.strength)
     }
 

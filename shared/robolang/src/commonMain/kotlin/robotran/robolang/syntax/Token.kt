@@ -53,9 +53,7 @@ internal data class Token(
 ) {
     /** Whether a pupil may call something so. */
     val canBeName: Boolean
-        get() = kind == TokenKind.WORD && (keyword == null || keyword.isFree || isTime)
-
-    private val isTime: Boolean get() = keyword == Keyword.TIMES && lowercaseKeyword(text) == keyword.singular
+        get() = kind == TokenKind.WORD && (keyword == null || keyword.isFree)
 }
 
 /**

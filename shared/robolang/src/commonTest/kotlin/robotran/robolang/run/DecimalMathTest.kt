@@ -9,7 +9,12 @@ class DecimalMathTest {
     fun `quarters of a turn are exact`() {
         assertEquals(listOf(0f, 1f, 0f, -1f, 0f), listOf(0f, 90f, 180f, 270f, 360f).map { DecimalMath.sine(it) + 0f })
         assertEquals(listOf(1f, 0f, -1f, 0f, 1f), listOf(0f, 90f, 180f, 270f, 360f).map { DecimalMath.cosine(it) + 0f })
-        assertEquals(listOf(0f, 90f, 180f, -90f), listOf(0f to 1f, 1f to 0f, 0f to -1f, -1f to 0f).map { (y, x) -> DecimalMath.direction(y, x) })
+        assertEquals(
+            listOf(0f, 90f, 180f, -90f),
+            listOf(0f to 1f, 1f to 0f, 0f to -1f, -1f to 0f).map { (y, x) ->
+                DecimalMath.direction(y, x)
+            },
+        )
     }
 
     @Test
