@@ -1,10 +1,12 @@
 plugins {
-    id("robotran.benchmarks")
+    id("application")
+    id("org.jetbrains.kotlin.jvm")
 }
 
 dependencies {
-    implementation(project(":shared:world"))
     implementation(project(":shared:robolang"))
+    implementation(project(":shared:world"))
+    implementation(project(":shared:physics"))
     implementation(libs.coroutines.core)
 }
 

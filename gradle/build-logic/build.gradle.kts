@@ -43,10 +43,6 @@ gradlePlugin {
             id = "robotran.desktop"
             implementationClass = "robotran.build.DesktopPlugin"
         }
-        create("benchmarks") {
-            id = "robotran.benchmarks"
-            implementationClass = "robotran.build.BenchmarksPlugin"
-        }
         create("physics") {
             id = "robotran.physics"
             implementationClass = "robotran.build.physics.PhysicsPlugin"

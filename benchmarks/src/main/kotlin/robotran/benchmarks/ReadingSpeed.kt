@@ -13,7 +13,7 @@ private val CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisec
 internal fun readingSpeed(): String {
     val piece = "repeat 4 times // a square\n  forward 20 cm\n  turn left 90 degrees\nend\nshow 3.25\nwait 1.5 seconds\nbeep\n"
     val source = piece.repeat(RobolangLimits.SOURCE_CHARACTERS / piece.length)
-    val seconds = secondsOf { programOf(source) }
+    val seconds = seconds { programOf(source) }
     val megabytes = source.length / 1e6
     return "%.1f MB/s (%.2f MB in %.3f s)".format(megabytes / seconds, megabytes, seconds)
 }
@@ -22,7 +22,7 @@ internal fun readingSpeed(): String {
 internal fun mistakesTime(): String {
     val source = "repaet 4 tmes quikly\n".repeat(WRONG_LINES)
     var told = 0
-    val seconds = secondsOf { told = (readRobolang("mistakes", source, CALIBRATION) as RobolangResult.Mistaken).diagnostics.size }
+    val seconds = seconds { told = (readRobolang("mistakes", source, CALIBRATION) as RobolangResult.Mistaken).diagnostics.size }
     check(told == WRONG_LINES) { "Only $told of $WRONG_LINES mistakes were told." }
     return "%.3f s for %d mistakes on as many lines".format(seconds, told)
 }

@@ -11,7 +11,7 @@ internal fun statementSpeed(): String {
     val program = programOf("var count = 0\nrepeat 2000000 times\n  count = count + 1\nend\n")
     var statements = 0L
     val seconds =
-        secondsOf {
+        seconds {
             val run = program.start(SilentRom())
             while (run.resume(STEPS) == ProgramStatus.Running) statements = run.statementsBegun
             statements = run.statementsBegun

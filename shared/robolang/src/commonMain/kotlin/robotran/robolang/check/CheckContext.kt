@@ -26,6 +26,7 @@ internal class CheckContext(
     val draftsByName = mutableMapOf<SourceRange, Draft>()
     val routines = mutableMapOf<String, Draft>()
     val routinesByName = mutableMapOf<SourceRange, Routine>()
+
     /** What each variable begins with, by the place of its name. */
     val declaredValues = mutableMapOf<SourceRange, Expression>()
     val calls = mutableListOf<RoutineCall>()

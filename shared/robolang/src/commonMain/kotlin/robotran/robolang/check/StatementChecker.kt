@@ -124,11 +124,13 @@ internal class StatementChecker(
     private fun text(statement: Statement.ShowText) {
         val strange = statement.text.firstOrNull { !isShown(it) }
         when {
-            statement.text.length > RobolangLimits.TEXT_CHARACTERS ->
+            statement.text.length > RobolangLimits.TEXT_CHARACTERS -> {
                 context.report(DiagnosticCode.TEXT_TOO_LONG, statement.textRange, messages.textTooLong(RobolangLimits.TEXT_CHARACTERS))
+            }
 
-            strange != null ->
+            strange != null -> {
                 context.report(DiagnosticCode.TEXT_NOT_SHOWN, statement.textRange, messages.textNotShown(strange.toString()))
+            }
         }
     }
 
@@ -139,13 +141,17 @@ internal class StatementChecker(
         val count = context.constantOf(expression)
         val text = context.quotable(expression)
         when {
-            count is NumberValue.Decimal ->
+            count is NumberValue.Decimal -> {
                 context.report(DiagnosticCode.COUNT_NOT_WHOLE, expression.range, messages.countNotWhole(text))
+            }
 
-            count?.isNegative == true ->
+            count?.isNegative == true -> {
                 context.report(DiagnosticCode.COUNT_NEGATIVE, expression.range, messages.countNegative(text))
+            }
 
-            else -> expressions.needWhole(expression)
+            else -> {
+                expressions.needWhole(expression)
+            }
         }
     }
 
@@ -168,20 +174,29 @@ internal class StatementChecker(
         val given = context.typeOf(value)
         val needed = draft.type.type
         when {
-            draft.kind == SymbolKind.CONSTANT ->
+            draft.kind == SymbolKind.CONSTANT -> {
                 context.report(DiagnosticCode.ASSIGNED_CONSTANT, name.range, messages.assignedConstant(text))
+            }
 
-            draft.kind == SymbolKind.LOOP_VARIABLE ->
+            draft.kind == SymbolKind.LOOP_VARIABLE -> {
                 context.report(DiagnosticCode.ASSIGNED_CONSTANT, name.range, messages.assignedLoopVariable(text))
+            }
 
-            given == ValueType.NOTHING || needed == ValueType.NOTHING || given == needed -> Unit
+            given == ValueType.NOTHING || needed == ValueType.NOTHING || given == needed -> {
+                Unit
+            }
 
-            needed == ValueType.WHOLE && given == ValueType.DECIMAL ->
+            needed == ValueType.WHOLE && given == ValueType.DECIMAL -> {
                 context.report(DiagnosticCode.TYPE_CHANGED, value.range, messages.decimalForWhole(text), fixOfDeclaration(draft))
+            }
 
-            needed == ValueType.DECIMAL && given == ValueType.WHOLE -> Unit
+            needed == ValueType.DECIMAL && given == ValueType.WHOLE -> {
+                Unit
+            }
 
-            else -> context.report(DiagnosticCode.TYPE_CHANGED, value.range, messages.typeChanged(text))
+            else -> {
+                context.report(DiagnosticCode.TYPE_CHANGED, value.range, messages.typeChanged(text))
+            }
         }
     }
 

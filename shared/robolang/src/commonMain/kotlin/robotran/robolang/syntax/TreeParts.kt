@@ -16,23 +16,41 @@ internal val Expression.parts: List<Expression>
 internal val Statement.expressions: List<Expression>
     get() = when (this) {
         is Statement.Move -> listOfNotNull(distance, duration)
+
         is Statement.Turn -> listOfNotNull(angle, duration)
+
         is Statement.Power -> listOf(power)
+
         is Statement.Motor -> listOfNotNull((command as? MotorCommand.Power)?.power)
+
         is Statement.Wait -> listOf(duration)
+
         is Statement.WaitUntil -> listOf(condition)
+
         is Statement.Play -> listOf(frequency, duration)
+
         is Statement.Show -> listOf(value)
+
         is Statement.Repeat -> listOf(count)
+
         is Statement.RepeatWhile -> listOf(condition)
+
         is Statement.RepeatUntil -> listOf(condition)
+
         is Statement.ForRange -> listOfNotNull(from, to, step)
+
         is Statement.ForEach -> listOf(list)
+
         is Statement.If -> branches.map { it.condition }
+
         is Statement.Declare -> listOf(value)
+
         is Statement.Assign -> listOfNotNull((target as? AssignTarget.Element)?.index, value)
+
         is Statement.Call -> arguments
+
         is Statement.Return -> listOfNotNull(value)
+
         is Statement.StartMoving, is Statement.StartTurning, is Statement.StopDriving, is Statement.Pen, is Statement.ResetTimer,
         is Statement.Beep, is Statement.Buzz, is Statement.ShowText, is Statement.ClearScreen, is Statement.RepeatForever,
         is Statement.Break, is Statement.Continue, is Statement.Halt,
