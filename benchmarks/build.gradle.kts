@@ -11,5 +11,5 @@ dependencies {
 }
 
 application {
-    mainClass.set("robotran.benchmarks.SessionSpeedKt")
+    mainClass.set("robotran.benchmarks.MainKt")
 }

@@ -1,6 +1,7 @@
 package robotran.benchmarks
 
 import kotlin.time.Duration
+import kotlin.time.DurationUnit
 import kotlin.time.measureTime
 
 /**
@@ -11,3 +12,8 @@ internal fun median(runs: Int, work: () -> Unit): Duration {
     repeat(runs) { work() }
     return List(runs) { measureTime(work) }.sorted()[runs / 2]
 }
+
+/** The [median] of five counted runs, in seconds. */
+internal fun seconds(work: () -> Unit): Double = median(USUAL_RUNS, work).toDouble(DurationUnit.SECONDS)
+
+private const val USUAL_RUNS = 5

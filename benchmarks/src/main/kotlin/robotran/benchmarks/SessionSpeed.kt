@@ -14,11 +14,11 @@ import robotran.world.physics.loadPhysicsEngine
 import kotlin.time.Duration.Companion.seconds
 
 /** How many times real time a session runs that drives, draws and runs into walls all the time, and what of it is the physics alone. */
-fun main() {
+internal fun sessionSpeed(): String {
     val session = median(RUNS, ::driveForAMinute)
     val physics = median(RUNS, ::stepForAMinute)
-    println("a minute of driving among walls runs %.0f times as fast as real time".format(VIRTUAL_TIME / session))
-    println("that is %.1f times as long as dyn4j alone with one box between four walls".format(session / physics))
+    return "a minute of driving among walls runs %.0f times as fast as real time, ".format(VIRTUAL_TIME / session) +
+        "%.1f times as long as dyn4j alone with one box between four walls".format(session / physics)
 }
 
 private fun driveForAMinute() {

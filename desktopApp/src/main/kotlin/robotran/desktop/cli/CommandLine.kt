@@ -19,7 +19,13 @@ class CommandLine(
     /** Carries out one command; the answer is the process's exit status, see [ExitCode]. */
     fun execute(arguments: List<String>): Int {
         val command =
-            RobotranCommand(openWindow).subcommands(AppCommand(openWindow), RunCommand(console))
+            RobotranCommand(openWindow).subcommands(
+                AppCommand(openWindow),
+                RunCommand(console),
+                CheckCommand(console),
+                TranslateCommand(console),
+                FormatCommand(console),
+            )
         return try {
             command.parse(arguments)
             ExitCode.DONE.status

@@ -4,11 +4,8 @@ import kotlinx.coroutines.runBlocking
 import robotran.desktop.ExitCode
 import robotran.desktop.TextFile
 import robotran.desktop.readTextFile
-import robotran.robolang.RobolangResult
-import robotran.robolang.readRobolang
 import robotran.rom.RcxProgram
 import robotran.rom.RunState
-import robotran.ui.workshop.PENBOT_CALIBRATION
 import robotran.world.BuiltInWorlds
 import robotran.world.Session
 import robotran.world.World
@@ -16,8 +13,6 @@ import robotran.world.WorldFileResult
 import robotran.world.physics.loadPhysicsEngine
 import robotran.world.readWorld
 import robotran.world.runUnattended
-import kotlin.io.path.Path
-import kotlin.io.path.name
 
 /** Runs one program in one world as `robotran run` does: reads both, presses Run, lets virtual time pass, writes the results. */
 internal class ProgramRunner(
@@ -53,23 +48,22 @@ internal class ProgramRunner(
         }
     }
 
-    private fun readProgram(name: String): RcxProgram? {
-        if (!name.endsWith(ROBOLANG_EXTENSION)) {
-            console.complain("$name is not a Robolang program: its name does not end in $ROBOLANG_EXTENSION.")
-            return null
-        }
-        val text = textOf(name) ?: return null
-        return when (val result = readRobolang(Path(name).name, text, PENBOT_CALIBRATION)) {
-            is RobolangResult.Ready -> {
-                result.program
+    private fun readProgram(name: String): RcxProgram? =
+        when (val file = readRobolangFile(name)) {
+            is RobolangFile.Ready -> {
+                file.program
             }
 
-            is RobolangResult.Mistaken -> {
-                result.diagnostics.forEach { console.complain("$name:${it.range.line}:${it.range.column}: ${it.message}") }
+            is RobolangFile.Mistaken -> {
+                file.diagnostics.forEach { console.complain(lineOf(name, it)) }
+                null
+            }
+
+            is RobolangFile.Unreadable -> {
+                console.complain(file.reason)
                 null
             }
         }
-    }
 
     private fun readWorldFile(name: String?): World? {
         if (name == null) return BuiltInWorlds.plain
@@ -97,8 +91,4 @@ internal class ProgramRunner(
                 null
             }
         }
-
-    private companion object {
-        const val ROBOLANG_EXTENSION = ".robo"
-    }
 }

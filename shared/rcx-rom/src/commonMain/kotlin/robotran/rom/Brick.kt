@@ -57,17 +57,35 @@ class Brick(programs: List<RcxProgram>) {
         if (hardware.buttons.hold(button, down = false)) shell.released(button)
     }
 
+    /**
+     * What the input [port] measures from now on, until it is told otherwise; the firmware reads it every three milliseconds.
+     *
+     * @param port 0..2 for the ports 1..3.
+     * @param raw 0..1023; what is beyond counts as the nearest of these. An open port measures [SensorCode.OPEN_RAW].
+     */
+    fun setRawSensorValue(port: Int, raw: Int) = hardware.sensors.measure(port, raw)
+
+    /** Whether the input [port], 0..2, is supplied with power, as a light sensor needs it to shine. */
+    fun sensorIsActive(port: Int): Boolean = hardware.sensors.isActive(port)
+
     /** Ends the running program, if there is one, as no single button of a real brick does. */
     fun stopProgram() = shell.stopProgram()
 
     /**
      * Lets one millisecond pass: first the firmware's work, then the program's, until it waits or its [STEPS_PER_MILLISECOND] are used up.
-     * The clock goes on while the brick is switched off.
+     * The clock goes on while the brick is switched off. If a [StatementWatch] stops the program, the millisecond is not over yet:
+     * [isPaused] is true, and the next call goes on with the same one.
      */
     fun tick() {
-        hardware.tick()
+        if (!isPaused) hardware.tick()
         shell.resumeProgram(STEPS_PER_MILLISECOND)
     }
+
+    /** Whether the program was stopped in the middle of a millisecond. */
+    val isPaused: Boolean get() = shell.isPaused
+
+    /** The run of the program, to be looked into; null if none runs or if its language cannot be looked into. */
+    val debuggableRun: DebuggableRun? get() = shell.debuggableRun
 
     /** The tones begun since the last call, the oldest first; only the newest thousand if nobody asks for long. */
     fun takeSounds(): List<SoundEvent> = hardware.speaker.takeEvents()

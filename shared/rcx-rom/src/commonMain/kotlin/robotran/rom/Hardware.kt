@@ -7,6 +7,7 @@ internal class Hardware {
     val lcd = Lcd(memory)
     val speaker = Speaker(memory)
     val buttons = Buttons()
+    val sensors = Sensors(memory)
     val log = RomLog()
 
     /** Virtual time, which passes only in [tick]. */
@@ -17,7 +18,9 @@ internal class Hardware {
         memory,
         log,
         MotorRoutines(motors).routines + LcdRoutines(lcd).routines + LcdSegmentRoutines(memory, lcd).routines +
-            ButtonRoutines(memory, buttons).routines + SoundRoutines(memory, speaker).routines,
+            ButtonRoutines(memory, buttons).routines + SoundRoutines(memory, speaker).routines +
+            SensorRoutines(sensors).routines,
+        sensors,
         clock = { milliseconds },
     )
 
@@ -26,5 +29,6 @@ internal class Hardware {
         milliseconds++
         motors.tick()
         speaker.tick(milliseconds)
+        sensors.tick(milliseconds)
     }
 }

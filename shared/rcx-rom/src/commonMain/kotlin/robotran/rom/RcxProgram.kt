@@ -26,6 +26,9 @@ sealed interface ProgramStatus {
     /** The budget is used up; there is more to do. */
     data object Running : ProgramStatus
 
+    /** Stopped before a statement because a [StatementWatch] said so, with [stepsLeft] of the budget not used yet. */
+    data class Paused(val stepsLeft: Int) : ProgramStatus
+
     /** Nothing to do until the brick's clock, [Rom.milliseconds], has reached [untilMilliseconds]. */
     data class Waiting(val untilMilliseconds: Long) : ProgramStatus
 

@@ -2,7 +2,8 @@ package robotran.rom
 
 /**
  * The one seam between a program and the robot: everything a program does to the robot is a [call] of a ROM routine,
- * everything it senses is read from [memory], where the routines leave their results, as on a real RCX.
+ * everything it senses is read from [memory], where the routines leave their results, or from the firmware's table of the sensors, as on a
+ * real RCX.
  */
 interface Rom {
     /** The brick's 64 KB address space; ROM routines with a pointer argument read and write here. */
@@ -18,4 +19,20 @@ interface Rom {
      * @param sourceLine the line of the program that makes the call, from 1; 0 if there is none (the firmware itself).
      */
     fun call(call: RomCall, sourceLine: Int)
+
+    /**
+     * What the firmware read of a sensor last, at most three milliseconds ago: josx `Sensor.readSensorValue`, which is no ROM call.
+     *
+     * @param port 0..2 for the ports 1..3.
+     */
+    fun readSensor(port: Int, request: SensorRequest): Int
+
+    /**
+     * How the firmware is to read a sensor from its next reading on: josx `Sensor.setTypeAndMode`, which is no ROM call either.
+     *
+     * @param port 0..2 for the ports 1..3.
+     * @param type see [SensorCode]; kept, but without effect, as in leJOS.
+     * @param mode see [SensorCode]; a slope 0..31 may be added.
+     */
+    fun setSensorTypeAndMode(port: Int, type: Int, mode: Int)
 }

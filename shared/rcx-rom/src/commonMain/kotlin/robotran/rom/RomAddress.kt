@@ -4,6 +4,15 @@ package robotran.rom
  * Where the ROM's routines begin, for [RomCall.address]. Sources: leJOS `rom.h` (Kekoa Proudfoot) and `josx.platform.rcx`.
  */
 object RomAddress {
+    /** Arguments: sensor 0x1000..0x1002, pointer to a `sensor_t` whose type and mode are set. */
+    const val READ_SENSOR = 0x14C0
+
+    /** Argument: sensor 0x1000..0x1002. */
+    const val ACTIVATE_SENSOR = 0x1946
+
+    /** Argument: sensor 0x1000..0x1002. */
+    const val PASSIVATE_SENSOR = 0x19C4
+
     /** Arguments: motor 0x2000..0x2002, mode 1..4, power 0..7. See [MotorPort], [MotorMode]. */
     const val CONTROL_MOTOR = 0x1A4E
 

@@ -33,9 +33,9 @@ internal object RomTable {
 
     private val all: List<RomSignature> = listOf(
         routine(0x1498, "init sensors"),
-        routine(0x14C0, "read sensor", SENSORS, code, pointer),
-        routine(0x1946, "sensor active", SENSORS, code),
-        routine(0x19C4, "sensor passive", SENSORS, code),
+        routine(RomAddress.READ_SENSOR, "read sensor", SENSORS, code, pointer),
+        routine(RomAddress.ACTIVATE_SENSOR, "sensor active", SENSORS, code),
+        routine(RomAddress.PASSIVATE_SENSOR, "sensor passive", SENSORS, code),
         routine(0x1A22, "shutdown sensors"),
         routine(0x1A4A, "init motors"),
         routine(RomAddress.CONTROL_MOTOR, "control motor", MOTORS, code, number, number),

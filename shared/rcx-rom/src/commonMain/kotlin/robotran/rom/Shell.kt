@@ -13,6 +13,7 @@ internal class Shell(
     private val firmware = Firmware(rom)
     private var run: ProgramRun? = null
     private var waitUntil = 0L
+    private var pausedSteps = 0
     private var endingState: RunState = RunState.Idle
     private val pressedInShell = mutableSetOf<BrickButton>()
     private var runWasHeldWithOnOff = false
@@ -55,11 +56,20 @@ internal class Shell(
         if (run != null) endProgram(RunState.Ended(stopped = true), SystemSounds.TWO_BEEPS)
     }
 
-    /** The program's share of one millisecond: at most [steps], none while it waits. */
+    /** The run that can be looked into, if there is one. */
+    val debuggableRun: DebuggableRun? get() = run as? DebuggableRun
+
+    /** Whether the program stopped in the middle of its share of this millisecond. */
+    val isPaused: Boolean get() = pausedSteps > 0
+
+    /** The program's share of one millisecond, or what is left of it after a pause: at most [steps], none while it waits. */
     fun resumeProgram(steps: Int) {
         if (rom.milliseconds < waitUntil) return
-        when (val status = run?.resume(steps)) {
+        val share = if (isPaused) pausedSteps else steps
+        pausedSteps = 0
+        when (val status = run?.resume(share)) {
             null, ProgramStatus.Running -> return
+            is ProgramStatus.Paused -> pausedSteps = status.stepsLeft
             is ProgramStatus.Waiting -> waitUntil = status.untilMilliseconds
             ProgramStatus.Ended -> endProgram(RunState.Ended(stopped = false), SystemSounds.TWO_BEEPS)
             is ProgramStatus.Failed -> endProgram(RunState.Failed(status.failure), SystemSounds.BUZZ)
@@ -88,6 +98,7 @@ internal class Shell(
 
     private fun endProgram(state: RunState, systemSound: Int) {
         run = null
+        pausedSteps = 0
         endingState = state
         pressedInShell.clear()
         firmware.controlMotors(MotorMode.BRAKE)
@@ -98,6 +109,7 @@ internal class Shell(
     private fun powerDown() {
         poweredOn = false
         run = null
+        pausedSteps = 0
         endingState = RunState.Idle
         pressedInShell.clear()
         firmware.controlMotors(MotorMode.FLOAT)

@@ -10,6 +10,7 @@ internal class VirtualRom(
     override val memory: RcxMemory,
     private val log: RomLog,
     private val routines: Map<Int, RomRoutine>,
+    private val sensors: Sensors,
     private val clock: () -> Long,
 ) : Rom {
     override val milliseconds: Long get() = clock()
@@ -18,6 +19,10 @@ internal class VirtualRom(
         val effect = perform(call)
         log.add(RomLogEntry(milliseconds, call, effect.meaning, sourceLine, effect.outcome))
     }
+
+    override fun readSensor(port: Int, request: SensorRequest): Int = sensors.value(port, request)
+
+    override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) = sensors.setTypeAndMode(port, type, mode)
 
     private fun perform(call: RomCall): RomEffect {
         val signature = RomTable.find(call.address)

@@ -1,9 +1,10 @@
 package robotran.robolang
 
 /**
- * A mistake in a program, told so that a beginner can mend it.
+ * A mistake in a program, or something doubtful, told so that a beginner can mend it.
  *
  * @property code says which kind of mistake it is and never changes for it, for tests and translations.
+ * @property severity whether it keeps the program from running.
  * @property range where it is; of no width where something is missing.
  * @property text the piece of source it concerns, empty where something is missing.
  * @property message one or two sentences in a learner's words.
@@ -11,6 +12,7 @@ package robotran.robolang
  */
 data class Diagnostic(
     val code: DiagnosticCode,
+    val severity: Severity,
     val range: SourceRange,
     val text: String,
     val message: String,

@@ -74,4 +74,187 @@ enum class DiagnosticCode(val id: String) {
 
     /** The source is longer than [RobolangLimits.SOURCE_CHARACTERS]; nothing of it was read. */
     SOURCE_TOO_LONG("source-too-long"),
+
+    /** A text without its closing quotation mark. */
+    UNCLOSED_TEXT("unclosed-text"),
+
+    /** `=` where two values are compared. */
+    ASSIGNMENT_IN_EXPRESSION("assignment-in-expression"),
+
+    /** `==` where a variable gets a value. */
+    COMPARISON_AS_COMMAND("comparison-as-command"),
+
+    /** `+=` and its like. */
+    COMBINED_ASSIGNMENT("combined-assignment"),
+
+    /** A command lacks its condition. */
+    MISSING_CONDITION("missing-condition"),
+
+    /** A value is missing. */
+    MISSING_VALUE("missing-value"),
+
+    /** A name is missing. */
+    MISSING_NAME("missing-name"),
+
+    /** A word of the language is used as a name. */
+    RESERVED_WORD("reserved-word"),
+
+    /** A bracket is never closed. */
+    MISSING_BRACKET("missing-bracket"),
+
+    /** A routine without its brackets. */
+    MISSING_BRACKETS("missing-brackets"),
+
+    /** A word that belongs to a command is missing. */
+    MISSING_WORD("missing-word"),
+
+    /** `button` without `run`, `view` or `prgm`. */
+    MISSING_BUTTON("missing-button"),
+
+    /** `start` without what to start. */
+    MISSING_MOVE("missing-move"),
+
+    /** `motor` without `A`, `B` or `C`. */
+    MISSING_MOTOR("missing-motor"),
+
+    /** `motor A` without what it is to do. */
+    MISSING_MOTOR_COMMAND("missing-motor-command"),
+
+    /** `facing` without `down` or `forward`. */
+    MISSING_FACING("missing-facing"),
+
+    /** A sensor that the brick has no port for. */
+    PORT_OUT_OF_RANGE("port-out-of-range"),
+
+    /** A move with both a length and a time. */
+    LENGTH_AND_TIME("length-and-time"),
+
+    /** An `else` has no `if`. */
+    EXTRA_ELSE("extra-else"),
+
+    /** A routine, behaviour or header inside a block. */
+    NOT_OUTERMOST("not-outermost"),
+
+    /** A second header. */
+    SECOND_ROBOT("second-robot"),
+
+    /** Something in the header that says nothing about the robot. */
+    UNKNOWN_SETTING("unknown-setting"),
+
+    /** More brackets and operators inside each other than [RobolangLimits.NESTED_EXPRESSIONS]. */
+    EXPRESSION_TOO_DEEP("expression-too-deep"),
+
+    /** A name that no variable has. */
+    UNKNOWN_VARIABLE("unknown-variable"),
+
+    /** A name that no procedure or function has. */
+    UNKNOWN_ROUTINE("unknown-routine"),
+
+    /** A variable that is declared further down. */
+    USED_BEFORE_DECLARATION("used-before-declaration"),
+
+    /** A name that is taken. */
+    DECLARED_TWICE("declared-twice"),
+
+    /** A constant or the variable of a `for` is changed. */
+    ASSIGNED_CONSTANT("assigned-constant"),
+
+    /** A condition or a list where a number belongs. */
+    NUMBER_NEEDED("number-needed"),
+
+    /** A decimal number where only a whole one makes sense. */
+    WHOLE_NUMBER_NEEDED("whole-number-needed"),
+
+    /** A number or a list where a condition belongs. */
+    CONDITION_NEEDED("condition-needed"),
+
+    /** A number or a condition where a list belongs. */
+    LIST_NEEDED("list-needed"),
+
+    /** A procedure where a value belongs. */
+    VALUE_NEEDED("value-needed"),
+
+    /** A variable gets a value of another kind than it began with. */
+    TYPE_CHANGED("type-changed"),
+
+    /** Two values of different kinds, or lists, are compared. */
+    NOT_COMPARABLE("not-comparable"),
+
+    /** A list that holds something other than numbers. */
+    MIXED_LIST("mixed-list"),
+
+    /** A list without elements. */
+    EMPTY_LIST("empty-list"),
+
+    /** A list with more elements than [RobolangLimits.LIST_ELEMENTS]. */
+    LIST_TOO_LONG("list-too-long"),
+
+    /** An element that a list does not have. */
+    INDEX_OUT_OF_RANGE("index-out-of-range"),
+
+    /** A call with too many or too few values. */
+    WRONG_ARGUMENT_COUNT("wrong-argument-count"),
+
+    /** A function whose value is not used. */
+    FUNCTION_AS_COMMAND("function-as-command"),
+
+    /** `break` or `continue` outside a loop. */
+    OUTSIDE_LOOP("outside-loop"),
+
+    /** `return` outside a routine. */
+    OUTSIDE_ROUTINE("outside-routine"),
+
+    /** A procedure that gives a value. */
+    RETURN_WITH_VALUE("return-with-value"),
+
+    /** A function that gives no value. */
+    RETURN_WITHOUT_VALUE("return-without-value"),
+
+    /** A function that may end without a value. */
+    MISSING_RETURN("missing-return"),
+
+    /** Something lasts less than no time. */
+    DURATION_NEGATIVE("duration-negative"),
+
+    /** A power that motors do not have. */
+    POWER_OUT_OF_RANGE("power-out-of-range"),
+
+    /** A text with more characters than [RobolangLimits.TEXT_CHARACTERS]. */
+    TEXT_TOO_LONG("text-too-long"),
+
+    /** A text with a character that the LCD cannot show. */
+    TEXT_NOT_SHOWN("text-not-shown"),
+
+    /** A division by 0. */
+    DIVISION_BY_ZERO("division-by-zero"),
+
+    /** A `for` that never gets on. */
+    STEP_ZERO("step-zero"),
+
+    /** More variables than [RobolangLimits.VARIABLES]. */
+    TOO_MANY_VARIABLES("too-many-variables"),
+
+    /** More numbers and texts than [RobolangLimits.CONSTANTS]. */
+    TOO_MANY_CONSTANTS("too-many-constants"),
+
+    /** More routines than [RobolangLimits.ROUTINES]. */
+    TOO_MANY_ROUTINES("too-many-routines"),
+
+    /** A variable that is never used. */
+    UNUSED_VARIABLE("unused-variable"),
+
+    /** A line that is never done. */
+    NEVER_REACHED("never-reached"),
+
+    /** A `repeat forever` that neither moves, waits nor senses. */
+    BUSY_LOOP("busy-loop"),
+
+    /** A division of whole numbers that loses its fraction. */
+    FRACTION_LOST("fraction-lost"),
+
+    /** A division that the brick cannot work out. */
+    DIVISOR_TOO_LARGE("divisor-too-large"),
+
+    /** A list that is made again and again. */
+    LIST_IN_LOOP("list-in-loop"),
 }

@@ -1,7 +1,7 @@
 package robotran.robolang
 
 /** The messages in English. */
-object EnglishMessages : RobolangMessages {
+object EnglishMessages : RobolangMessages, RunMessages by EnglishRunMessages {
     override fun unknownCommand(word: String, suggestion: String?) =
         "There is no command ${quoted(word)}.${didYouMean(suggestion)}"
 
@@ -68,7 +68,164 @@ object EnglishMessages : RobolangMessages {
 
     override fun sourceTooLong(limit: Int) = "A program can have at most $limit characters. This one has more."
 
+    override fun unclosedText() = "A text ends with a quotation mark."
+
+    override fun useTwoEqualsSigns() = "Use \"==\" to compare."
+
+    override fun useOneEqualsSign() = "Use \"=\" to give a variable its value."
+
+    override fun combinedAssignment(name: String, operator: String) = "Write ${quoted("$name = $name $operator ...")} instead."
+
+    override fun missingCondition(command: String, example: String) =
+        "After ${quoted(command)} comes a condition, such as ${quoted(example)}."
+
+    override fun missingValue(command: String, example: String) = "After ${quoted(command)} comes a value, such as ${quoted(example)}."
+
+    override fun missingOperand(before: String) = "After ${quoted(before)} a value is missing."
+
+    override fun missingAssignment(before: String, example: String) =
+        "After ${quoted(before)} comes \"=\" and a value, such as ${quoted(example)}."
+
+    override fun missingName(before: String, example: String) = "After ${quoted(before)} comes a name, such as ${quoted(example)}."
+
+    override fun reservedWord(word: String) = "${quoted(word)} is a word of Robolang. Take another name."
+
+    override fun missingBracket(opening: String, closing: String) = "This ${quoted(opening)} has no ${quoted(closing)}."
+
+    override fun missingBracketsOfCall(name: String) =
+        "To call ${quoted(name)}, write its values in brackets behind it, or empty brackets if it has none."
+
+    override fun missingBracketsOfRoutine(name: String) =
+        "After ${quoted(name)} come brackets, with the names of its values between them, or empty."
+
+    override fun missingWord(before: String, word: String, suggestion: String?) =
+        "After ${quoted(before)} comes ${quoted(word)}.${didYouMean(suggestion)}"
+
+    override fun missingButton(suggestion: String?) =
+        "Say which button: \"button run\", \"button view\" or \"button prgm\".${didYouMean(suggestion)}"
+
+    override fun missingMove(suggestion: String?) =
+        "Say what to start: \"start forward\", \"start backward\" or \"start turning left\".${didYouMean(suggestion)}"
+
+    override fun missingMotor() = "Say which motor: A, B or C."
+
+    override fun missingMotorCommand(motor: String, suggestion: String?) =
+        "Say what motor $motor does: forward, backward, stop, float or power.${didYouMean(suggestion)}"
+
+    override fun missingFacing(suggestion: String?) =
+        "Say where the light sensor looks: \"facing down\" or \"facing forward\".${didYouMean(suggestion)}"
+
+    override fun portOutOfRange() = "The sensors are 1, 2 and 3, such as \"sensor 2\"."
+
+    override fun lengthAndTime() = "Say how far or how long, not both."
+
+    override fun extraElse() = "This \"else\" has no \"if\"."
+
+    override fun notOutermost(word: String) = "A ${quoted(word)} stands outside all other blocks."
+
+    override fun secondRobot() = "There is a \"robot\" already. A program has only one."
+
+    override fun unknownSetting() =
+        "Between \"robot\" and \"end\" stands only the light sensor, such as \"light sensor on 2 facing down\"."
+
+    override fun secondSetting() = "The light sensor is set already."
+
+    override fun expressionTooDeep(limit: Int) =
+        "There can be at most $limit brackets and operators inside each other. Use a variable for a part."
+
+    override fun unknownVariable(name: String, suggestion: String?) = "There is no variable ${quoted(name)}.${didYouMean(suggestion)}"
+
+    override fun unknownRoutine(name: String, suggestion: String?) =
+        "There is no procedure or function ${quoted(name)}.${didYouMean(suggestion)}"
+
+    override fun usedBeforeDeclaration(name: String, line: Int) = "${quoted(name)} is declared only in line $line. Move that line up."
+
+    override fun declaredTwice(name: String, line: Int) = "There is a ${quoted(name)} already, in line $line."
+
+    override fun declaredBuiltIn(name: String) = "Robolang has a function ${quoted(name)} already. Take another name."
+
+    override fun assignedConstant(name: String) = "${quoted(name)} is a constant and never changes. Declare it with \"var\" if it should."
+
+    override fun assignedLoopVariable(name: String) = "${quoted(name)} is counted by its \"for\" and cannot be changed here."
+
+    override fun numberNeeded(text: String) = "A number is needed here, and ${quoted(text)} is none."
+
+    override fun wholeNumberNeeded(text: String) = "A whole number is needed here, and ${quoted(text)} is a decimal one. Use \"round\"."
+
+    override fun conditionNeeded(text: String) = "A condition is needed here, and ${quoted(text)} is none."
+
+    override fun listNeeded(text: String) = "A list is needed here, and ${quoted(text)} is none."
+
+    override fun valueNeeded(name: String) = "${quoted(name)} is a procedure and gives no value. Only a function does."
+
+    override fun decimalForWhole(name: String) =
+        "${quoted(name)} is declared with a whole number, so it cannot hold a decimal one. Declare it with a decimal one, such as 0.0."
+
+    override fun typeChanged(name: String) = "${quoted(name)} is declared with a value of another kind."
+
+    override fun notComparable() = "Only two numbers or two conditions can be compared."
+
+    override fun mixedList(text: String) = "A list holds numbers only, and ${quoted(text)} is none."
+
+    override fun emptyList() = "A list needs at least one number."
+
+    override fun listTooLong(limit: Int) = "A list can have at most $limit elements."
+
+    override fun indexOutOfRange(last: Int) = "This list has the elements 0 to $last."
+
+    override fun indexNegative() = "The elements of a list are counted from 0."
+
+    override fun wrongArgumentCount(name: String, needed: Int, given: Int) = "${quoted(name)} takes ${values(needed)}, not $given."
+
+    override fun functionAsCommand(name: String) = "${quoted(name)} gives a value. Use it, such as in \"show $name(...)\"."
+
+    override fun outsideLoop(word: String) = "${quoted(word)} belongs inside a loop."
+
+    override fun outsideRoutine() = "\"return\" belongs inside a procedure or function. To end the program, write \"halt\"."
+
+    override fun returnWithValue(name: String) =
+        "${quoted(name)} is a procedure and gives no value. Write \"function\" instead of \"procedure\" if it should."
+
+    override fun returnWithoutValue(name: String) = "${quoted(name)} is a function. Say which value it gives, such as \"return 5\"."
+
+    override fun missingReturn(name: String) = "${quoted(name)} is a function, but can come to its end without \"return\" and a value."
+
+    override fun durationNegative() = "Nothing can last less than no time. Use 0 or more."
+
+    override fun powerOutOfRange() = "The power of a motor goes from 0 to 7."
+
+    override fun textTooLong(limit: Int) = "The display has room for $limit characters."
+
+    override fun textNotShown(character: String) =
+        "The display cannot show ${quoted(character)}. It has letters, figures, spaces, \"-\" and \"_\"."
+
+    override fun divisionByZero() = "Nothing can be divided by 0."
+
+    override fun stepZero() = "With a step of 0 this would never end."
+
+    override fun tooManyVariables(limit: Int) = "The brick has room for $limit variables here. This is one more."
+
+    override fun tooManyConstants(limit: Int) =
+        "The brick has room for $limit different large or decimal numbers and texts. This is one more."
+
+    override fun tooManyRoutines(limit: Int) = "The brick has room for $limit procedures and functions. This is one more."
+
+    override fun unusedVariable(name: String) = "${quoted(name)} is never used."
+
+    override fun neverReached(word: String) = "This is never done, because of the ${quoted(word)} before it."
+
+    override fun busyLoop() = "This goes on forever without moving, waiting or sensing, and only keeps the brick busy."
+
+    override fun fractionLost(division: String, result: Int) =
+        "Dividing whole numbers gives a whole number: ${quoted(division)} is $result. Write one of them with a point for more."
+
+    override fun divisorTooLarge(divisor: Int) = "The brick divides only by numbers from -32768 to 32767, so it gets $divisor wrong."
+
+    override fun listInLoop() = "Each round makes a new list, and the brick never frees its memory. Make the list once before."
+
     private fun writeInstead(written: String, right: String) = "Write ${quoted(right)} instead of ${quoted(written)}."
+
+    private fun values(count: Int) = if (count == 1) "1 value" else "$count values"
 
     private fun quoted(text: String) = "\"$text\""
 

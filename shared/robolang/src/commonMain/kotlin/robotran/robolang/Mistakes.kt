@@ -1,13 +1,29 @@
 package robotran.robolang
 
-/** Collects what the phases find wrong with one source. */
+/** Collects what the phases find wrong with one source: at most one mistake a line, for a second may well follow from the first. */
 internal class Mistakes(val messages: RobolangMessages) {
     private val diagnostics = mutableListOf<Diagnostic>()
+    private val mistakenLines = mutableSetOf<Int>()
+    private val doubtfulLines = mutableSetOf<Int>()
+
+    val isEmpty: Boolean get() = mistakenLines.isEmpty()
+
+    /** The lines that have a mistake so far. */
+    val lines: Set<Int> get() = mistakenLines
 
     fun report(code: DiagnosticCode, range: SourceRange, text: String, message: String, fix: SourceFix? = null) {
-        diagnostics += Diagnostic(code, range, text, message, fix)
+        if (mistakenLines.add(range.line)) diagnostics += Diagnostic(code, Severity.MISTAKE, range, text, message, fix)
     }
 
-    fun inSourceOrder(): List<Diagnostic> =
-        diagnostics.sortedWith(compareBy({ it.range.line }, { it.range.column }))
+    fun warn(code: DiagnosticCode, range: SourceRange, text: String, message: String, fix: SourceFix? = null) {
+        if (doubtfulLines.add(range.line)) diagnostics += Diagnostic(code, Severity.WARNING, range, text, message, fix)
+    }
+
+    /** What is wrong; what is only doubtful is left for when nothing is. */
+    fun mistakesInSourceOrder(): List<Diagnostic> = inSourceOrder(Severity.MISTAKE)
+
+    fun warningsInSourceOrder(): List<Diagnostic> = inSourceOrder(Severity.WARNING)
+
+    private fun inSourceOrder(severity: Severity): List<Diagnostic> =
+        diagnostics.filter { it.severity == severity }.sortedWith(compareBy({ it.range.line }, { it.range.column }))
 }

@@ -23,14 +23,13 @@ fun readRobolang(
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
         val start = SourceRange(line = 1, column = 1, endColumn = 1)
         mistakes.report(DiagnosticCode.SOURCE_TOO_LONG, start, "", messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS))
-        return RobolangResult.Mistaken(mistakes.inSourceOrder())
+        return RobolangResult.Mistaken(mistakes.mistakesInSourceOrder())
     }
-    val tree = Parser(scan(source, mistakes), mistakes).program()
-    Checker(calibration, mistakes).check(tree)
-    val diagnostics = mistakes.inSourceOrder()
-    return if (diagnostics.isEmpty()) {
-        RobolangResult.Ready(RobolangProgram(name, tree, calibration))
+    val parsed = Parser(scan(source, mistakes), mistakes).program()
+    val checked = Checker(calibration, mistakes).check(parsed)
+    return if (mistakes.isEmpty) {
+        RobolangResult.Ready(RobolangProgram(name, checked, calibration, messages), mistakes.warningsInSourceOrder())
     } else {
-        RobolangResult.Mistaken(diagnostics)
+        RobolangResult.Mistaken(mistakes.mistakesInSourceOrder())
     }
 }

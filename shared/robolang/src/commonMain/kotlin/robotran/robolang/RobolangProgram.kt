@@ -1,16 +1,20 @@
 package robotran.robolang
 
+import robotran.robolang.check.CheckedProgram
 import robotran.robolang.run.RobolangRun
-import robotran.robolang.syntax.SyntaxTree
-import robotran.rom.ProgramRun
+import robotran.robolang.run.lower
+import robotran.rom.DebuggableRun
 import robotran.rom.RcxProgram
 import robotran.rom.Rom
 
 /** A Robolang program without mistakes, ready to be loaded into a brick; [readRobolang] makes it. Never changes. */
 class RobolangProgram internal constructor(
     override val name: String,
-    internal val tree: SyntaxTree,
-    private val calibration: Calibration,
+    internal val checked: CheckedProgram,
+    internal val calibration: Calibration,
+    private val messages: RunMessages,
 ) : RcxProgram {
-    override fun start(rom: Rom): ProgramRun = RobolangRun(tree, calibration, rom)
+    private val code by lazy(LazyThreadSafetyMode.NONE) { lower(checked, name) }
+
+    override fun start(rom: Rom): DebuggableRun = RobolangRun(code, calibration, rom, messages)
 }

@@ -7,6 +7,9 @@ internal class Expectations(text: String) {
     /** Each `line:column message`, in the order of the program. */
     val errors = mutableListOf<String>()
 
+    /** Each `line:column message` of what is only doubtful; empty if the program does not say. */
+    val warnings = mutableListOf<String>()
+
     /** The ROM calls of each line that has any. */
     val calls = mutableMapOf<Int, List<RomCall>>()
 
@@ -17,14 +20,32 @@ internal class Expectations(text: String) {
     var end: Long? = null
         private set
 
-    val isEmpty: Boolean get() = errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null
+    /** What each line that shows something lets the LCD show, one after the other. */
+    val shown = mutableMapOf<Int, List<String>>()
+
+    /** What the sensors measure. */
+    val sensors = mutableListOf<SensorEvent>()
+
+    /** Why the program cannot go on, as `line message`; null if it can. */
+    var failure: String? = null
+        private set
+
+    val isEmpty: Boolean
+        get() = errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null && shown.isEmpty() && failure == null &&
+            warnings.isEmpty()
 
     init {
         text.lines().forEachIndexed { index, line -> read(line.substringAfter("//", "").trim(), index + 1) }
     }
 
     private fun read(comment: String, line: Int) {
+        SHOWS.matchEntire(comment)?.let { shown[line] = it.groupValues[1].split(" ") }
+        FAILS.matchEntire(comment)?.let { failure = it.groupValues[1] }
+        SENSOR.matchEntire(comment)?.destructured?.let { (port, milliseconds, raw) ->
+            sensors += SensorEvent(port.toInt(), milliseconds.toLong(), raw.toInt())
+        }
         ERROR.matchEntire(comment)?.let { errors += it.groupValues[1] }
+        WARNING.matchEntire(comment)?.let { warnings += it.groupValues[1] }
         END.matchEntire(comment)?.let { end = it.groupValues[1].toLong() }
         ROM.matchEntire(comment)?.let {
             val once = it.groupValues[2].split("|").map(::callOf)
@@ -38,8 +59,12 @@ internal class Expectations(text: String) {
 
     private companion object {
         val ERROR = Regex("""error (\d+:\d+ .+)""")
+        val WARNING = Regex("""warning (\d+:\d+ .+)""")
         val END = Regex("""ends at (\d+)""")
         val ROM = Regex("""rom(?: (\d+) times)?: (.+)""")
+        val SHOWS = Regex("""shows: (.+)""")
+        val FAILS = Regex("""fails (\d+ .+)""")
+        val SENSOR = Regex("""sensor (\d) at (\d+): raw (\d+)""")
         val LOG = Regex("""log: (\d+) (.+) ; (\d+)""")
     }
 }

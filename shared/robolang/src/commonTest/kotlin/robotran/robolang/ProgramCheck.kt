@@ -1,11 +1,15 @@
 package robotran.robolang
 
+import robotran.rom.RomAddress
+import robotran.rom.RomCall
+import robotran.rom.RomCode
+
 /** Compares what a program does with what its comments say; each difference is a sentence with the program's path. */
 internal fun differences(program: TestProgram): List<String> {
     val expected = Expectations(program.text)
     val differences = when (val result = readRobolang(program.path, program.text, testCalibration)) {
         is RobolangResult.Mistaken -> differencesOfMistakes(expected, result.diagnostics)
-        is RobolangResult.Ready -> differencesOfReady(expected, result.program)
+        is RobolangResult.Ready -> differencesOfWarnings(expected, result.warnings) ?: differencesOfReady(expected, result.program)
     }
     return differences.map { "${program.path} $it" }
 }
@@ -19,9 +23,20 @@ private fun differencesOfMistakes(expected: Expectations, diagnostics: List<Diag
     }
 }
 
+/** Null if the program does not speak of warnings: then it is run. */
+private fun differencesOfWarnings(expected: Expectations, warnings: List<Diagnostic>): List<String>? {
+    if (expected.warnings.isEmpty()) return null
+    val actual = warnings.map { "${it.range.line}:${it.range.column} ${it.message}" }
+    if (actual == expected.warnings) return emptyList()
+    return listOf("should have the warnings\n${expected.warnings.joinToString("\n")}\nbut has\n${actual.joinToString("\n")}")
+}
+
 private fun differencesOfReady(expected: Expectations, program: RobolangProgram): List<String> =
     if (expected.errors.isEmpty()) {
-        differencesOfRun(expected, runToEnd(program))
+        val rom = RecordingRom(expected.sensors)
+        val failure = runOn(rom, program)?.let { "${it.sourceLine} ${it.message}" }
+        differencesOfRun(expected, rom) +
+            listOfNotNull("should fail with ${expected.failure} but does with $failure".takeIf { failure != expected.failure })
     } else {
         listOf("has no mistakes, but should have ${expected.errors}")
     }
@@ -35,7 +50,24 @@ private fun differencesOfRun(expected: Expectations, rom: RecordingRom): List<St
             if (wanted != made) add("line $line should call $wanted but calls $made")
         }
     }
+    for ((line, texts) in expected.shown) {
+        val shown = rom.calls.filter { it.sourceLine == line }.mapNotNull { shownBy(it.call) }
+        if (texts != shown) add("line $line should show $texts but shows $shown")
+    }
     if (expected.log.isNotEmpty() && expected.log != rom.calls) add("should call ${expected.log} but calls ${rom.calls}")
     val end = expected.end
     if (end != null && end != rom.milliseconds) add("should end at $end but ends at ${rom.milliseconds}")
 }
+
+/** The number that a call writes to the LCD, with its point; null for other calls. */
+private fun shownBy(call: RomCall): String? {
+    if (call.address != RomAddress.SET_LCD_NUMBER) return null
+    val (_, word, point) = call.arguments
+    val value = word.toShort().toInt().coerceIn(-LCD_LARGEST, LCD_LARGEST)
+    val decimals = point - RomCode.LCD_POINT_NONE
+    val digits = (if (value < 0) -value else value).toString().padStart(decimals + 1, '0')
+    val text = if (decimals == 0) digits else digits.dropLast(decimals) + "." + digits.takeLast(decimals)
+    return if (value < 0) "-$text" else text
+}
+
+private const val LCD_LARGEST = 9999

@@ -2,10 +2,18 @@ package robotran.robolang
 
 import robotran.rom.RcxMemory
 import robotran.rom.Rom
+import robotran.rom.RomAddress
 import robotran.rom.RomCall
+import robotran.rom.SensorCode
+import robotran.rom.SensorRequest
 
-/** A ROM that does nothing but remember, with a clock that is set by hand. */
-internal class RecordingRom : Rom {
+/**
+ * A ROM that does nothing but remember, with a clock that is set by hand. Its sensors measure what [sensors] says at the time,
+ * as percent or boolean; no button is pressed, and the battery is full.
+ */
+internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()) : Rom {
+    private val modes = IntArray(3) { SensorCode.MODE_PERCENT }
+
     val calls = mutableListOf<RecordedCall>()
 
     override val memory = RcxMemory()
@@ -14,8 +22,31 @@ internal class RecordingRom : Rom {
 
     override fun call(call: RomCall, sourceLine: Int) {
         calls += RecordedCall(milliseconds, call, sourceLine)
+        if (call.address == RomAddress.READ_POWER_STATUS) memory.writeShort(call.arguments[1], FULL_BATTERY)
+    }
+
+    override fun readSensor(port: Int, request: SensorRequest): Int {
+        val raw = sensors.lastOrNull { it.port == port + 1 && it.milliseconds <= milliseconds }?.raw ?: SensorCode.OPEN_RAW
+        val boolean = if (raw < TRUE_BELOW) 1 else 0
+        return when (request) {
+            SensorRequest.RAW -> raw
+            SensorRequest.BOOLEAN -> boolean
+            SensorRequest.CANONICAL -> if (modes[port] == SensorCode.MODE_BOOLEAN) boolean else (SensorCode.OPEN_RAW - raw) * 25 / 156
+        }
+    }
+
+    override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) {
+        modes[port] = mode
+    }
+
+    private companion object {
+        const val FULL_BATTERY = 320
+        const val TRUE_BELOW = 460
     }
 }
+
+/** From [milliseconds] on, the sensor on [port] 1..3 measures [raw]. */
+internal data class SensorEvent(val port: Int, val milliseconds: Long, val raw: Int)
 
 /** A call, when it was made and on which line of the program. */
 internal data class RecordedCall(val milliseconds: Long, val call: RomCall, val sourceLine: Int) {

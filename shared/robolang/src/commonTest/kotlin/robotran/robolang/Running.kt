@@ -1,5 +1,6 @@
 package robotran.robolang
 
+import robotran.rom.ProgramFailure
 import robotran.rom.ProgramStatus
 import robotran.rom.RcxProgram
 
@@ -24,13 +25,20 @@ internal fun programOf(source: String, calibration: Calibration = testCalibratio
 /** Runs [program] to its end, the clock jumping over every wait. */
 internal fun runToEnd(program: RcxProgram): RecordingRom {
     val rom = RecordingRom()
+    runOn(rom, program)?.let { throw AssertionError(it.message) }
+    return rom
+}
+
+/** Runs [program] on [rom] to its end or its failure, which is returned, [steps] at a time, the clock jumping over every wait. */
+internal fun runOn(rom: RecordingRom, program: RcxProgram, steps: Int = STEPS): ProgramFailure? {
     val run = program.start(rom)
     repeat(MOST_RESUMES) {
-        when (val status = run.resume(STEPS)) {
+        when (val status = run.resume(steps)) {
             ProgramStatus.Running -> Unit
-            ProgramStatus.Ended -> return rom
+            is ProgramStatus.Paused -> throw AssertionError("Nobody wanted a pause.")
+            ProgramStatus.Ended -> return null
             is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
-            is ProgramStatus.Failed -> throw AssertionError(status.failure.message)
+            is ProgramStatus.Failed -> return status.failure
         }
     }
     throw AssertionError("${program.name} does not come to an end")

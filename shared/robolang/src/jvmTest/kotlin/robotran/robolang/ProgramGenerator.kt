@@ -9,7 +9,11 @@ import kotlin.random.Random
 /** Everything that means something to Robolang, and a little that does not. */
 internal val PIECES: List<String> = listOf(
     "forward", "backward", "turn", "pen", "repeat", "wait", "beep", "show", "end", "left", "right", "down", "up", "times", "cm",
-    "degrees", "seconds", "milliseconds", "if", "foward", " ", " ", " ", " ", "\n", "\n", "\n", "\r\n", "\r", "\t", "//", "-", ",", ".",
+    "degrees", "seconds", "milliseconds", "if", "else", "for", "each", "in", "from", "to", "step", "while", "until", "forever", "break", "continue", "var",
+    "const", "procedure", "function", "return", "whenever", "halt", "robot", "light", "sensor", "on", "facing", "start", "turning", "stop",
+    "power", "motor", "A", "play", "buzz", "clear", "screen", "reset", "timer", "battery", "button", "run", "bumper", "true", "false",
+    "and", "or", "not", "mod", "x", "x", "p", "p()", "(", ")", "[", "]", "=", "==", "!=", "<", "<=", ">", ">=", "+", "*", "/", "\"HI\"",
+    "\"", "random", "length", "foward", " ", " ", " ", " ", "\n", "\n", "\n", "\r\n", "\r", "\t", "//", "-", ",", ".",
     "0", "4", "2.5", "99999999999", "\uFEFF", "\uD83E\uDD16", "\uD83E", "\u0000", ";", "°", "é",
 )
 
@@ -25,7 +29,9 @@ internal fun validProgram(): Arb<String> = arbitrary { source ->
 private fun StringBuilder.block(random: Random, depth: Int) {
     repeat(random.nextInt(5)) {
         append("  ".repeat(random.nextInt(3)))
-        if (depth < DEEPEST && random.nextInt(4) == 0) {
+        if (depth < DEEPEST && random.nextInt(8) == 0) {
+            choice(random, depth)
+        } else if (depth < DEEPEST && random.nextInt(4) == 0) {
             append("repeat ${random.nextInt(4)} times\n")
             block(random, depth + 1)
             append("end\n")
@@ -33,6 +39,25 @@ private fun StringBuilder.block(random: Random, depth: Int) {
             append(statement(random)).append(listOf("", " // why", "\t")[random.nextInt(3)]).append('\n')
         }
     }
+}
+
+private fun StringBuilder.choice(random: Random, depth: Int) {
+    append("if ${condition(random)}\n")
+    block(random, depth + 1)
+    if (random.nextBoolean()) {
+        append("else if ${condition(random)}\n")
+        block(random, depth + 1)
+    }
+    append("Else // otherwise\n")
+    block(random, depth + 1)
+    append("end\n")
+}
+
+private fun condition(random: Random): String = when (random.nextInt(4)) {
+    0 -> "left bumper or not(timer<5)"
+    1 -> "light -  ${random.nextInt(100)} <= - 20"
+    2 -> "[1,2,3] [ ${random.nextInt(3)} ] == 2 and true"
+    else -> "${number(random)} * 2 != (${number(random)} + 1)"
 }
 
 private fun statement(random: Random): String = when (random.nextInt(7)) {

@@ -16,6 +16,9 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
+import robotran.robolang.format.FormatResult
+import robotran.robolang.format.checkFormatting
+import robotran.robolang.format.formatRobolang
 import robotran.robolang.syntax.NumberReading
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.readNumber
@@ -23,7 +26,7 @@ import robotran.rom.ProgramStatus
 
 @OptIn(ExperimentalKotest::class)
 class RobolangPropertyTest : StringSpec({
-    val config = PropTestConfig(seed = 2005, iterations = 5_000)
+    val config = PropTestConfig(seed = 2005, iterations = 25_000)
 
     "arbitrary text is read without harm" {
         checkAll(config, Arb.string(0..200)) { checkReading(it) }
@@ -41,6 +44,13 @@ class RobolangPropertyTest : StringSpec({
         checkAll(config, validProgram(), Arb.int(0..10_000), Arb.int(0..5), Arb.element(PIECES)) { program, place, length, piece ->
             val start = place % (program.length + 1)
             checkReading(program.replaceRange(start, minOf(start + length, program.length), piece))
+        }
+    }
+
+    "a valid program can be formatted" {
+        checkAll(PropTestConfig(seed = 2005, iterations = 2_000), validProgram()) { source ->
+            (formatRobolang(source) is FormatResult.Formatted) shouldBe true
+            checkFormatting(source)
         }
     }
 
@@ -75,6 +85,16 @@ class RobolangPropertyTest : StringSpec({
             "# ".repeat(half),
             "beep ".repeat(half / 5),
             "\r".repeat(half),
+            "show " + "(".repeat(half),
+            "show " + "1 + ".repeat(half / 4),
+            "show " + "not ".repeat(half / 4),
+            "show " + "- ".repeat(half / 2),
+            "show x" + "[0]".repeat(half / 3),
+            "if true\n".repeat(half / 8) + "else\n".repeat(half / 5),
+            "repeat 1 time\nif true\nelse\n".repeat(half / 27),
+            "procedure p()\n".repeat(half / 14),
+            "show " + "x".repeat(20) + "\nshow y".repeat(half / 7),
+            "var x = [" + "1,".repeat(half / 2),
         )
         for (source in worst) {
             checkReading(source)
@@ -83,6 +103,7 @@ class RobolangPropertyTest : StringSpec({
 })
 
 private fun checkReading(source: String) {
+    checkFormatting(source)
     val result = read(source)
     read(source).let { again ->
         if (result is RobolangResult.Mistaken) again shouldBe result

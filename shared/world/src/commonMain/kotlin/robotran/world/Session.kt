@@ -1,16 +1,23 @@
 package robotran.world
 
 import robotran.rom.Brick
+import robotran.rom.CallFrame
 import robotran.rom.MotorPort
 import robotran.rom.RcxProgram
 import robotran.rom.RomLog
 import robotran.rom.SoundEvent
+import robotran.rom.StepKind
+import robotran.rom.VariableScope
 import robotran.world.physics.PhysicsEngine
 
 /**
  * A brick with its programs in a robot in a world, from switching it on. Time passes only in [advance], one tick of 1 ms after the other:
  * the brick's firmware, then its program, then the motors, and every fifth tick the physics. The same world, programs and inputs
  * at the same times give the same session, to the last bit, on every target. Not to be used from two threads at once.
+ *
+ * A program can be stopped before any statement, by [stepStatement] and [runUntilStop]. Several statements share a millisecond, so it may
+ * be stopped in the middle of one, which then ends as soon as the session goes on or something is done to it. Stopping changes
+ * nothing about the session but when its time passes.
  *
  * @param programs the brick's program slots.
  */
@@ -36,14 +43,36 @@ class Session(val world: World, programs: List<RcxProgram>, physics: PhysicsEngi
     /** A hash of the robot's place in every tick and of every ROM call so far, as 16 hexadecimal digits. */
     val traceHash: String get() = hash.text
 
-    /** Lets time pass. */
+    /** The lines, from 1, that [runUntilStop] and [stepStatement] stop before. */
+    var breakpoints: Set<Int> = emptySet()
+
+    /** What the running program is in the middle of, the innermost first; empty if none runs that can be looked into. */
+    val callStack: List<CallFrame> get() = brick.debuggableRun?.callStack.orEmpty()
+
+    /** The variables that the innermost of [callStack] knows, its own first. */
+    val variables: List<VariableScope> get() = brick.debuggableRun?.variables.orEmpty()
+
+    /** Lets time pass, whatever the breakpoints. */
     fun advance(milliseconds: Int) {
         check(!closed) { "The session is closed." }
         repeat(milliseconds) { tick() }
     }
 
+    /** Lets the program make one step, and all the time pass that it takes, but [milliseconds] at most. */
+    fun stepStatement(kind: StepKind, milliseconds: Int = SimulationLimits.LONGEST_STEP_MILLISECONDS): StopReason =
+        brick.debuggableRun?.let { advanceUntilStop(Stepping(it, breakpoints, kind), milliseconds) } ?: StopReason.Ended
+
+    /** Lets [milliseconds] pass, or less if the program comes to a breakpoint or to its end before. With no program, all of them pass. */
+    fun runUntilStop(milliseconds: Int): StopReason {
+        val run = brick.debuggableRun
+        if (run != null) return advanceUntilStop(Stepping(run, breakpoints), milliseconds)
+        advance(milliseconds)
+        return StopReason.TimeUp
+    }
+
     /** Does something to the session from outside, between two ticks. */
     fun apply(input: SessionInput) {
+        endPause()
         recorded += RecordedInput(milliseconds, input)
         latest = null
         when (input) {
@@ -62,9 +91,26 @@ class Session(val world: World, programs: List<RcxProgram>, physics: PhysicsEngi
         closed = true
     }
 
+    private fun advanceUntilStop(stepping: Stepping, milliseconds: Int): StopReason {
+        check(!closed) { "The session is closed." }
+        val run = brick.debuggableRun
+        val end = this.milliseconds + milliseconds
+        run?.watch = stepping
+        while (this.milliseconds < end && stepping.reason == null && brick.debuggableRun === run) tick()
+        run?.watch = null
+        return stepping.reason ?: if (brick.debuggableRun === run) StopReason.TimeUp else StopReason.Ended
+    }
+
+    /** Ends a millisecond that the program was stopped in the middle of. */
+    private fun endPause() {
+        if (brick.isPaused) tick()
+    }
+
+    /** One millisecond, or what is left of one. */
     private fun tick() {
         latest = null
         brick.tick()
+        if (brick.isPaused) return
         simulation.tick(brick.motor(MotorPort.A), brick.motor(MotorPort.B), brick.motor(MotorPort.C))
         milliseconds++
         simulation.addTo(hash)

@@ -24,6 +24,9 @@ internal object SimulationLimits {
         positionIterations = 5,
     )
 
+    /** How long one step of a program is waited for if nothing else is said: ten minutes. */
+    const val LONGEST_STEP_MILLISECONDS = 600_000
+
     /** A wheel slower than this, in cm/s, stands still. */
     const val STANDSTILL_SPEED = 1e-6
 

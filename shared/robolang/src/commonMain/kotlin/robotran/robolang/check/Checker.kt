@@ -3,70 +3,60 @@ package robotran.robolang.check
 import robotran.robolang.Calibration
 import robotran.robolang.DiagnosticCode
 import robotran.robolang.Mistakes
-import robotran.robolang.RobolangLimits
-import robotran.robolang.run.Durations
-import robotran.robolang.syntax.Expression
-import robotran.robolang.syntax.NumberValue
-import robotran.robolang.syntax.Statement
-import robotran.robolang.syntax.SyntaxTree
+import robotran.robolang.SourceRange
+import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.shortened
 
-/** Finds what is well written but cannot be done. */
+/** Finds what is well written but makes no sense: names, types, values, the way through the program and the limits of the brick. */
 internal class Checker(
-    calibration: Calibration,
+    private val calibration: Calibration,
     private val mistakes: Mistakes,
 ) {
-    private val durations = Durations(calibration)
-    private val messages = mistakes.messages
-
-    fun check(tree: SyntaxTree) {
-        tree.statements.forEach(::check)
+    fun check(parsed: ParsedProgram): CheckedProgram {
+        val context = CheckContext(parsed, mistakes)
+        NameResolver(context).resolve()
+        if (mistakes.isEmpty) settleUnusedTypes(context)
+        ExpressionChecker(context).let { StatementChecker(context, it, calibration).check() }
+        WayChecker(context).check()
+        LimitChecker(context).check()
+        warnOfUnusedVariables(context)
+        return CheckedProgram(
+            parsed.tree,
+            context.drafts.map { it.symbol() },
+            context.nodes.mapValues { it.value.type },
+            symbolsByName(context),
+        )
     }
 
-    private fun check(statement: Statement) {
-        when (statement) {
-            is Statement.Move -> checkDuration(statement.distance, durations.ofMove(value(statement.distance)))
-            is Statement.Turn -> checkDuration(statement.angle, durations.ofTurn(value(statement.angle)))
-            is Statement.Wait -> checkWait(statement)
-            is Statement.Repeat -> checkRepeat(statement)
-            is Statement.Pen, is Statement.Beep, is Statement.Show -> Unit
+    /** What no call gives a value and what only calls itself is taken for whole. */
+    private fun settleUnusedTypes(context: CheckContext) {
+        val open = context.drafts.filter { it.kind == SymbolKind.PARAMETER || it.kind == SymbolKind.FUNCTION }
+        open.filter { it.type.type == ValueType.NOTHING }.forEach { it.type.raise(ValueType.WHOLE) }
+    }
+
+    private fun symbolsByName(context: CheckContext): Map<SourceRange, Symbol> {
+        val symbols = context.drafts.associate { it.name.range to it.symbol() }
+        val builtIns = mutableMapOf<String, Symbol>()
+        return context.parsed.names.mapNotNull { name ->
+            val draft = context.draftsByName[name.range]
+            val symbol = if (draft != null) {
+                symbols[draft.name.range]
+            } else {
+                BuiltIn.of(name.key)?.let { builtIns.getOrPut(name.key) { builtInSymbol(it) } }
+            }
+            symbol?.let { name.range to it }
+        }.toMap()
+    }
+
+    private fun builtInSymbol(function: BuiltIn) =
+        Symbol(function.text, SymbolKind.BUILT_IN, ValueType.NOTHING, declaredAt = null, owner = null, function.ordinal, isGlobal = true)
+
+    private fun warnOfUnusedVariables(context: CheckContext) {
+        for (draft in context.drafts) {
+            val counts = draft.kind == SymbolKind.VARIABLE || draft.kind == SymbolKind.CONSTANT
+            if (counts && !draft.isRead) {
+                context.warn(DiagnosticCode.UNUSED_VARIABLE, draft.name.range, context.messages.unusedVariable(shortened(draft.name.text)))
+            }
         }
-    }
-
-    private fun checkWait(statement: Statement.Wait) {
-        val duration = value(statement.duration)
-        if (duration.isNegative) {
-            report(DiagnosticCode.WAIT_NEGATIVE, statement.duration, messages.waitNegative())
-        } else {
-            checkDuration(statement.duration, durations.ofWait(duration, statement.unit))
-        }
-    }
-
-    private fun checkRepeat(statement: Statement.Repeat) {
-        val count = value(statement.count)
-        val text = shortened(textOf(statement.count))
-        when {
-            count is NumberValue.Decimal -> report(DiagnosticCode.COUNT_NOT_WHOLE, statement.count, messages.countNotWhole(text))
-            count.isNegative -> report(DiagnosticCode.COUNT_NEGATIVE, statement.count, messages.countNegative(text))
-        }
-        statement.body.forEach(::check)
-    }
-
-    private fun checkDuration(expression: Expression, milliseconds: Int) {
-        if (milliseconds > RobolangLimits.LONGEST_COMMAND_MILLISECONDS) {
-            report(DiagnosticCode.DURATION_TOO_LONG, expression, messages.durationTooLong())
-        }
-    }
-
-    private fun report(code: DiagnosticCode, expression: Expression, message: String) {
-        mistakes.report(code, expression.range, textOf(expression), message)
-    }
-
-    private fun value(expression: Expression): NumberValue = when (expression) {
-        is Expression.Number -> expression.value
-    }
-
-    private fun textOf(expression: Expression): String = when (expression) {
-        is Expression.Number -> expression.text
     }
 }

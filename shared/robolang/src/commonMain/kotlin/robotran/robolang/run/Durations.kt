@@ -29,10 +29,17 @@ internal class Durations(calibration: Calibration) {
         }
     }
 
+    /** A tone's hundredths of a second, of which a whole number is exact, too. */
+    fun ofTone(seconds: NumberValue): Int = when (seconds) {
+        is NumberValue.Whole -> (seconds.value.toLong() * TONE_UNITS_PER_SECOND).coerceIn(0L, Int.MAX_VALUE.toLong()).toInt()
+        is NumberValue.Decimal -> roundHalfUp(seconds.decimal * TONE_UNITS_PER_SECOND).coerceAtLeast(0)
+    }
+
     private fun positive(milliseconds: Float): Int = roundHalfUp(if (milliseconds < 0f) -milliseconds else milliseconds)
 
     private companion object {
         const val MILLISECONDS_PER_SECOND = 1000
+        const val TONE_UNITS_PER_SECOND = 100
     }
 }
 

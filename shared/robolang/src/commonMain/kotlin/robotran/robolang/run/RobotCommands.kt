@@ -3,6 +3,7 @@ package robotran.robolang.run
 import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.PenPosition
+import robotran.robolang.syntax.PowerSide
 import robotran.robolang.syntax.TurnDirection
 import robotran.rom.MotorMode
 import robotran.rom.MotorPort
@@ -10,9 +11,16 @@ import robotran.rom.Rom
 import robotran.rom.RomAddress
 import robotran.rom.RomCall
 import robotran.rom.RomCode
+import robotran.rom.TextLcd
 
-/** The one place where statements become ROM calls: the same ones, in the same order, as the josx methods named with each. */
+/**
+ * The one place where statements become ROM calls: the same ones, in the same order, as the josx methods named with each. Like josx,
+ * it remembers what each motor was told last.
+ */
 internal class RobotCommands(private val rom: Rom) {
+    private val modes = MotorPort.entries.associateWith { MotorMode.FLOAT }.toMutableMap()
+    private val powers = MotorPort.entries.associateWith { RobotConstants.DRIVING_POWER }.toMutableMap()
+
     /** `Motor.A` and `Motor.C`, `forward()` or `backward()`. */
     fun startMoving(direction: MoveDirection, sourceLine: Int) {
         val mode = when (direction) {
@@ -62,17 +70,59 @@ internal class RobotCommands(private val rom: Rom) {
         call(sourceLine, RomAddress.REFRESH_LCD)
     }
 
+    /** `Sound.buzz()`. */
+    fun buzz(sourceLine: Int) {
+        call(sourceLine, RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, RobotConstants.SOUND_BUZZ)
+    }
+
+    /** `Sound.playTone(hertz, hundredths)`. */
+    fun playTone(hertz: Int, hundredths: Int, sourceLine: Int) {
+        call(sourceLine, RomAddress.PLAY_TONE, RomCode.TONE, hertz, hundredths)
+    }
+
+    /** `TextLCD.print(text)` and `LCD.refresh()`. */
+    fun showText(text: String, sourceLine: Int) {
+        TextLcd.print(text, rom.memory)
+        call(sourceLine, RomAddress.REFRESH_LCD)
+    }
+
+    /** `LCD.clear()` and `LCD.refresh()`. */
+    fun clearScreen(sourceLine: Int) {
+        call(sourceLine, RomAddress.CLEAR_LCD)
+        call(sourceLine, RomAddress.REFRESH_LCD)
+    }
+
+    /** `Motor.A.setPower(power)`, and `Motor.C` for the right side, `A` before `C` for both. */
+    fun setPower(side: PowerSide, power: Int, sourceLine: Int) {
+        if (side != PowerSide.RIGHT) setPower(LEFT_MOTOR, power, sourceLine)
+        if (side != PowerSide.LEFT) setPower(RIGHT_MOTOR, power, sourceLine)
+    }
+
+    /** `Motor.A.setPower(power)` and so on, which acts at once. */
+    fun setPower(motor: MotorPort, power: Int, sourceLine: Int) {
+        powers[motor] = power
+        control(motor, modes.getValue(motor), power, sourceLine)
+    }
+
+    /** `Motor.A.forward()`, `backward()` or `flt()` and so on. */
+    fun run(motor: MotorPort, mode: MotorMode, sourceLine: Int) {
+        modes[motor] = mode
+        control(motor, mode, powers.getValue(motor), sourceLine)
+    }
+
+    /** `Motor.A.stop()` and so on. */
+    fun brake(motor: MotorPort, sourceLine: Int) {
+        modes[motor] = MotorMode.BRAKE
+        control(motor, MotorMode.BRAKE, RobotConstants.BRAKING_POWER, sourceLine)
+    }
+
     private fun drive(left: MotorMode, right: MotorMode, sourceLine: Int) {
         run(LEFT_MOTOR, left, sourceLine)
         run(RIGHT_MOTOR, right, sourceLine)
     }
 
-    private fun run(motor: MotorPort, mode: MotorMode, sourceLine: Int) {
-        call(sourceLine, RomAddress.CONTROL_MOTOR, motor.code, mode.code, RobotConstants.DRIVING_POWER)
-    }
-
-    private fun brake(motor: MotorPort, sourceLine: Int) {
-        call(sourceLine, RomAddress.CONTROL_MOTOR, motor.code, MotorMode.BRAKE.code, RobotConstants.BRAKING_POWER)
+    private fun control(motor: MotorPort, mode: MotorMode, power: Int, sourceLine: Int) {
+        call(sourceLine, RomAddress.CONTROL_MOTOR, motor.code, mode.code, power)
     }
 
     private fun call(sourceLine: Int, address: Int, vararg arguments: Int) {

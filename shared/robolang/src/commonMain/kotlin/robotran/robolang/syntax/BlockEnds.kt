@@ -23,6 +23,11 @@ internal class BlockEnds {
         edges += keyword
     }
 
+    /** The block that begins with [keyword] is told to lack its end already. */
+    fun forget(keyword: Token) {
+        edges.removeAt(edges.lastIndexOf(keyword))
+    }
+
     /** The blocks without an end, of which there are [count]. */
     fun lacking(count: Int): List<LackingEnd> {
         if (count == 0) return emptyList()

@@ -5,31 +5,90 @@ package robotran.robolang.syntax
  *
  * @property text as Robolang spells it.
  * @property singular how else it may be written, for one second or one degree.
+ * @property isFree whether a pupil may use the word as a name: it stands only where no name can.
+ * @property endsValue whether it can be the last word of something that has a value, so that a minus behind it subtracts.
  */
-internal enum class Keyword(val text: String, val singular: String? = null) {
+internal enum class Keyword(
+    val text: String,
+    val singular: String? = null,
+    val isFree: Boolean = false,
+    val endsValue: Boolean = false,
+) {
     FORWARD("forward"),
     BACKWARD("backward"),
     TURN("turn"),
+    START("start"),
+    STOP("stop"),
+    POWER("power"),
+    MOTOR("motor"),
     PEN("pen"),
-    REPEAT("repeat"),
     WAIT("wait"),
+    RESET("reset"),
     BEEP("beep"),
+    BUZZ("buzz"),
+    PLAY("play"),
     SHOW("show"),
+    CLEAR("clear"),
+    REPEAT("repeat"),
+    FOR("for"),
+    BREAK("break"),
+    CONTINUE("continue"),
+    IF("if"),
+    ELSE("else"),
+    VAR("var"),
+    CONST("const"),
+    PROCEDURE("procedure"),
+    FUNCTION("function"),
+    RETURN("return"),
+    WHENEVER("whenever"),
+    HALT("halt"),
+    ROBOT("robot"),
     END("end"),
     LEFT("left"),
     RIGHT("right"),
-    DOWN("down"),
-    UP("up"),
-    TIMES("times", "time"),
+    DOWN("down", isFree = true),
+    UP("up", isFree = true),
+    TURNING("turning", isFree = true),
+    FLOAT("float", isFree = true),
+    SCREEN("screen", isFree = true),
+    TIMES("times", "time", isFree = true),
+    FOREVER("forever"),
+    WHILE("while"),
+    UNTIL("until"),
+    FROM("from"),
+    TO("to"),
+    STEP("step", isFree = true),
+    EACH("each"),
+    IN("in"),
+    ON("on", isFree = true),
+    FACING("facing", isFree = true),
     CM("cm"),
     DEGREES("degrees", "degree"),
     SECONDS("seconds", "second"),
     MILLISECONDS("milliseconds", "millisecond"),
+    TRUE("true", endsValue = true),
+    FALSE("false", endsValue = true),
+    AND("and"),
+    OR("or"),
+    NOT("not"),
+    MOD("mod"),
+    BUMPER("bumper", isFree = true, endsValue = true),
+    LIGHT("light", endsValue = true),
+    SENSOR("sensor"),
+    BUTTON("button"),
+    RUN("run", isFree = true, endsValue = true),
+    VIEW("view", isFree = true, endsValue = true),
+    PRGM("prgm", isFree = true, endsValue = true),
+    TIMER("timer", endsValue = true),
+    BATTERY("battery", endsValue = true),
     ;
 
     companion object {
         /** The words that a line can begin with. */
-        val COMMANDS: Set<Keyword> = setOf(FORWARD, BACKWARD, TURN, PEN, REPEAT, WAIT, BEEP, SHOW, END)
+        val COMMANDS: Set<Keyword> = entries.filterTo(mutableSetOf()) { it <= END }
+
+        /** The words that a line with a block below it begins with. */
+        val OPENERS: Set<Keyword> = setOf(REPEAT, FOR, IF, PROCEDURE, FUNCTION, WHENEVER, ROBOT)
 
         private val bySpelling: Map<String, Keyword> =
             entries.flatMap { keyword -> listOfNotNull(keyword.text, keyword.singular).map { it to keyword } }.toMap()

@@ -8,8 +8,8 @@ internal class LineReader(val line: ScannedLine) {
     private val tokens = line.tokens
     private var position = 0
 
-    /** True once a mistake on this line has been reported: what else seems wrong with it may well follow from that one. */
-    var mistaken: Boolean = line.mistaken
+    /** The names on this line as far as it is read. */
+    val names = mutableListOf<Name>()
 
     /** The first token, whose column is the line's indentation. */
     val first: Token get() = tokens.first()
@@ -23,6 +23,9 @@ internal class LineReader(val line: ScannedLine) {
             val column = if (position == 0) first.range.column else tokens[position - 1].range.endColumn
             return SourceRange(line.number, column, column)
         }
+
+    /** From the token [from] to the last one read. */
+    fun rangeFrom(from: SourceRange): SourceRange = from.copy(endColumn = gap.endColumn)
 
     /** From the first token to the last one read. */
     val readRange: SourceRange get() = SourceRange(line.number, first.range.column, gap.endColumn)
@@ -45,6 +48,13 @@ internal class LineReader(val line: ScannedLine) {
 
     /** Reads the next token if it is of [kind]. */
     fun take(kind: TokenKind): Token? = next?.takeIf { it.kind == kind }?.also { advance() }
+
+    /** Reads the next token as a name. */
+    fun takeName(): Name? {
+        val token = next?.takeIf { it.canBeName } ?: return null
+        advance()
+        return Name(token.range, token.text).also { names += it }
+    }
 
     /** The token behind the next one by [distance]. */
     fun peek(distance: Int): Token? = tokens.getOrNull(position + distance)

@@ -5,16 +5,17 @@ import robotran.robolang.Mistakes
 import robotran.robolang.SourceFix
 import robotran.robolang.SourceRange
 
-/** Reads a number with its sign; reports what is wrong with it, an [example] completing the line, and gives null then. */
-internal fun readNumberExpression(reader: LineReader, mistakes: Mistakes, example: String): Expression.Number? {
-    val before = reader.readRange
+/**
+ * Reads a number, which comes next, with its sign; reports what is wrong with it and gives null then. [betweenCommas] says that a
+ * comma behind it parts it from the next number.
+ */
+internal fun readNumberExpression(reader: LineReader, mistakes: Mistakes, betweenCommas: Boolean): Expression.Number? {
     val minus = reader.take(TokenKind.MINUS)
-    val digits = reader.take(TokenKind.NUMBER)
-    if (digits == null) return mistakes.reportMissingNumber(reader, before, example)
+    val digits = checkNotNull(reader.take(TokenKind.NUMBER))
     val range = digits.range.copy(column = minus?.range?.column ?: digits.range.column)
-    if (reader.hasDecimalComma(digits)) return mistakes.reportDecimalComma(reader, digits)
+    if (!betweenCommas && reader.hasDecimalComma(digits)) return mistakes.reportDecimalComma(reader, digits)
     return when (val reading = readNumber(digits.text, negative = minus != null)) {
-        is NumberReading.Read -> Expression.Number(range, reader.textOf(range), reading.value)
+        is NumberReading.Read -> Expression.Number(range, minus?.text.orEmpty() + digits.text, reading.value)
         is NumberReading.TooLarge -> mistakes.reportTooLarge(reader, range)
         is NumberReading.Malformed -> mistakes.reportMalformed(reader, digits, reading.right)
     }
@@ -28,14 +29,6 @@ private fun Mistakes.reportTooLarge(reader: LineReader, range: SourceRange): Not
 private fun Mistakes.reportMalformed(reader: LineReader, digits: Token, right: String?): Nothing? {
     val message = messages.malformedNumber(shortened(digits.text), right?.let(::shortened))
     report(reader, DiagnosticCode.MALFORMED_NUMBER, digits.range, message, right?.let { SourceFix(digits.range, it) })
-    return null
-}
-
-private fun Mistakes.reportMissingNumber(reader: LineReader, before: SourceRange, example: String): Nothing? {
-    val command = reader.quotable(before)
-    val insteadOfNumber = reader.next?.takeUnless { it.keyword == Keyword.TIMES || isUnit(it) }
-    val range = insteadOfNumber?.range ?: reader.gap
-    report(reader, DiagnosticCode.MISSING_NUMBER, range, messages.missingNumber(command, "$command $example"))
     return null
 }
 

@@ -2,6 +2,7 @@ package robotran.robolang.syntax
 
 import robotran.robolang.DiagnosticCode
 import robotran.robolang.Mistakes
+import robotran.robolang.SourceRange
 
 /**
  * Builds the tree by recursive descent, one function a rule of the grammar in docs/robolang.md. A mistake costs its line and
@@ -14,31 +15,57 @@ internal class Parser(
 ) {
     private val blocks = OpenBlocks()
     private val messages = mistakes.messages
+    private val names = mutableListOf<Name>()
+    private val routines = mutableListOf<Routine>()
+    private val behaviours = mutableListOf<Behaviour>()
+    private val routineNames = routineNamesIn(lines)
+    private var robot: RobotHeader? = null
+    private var lightSensor: LightSensorSetting? = null
 
-    fun program(): SyntaxTree {
+    fun program(): ParsedProgram {
         for (line in lines) {
             if (line.tokens.isNotEmpty()) line(LineReader(line))
         }
-        reportMissingEnds(blocks.lackingEnds(), lines, mistakes)
-        return SyntaxTree(blocks.program(), lines.mapNotNull { it.comment })
+        val lacking = blocks.lackingEnds()
+        reportMissingEnds(lacking, lines, mistakes)
+        val endColumn = lines.last().text.length + 1
+        val statements = blocks.program(SourceRange(lines.size, endColumn, endColumn))
+        val tree = SyntaxTree(robot, routines.sortedBy { it.range.line }, behaviours, statements, lines.mapNotNull { it.comment })
+        return ParsedProgram(tree, lines, names, blocks.isDoubtful || lacking.isNotEmpty())
     }
 
     private fun line(reader: LineReader) {
-        when (reader.next?.keyword) {
-            Keyword.REPEAT -> repeat(reader)
-            Keyword.END -> end(reader)
+        val keyword = reader.first.keyword
+        closeLackingBefore(reader.first)
+        when {
+            reader.peek(1)?.kind == TokenKind.ASSIGN && !reader.first.canBeName && keyword != null -> reservedWord(reader)
+            keyword == Keyword.END -> end(reader)
+            keyword == Keyword.ELSE -> otherwise(reader)
+            blocks.innermost?.keyword?.keyword == Keyword.ROBOT -> setting(reader)
+            keyword in Keyword.OPENERS -> open(reader)
             else -> statement(reader)?.let(blocks::add)
+        }
+        names += reader.names
+    }
+
+    /** A routine, and what does not stand further right than `robot`, shows that the blocks before it should have ended. */
+    private fun closeLackingBefore(first: Token) {
+        val column = first.range.column
+        if (first.keyword in OUTERMOST) {
+            blocks.closeLacking(first.range.line) { it.keyword.range.column >= column }
+        } else if (first.keyword != Keyword.END) {
+            if (first.keyword != Keyword.LIGHT) {
+                blocks.closeLacking(first.range.line) { it.keyword.keyword == Keyword.ROBOT && it.keyword.range.column >= column }
+            }
         }
     }
 
     private fun statement(reader: LineReader): Statement? {
-        val statement = when (reader.next?.keyword) {
-            Keyword.FORWARD, Keyword.BACKWARD -> move(reader)
-            Keyword.TURN -> turn(reader)
-            Keyword.PEN -> pen(reader)
-            Keyword.WAIT -> wait(reader)
-            Keyword.BEEP -> beep(reader)
-            Keyword.SHOW -> show(reader)
+        val begunWithName = reader.first.canBeName && reader.peek(1)?.kind?.text != null
+        val statement = when {
+            begunWithName -> DataParser(reader, mistakes).named()
+            reader.first.keyword in DataParser.COMMANDS -> DataParser(reader, mistakes).statement()
+            reader.first.keyword in Keyword.COMMANDS -> CommandParser(reader, mistakes).statement()
             else -> noCommand(reader)
         }
         if (statement != null) mistakes.expectEndOfLine(reader)
@@ -46,120 +73,102 @@ internal class Parser(
     }
 
     private fun noCommand(reader: LineReader): Nothing? {
-        val mayOpenBlock = mistakes.reportNoCommand(reader)
-        if (mayOpenBlock) blocks.openUnknown()
+        if (mistakes.reportNoCommand(reader, routineNames)) blocks.openUnknown()
         return null
     }
 
-    private fun move(reader: LineReader): Statement? {
-        val direction = when (reader.take(Keyword.FORWARD, Keyword.BACKWARD)) {
-            Keyword.FORWARD -> MoveDirection.FORWARD
-            else -> MoveDirection.BACKWARD
-        }
-        val distance = number(reader, "20") ?: return null
-        unit(reader, Keyword.CM)
-        return Statement.Move(reader.readRange, direction, distance)
+    private fun reservedWord(reader: LineReader) {
+        val word = reader.first
+        mistakes.report(reader, DiagnosticCode.RESERVED_WORD, word.range, messages.reservedWord(shortened(word.text)))
     }
 
-    private fun turn(reader: LineReader): Statement? {
-        reader.take(Keyword.TURN)
-        val direction = when (reader.take(Keyword.LEFT, Keyword.RIGHT)) {
-            Keyword.LEFT -> TurnDirection.LEFT
-            Keyword.RIGHT -> TurnDirection.RIGHT
-            else -> return missingWord(reader, DiagnosticCode.MISSING_TURN_DIRECTION, TURN_DIRECTIONS, messages::missingTurnDirection)
-        }
-        val angle = number(reader, "90") ?: return null
-        unit(reader, Keyword.DEGREES)
-        return Statement.Turn(reader.readRange, direction, angle)
-    }
-
-    private fun pen(reader: LineReader): Statement? {
-        reader.take(Keyword.PEN)
-        val position = when (reader.take(Keyword.DOWN, Keyword.UP)) {
-            Keyword.DOWN -> PenPosition.DOWN
-            Keyword.UP -> PenPosition.UP
-            else -> return missingWord(reader, DiagnosticCode.MISSING_PEN_POSITION, PEN_POSITIONS, messages::missingPenPosition)
-        }
-        return Statement.Pen(reader.readRange, position)
-    }
-
-    private fun wait(reader: LineReader): Statement? {
-        reader.take(Keyword.WAIT)
-        val duration = number(reader, "2 seconds") ?: return null
-        val unit = when (reader.take(Keyword.SECONDS, Keyword.MILLISECONDS)) {
-            Keyword.SECONDS -> TimeUnit.SECONDS
-            Keyword.MILLISECONDS -> TimeUnit.MILLISECONDS
-            else -> return noTimeUnit(reader, duration)
-        }
-        return Statement.Wait(reader.readRange, duration, unit)
-    }
-
-    private fun noTimeUnit(reader: LineReader, duration: Expression.Number): Nothing? {
-        mistakes.reportNoTimeUnit(reader, duration)
-        return null
-    }
-
-    private fun beep(reader: LineReader): Statement {
-        reader.take(Keyword.BEEP)
-        return Statement.Beep(reader.readRange)
-    }
-
-    private fun show(reader: LineReader): Statement? {
-        reader.take(Keyword.SHOW)
-        val value = number(reader, "5") ?: return null
-        return Statement.Show(reader.readRange, value)
-    }
-
-    private fun repeat(reader: LineReader) {
+    private fun open(reader: LineReader) {
         val keyword = reader.first
-        reader.take(Keyword.REPEAT)
-        val count = repetitions(reader)
-        val range = reader.readRange
         if (blocks.isFull && !blocks.isOverfull) mistakes.reportNesting(reader, keyword)
-        blocks.open(keyword) { body -> count?.let { Statement.Repeat(range, it, body) } }
+        val isNested = keyword.keyword in OUTERMOST && blocks.innermost != null
+        if (isNested) mistakes.report(reader, DiagnosticCode.NOT_OUTERMOST, keyword.range, messages.notOutermost(shortened(keyword.text)))
+        val headers = HeaderParser(reader, mistakes)
+        if (keyword.keyword != Keyword.REPEAT && keyword.keyword != Keyword.FOR) reader.advance()
+        blocks.open(
+            when (keyword.keyword) {
+                Keyword.IF -> choice(reader, headers)
+                Keyword.WHENEVER -> whenever(reader, headers)
+                Keyword.PROCEDURE, Keyword.FUNCTION -> routine(reader, headers)
+                Keyword.ROBOT -> robot(reader)
+                else -> headers.loop().let { complete -> OpenBlock(keyword, reader.readRange, complete = complete) }
+            },
+        )
+        if (reader.line.number !in mistakes.lines) mistakes.expectEndOfLine(reader)
     }
 
-    private fun repetitions(reader: LineReader): Expression? {
-        val count = number(reader, "4 times") ?: return null
-        if (reader.take(Keyword.TIMES) == null) {
-            return missingWord(reader, DiagnosticCode.MISSING_TIMES, listOf(Keyword.TIMES)) {
-                messages.missingTimes(shortened(count.text), it)
-            }
+    private fun choice(reader: LineReader, headers: HeaderParser): OpenBlock {
+        val condition = headers.conditionOrAny()
+        val choice = OpenChoice(reader.readRange, condition)
+        return OpenBlock(reader.first, reader.readRange, choice, choice::complete)
+    }
+
+    private fun whenever(reader: LineReader, headers: HeaderParser): OpenBlock {
+        val condition = headers.conditionOrAny()
+        return OpenBlock(reader.first, reader.readRange) { block ->
+            behaviours += Behaviour(block.range, block.endRange, condition, block.body)
+            null
         }
-        mistakes.expectEndOfLine(reader)
-        return count
+    }
+
+    private fun routine(reader: LineReader, headers: HeaderParser): OpenBlock {
+        val isFunction = reader.first.keyword == Keyword.FUNCTION
+        val header = headers.routine()
+        return OpenBlock(reader.first, reader.readRange) { block ->
+            routines += Routine(block.range, block.endRange, header.name, header.parameters, block.body, isFunction)
+            null
+        }
+    }
+
+    private fun robot(reader: LineReader): OpenBlock {
+        if (robot != null) mistakes.report(reader, DiagnosticCode.SECOND_ROBOT, reader.first.range, messages.secondRobot())
+        return OpenBlock(reader.first, reader.readRange) { block ->
+            robot = robot ?: RobotHeader(block.range, block.endRange, lightSensor)
+            null
+        }
+    }
+
+    private fun setting(reader: LineReader) {
+        if (reader.first.keyword != Keyword.LIGHT) {
+            mistakes.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.unknownSetting())
+            if (reader.first.keyword in Keyword.OPENERS) blocks.openUnknown()
+            return
+        }
+        if (lightSensor != null) mistakes.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.secondSetting())
+        lightSensor = HeaderParser(reader, mistakes).lightSensor() ?: lightSensor
+    }
+
+    private fun otherwise(reader: LineReader) {
+        if (blocks.hasOpenChoice) blocks.closeLacking(reader.line.number) { it.choice == null }
+        val block = blocks.innermost
+        val choice = block?.choice
+        reader.advance()
+        val condition = if (reader.take(Keyword.IF) != null) HeaderParser(reader, mistakes).conditionOrAny() else null
+        if (choice == null || choice.isAtElse) {
+            mistakes.report(reader, DiagnosticCode.EXTRA_ELSE, reader.first.range, messages.extraElse())
+            return
+        }
+        choice.next(block.statements, reader.readRange, condition)
+        block.statements = mutableListOf()
+        if (reader.line.number !in mistakes.lines) mistakes.expectEndOfLine(reader)
     }
 
     private fun end(reader: LineReader) {
         val keyword = reader.first
         reader.take(Keyword.END)
-        if (blocks.close(keyword)) {
-            mistakes.expectEndOfLine(reader)
-        } else {
-            mistakes.reportExtraEnd(reader)
-        }
-    }
-
-    /** The [example] completes what has been read of the line so far. */
-    private fun number(reader: LineReader, example: String): Expression.Number? =
-        readNumberExpression(reader, mistakes, example)
-
-    private fun unit(reader: LineReader, unit: Keyword) {
-        if (reader.take(unit) == null) mistakes.reportWrongUnit(reader, listOf(unit))
-    }
-
-    private fun missingWord(
-        reader: LineReader,
-        code: DiagnosticCode,
-        words: List<Keyword>,
-        message: (suggestion: String?) -> String,
-    ): Nothing? {
-        mistakes.reportMissingWord(reader, code, words.map { it.text }, message)
-        return null
+        if (blocks.close(keyword)) mistakes.expectEndOfLine(reader) else mistakes.reportExtraEnd(reader)
     }
 
     private companion object {
-        val TURN_DIRECTIONS = listOf(Keyword.LEFT, Keyword.RIGHT)
-        val PEN_POSITIONS = listOf(Keyword.DOWN, Keyword.UP)
+        val OUTERMOST = setOf(Keyword.PROCEDURE, Keyword.FUNCTION, Keyword.WHENEVER, Keyword.ROBOT)
     }
 }
+
+/** The names of all routines, by which a call without its brackets is known. */
+private fun routineNamesIn(lines: List<ScannedLine>): Set<String> = lines
+    .filter { it.tokens.firstOrNull()?.keyword.let { keyword -> keyword == Keyword.PROCEDURE || keyword == Keyword.FUNCTION } }
+    .mapNotNullTo(mutableSetOf()) { line -> line.tokens.getOrNull(1)?.text?.let(::lowercaseKeyword) }

@@ -6,7 +6,7 @@ import robotran.robolang.RobolangLimits
 import robotran.robolang.SourceFix
 import robotran.robolang.SourceRange
 
-/** Reports a mistake unless one on the same line has been reported: it may well follow from that one. */
+/** Reports a mistake in the line of [reader]. */
 internal fun Mistakes.report(
     reader: LineReader,
     code: DiagnosticCode,
@@ -14,8 +14,6 @@ internal fun Mistakes.report(
     message: String,
     fix: SourceFix? = null,
 ) {
-    if (reader.mistaken) return
-    reader.mistaken = true
     report(code, range, reader.textOf(range), message, fix)
 }
 
@@ -45,18 +43,19 @@ internal fun Mistakes.reportWrongUnit(reader: LineReader, units: List<Keyword>) 
 }
 
 /** `wait` needs a unit, and there is none that it knows. */
-internal fun Mistakes.reportNoTimeUnit(reader: LineReader, duration: Expression.Number) {
+internal fun Mistakes.reportNoTimeUnit(reader: LineReader, duration: Expression) {
     val units = listOf(Keyword.SECONDS, Keyword.MILLISECONDS)
     val word = reader.next?.takeIf { it.kind == TokenKind.WORD }
     if (word == null) {
         val fix = SourceFix(reader.gap, " " + Keyword.SECONDS.text)
-        report(reader, DiagnosticCode.MISSING_TIME_UNIT, reader.gap, messages.missingTimeUnit(shortened(duration.text)), fix)
+        report(reader, DiagnosticCode.MISSING_TIME_UNIT, reader.gap, messages.missingTimeUnit(reader.quotable(duration.range)), fix)
     } else {
         reportUnit(reader, word, units, meantUnit(word, units))
     }
 }
 
-private fun Mistakes.reportUnit(reader: LineReader, word: Token, units: List<Keyword>, meant: Keyword?) {
+/** [word] stands where one of [units] should. */
+internal fun Mistakes.reportUnit(reader: LineReader, word: Token, units: List<Keyword>, meant: Keyword? = meantUnit(word, units)) {
     val command = lowercaseKeyword(reader.first.text)
     val message = messages.wrongUnit(command, shortened(word.text), units.map { it.text }, meant?.text)
     report(reader, DiagnosticCode.WRONG_UNIT, word.range, message, meant?.let { SourceFix(word.range, it.text) })

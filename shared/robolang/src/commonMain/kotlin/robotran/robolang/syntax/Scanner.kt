@@ -4,6 +4,7 @@ import robotran.robolang.Mistakes
 import robotran.robolang.SourceRange
 
 private const val BYTE_ORDER_MARK = "\uFEFF"
+private const val QUOTATION_MARK = '"'
 
 /** Takes [source] apart into lines and these into tokens; what is no token is reported, once a line. */
 internal fun scan(source: String, mistakes: Mistakes): List<ScannedLine> =
@@ -19,14 +20,13 @@ private class LineScanner(
 ) {
     private val tokens = mutableListOf<Token>()
     private var comment: Token? = null
-    private var mistaken = false
     private var position = 0
 
     fun scan(): ScannedLine {
         while (position < text.length) {
             piece()
         }
-        return ScannedLine(number, text, tokens, comment, mistaken)
+        return ScannedLine(number, text, tokens, comment)
     }
 
     private fun piece() {
@@ -36,9 +36,29 @@ private class LineScanner(
             isLetter(character) -> takeWhile(TokenKind.WORD) { isLetter(it) || isDigit(it) }
             beginsNumber() -> takeWhile(TokenKind.NUMBER) { isDigit(it) || it == '.' }
             text.startsWith("//", position) -> takeComment()
-            character == '-' -> take(TokenKind.MINUS, length = 1)
-            character == ',' -> take(TokenKind.COMMA, length = 1)
-            else -> unknownCharacter()
+            character == QUOTATION_MARK -> takeText()
+            else -> sign()
+        }
+    }
+
+    private fun sign() {
+        val sign = TokenKind.SIGNS.firstOrNull { text.startsWith(checkNotNull(it.text), position) }
+        val slipWidth = widthOfSlip(text, position)
+        when {
+            slipWidth > 0 -> unknownCharacter(slipWidth)
+            sign != null -> take(sign, checkNotNull(sign.text).length)
+            else -> unknownCharacter(characterWidth(text, position))
+        }
+    }
+
+    private fun takeText() {
+        val closing = text.indexOf(QUOTATION_MARK, position + 1)
+        if (closing >= 0) {
+            take(TokenKind.TEXT, closing + 1 - position)
+        } else {
+            val end = text.trimEnd { isBlank(it) }.length
+            mistakes.reportUnclosedText(text, SourceRange(number, position + 1, end + 1))
+            take(TokenKind.TEXT, end - position)
         }
     }
 
@@ -58,7 +78,8 @@ private class LineScanner(
     }
 
     private fun takeComment() {
-        comment = token(TokenKind.COMMENT, text.length - position)
+        comment = token(TokenKind.COMMENT, text.trimEnd { isBlank(it) }.length - position)
+        position = text.length
     }
 
     private fun token(kind: TokenKind, length: Int): Token {
@@ -69,12 +90,9 @@ private class LineScanner(
         return Token(kind, SourceRange(number, start + 1, position + 1), typed, keyword)
     }
 
-    private fun unknownCharacter() {
-        if (!mistaken) {
-            mistaken = true
-            mistakes.reportCharacter(text, SourceRange(number, position + 1, position + 1 + characterWidth(text, position)))
-        }
-        position += characterWidth(text, position)
+    private fun unknownCharacter(width: Int) {
+        mistakes.reportCharacter(text, SourceRange(number, position + 1, position + 1 + width))
+        position += width
     }
 }
 

@@ -3,71 +3,67 @@ package robotran.robolang.syntax
 import robotran.robolang.SourceRange
 
 /**
- * A program as the parser understood it.
+ * A program as the parser understood it. Every range in a tree is different, so that a node is known by its range.
  *
- * @property statements the main program.
+ * @property robot what is said about the robot, null if nothing is.
+ * @property routines the procedures and functions in the order of the source.
+ * @property behaviours the `whenever` blocks in the order of the source, the later ones having priority.
+ * @property statements the main program: what stands outside all of these.
  * @property comments all comments in their order, `//` included; no statement needs them, a formatter does.
  */
 internal data class SyntaxTree(
+    val robot: RobotHeader?,
+    val routines: List<Routine>,
+    val behaviours: List<Behaviour>,
     val statements: List<Statement>,
     val comments: List<Token>,
 )
 
-/** Something to do. A block's [range] is that of its first line. */
-internal sealed interface Statement {
-    val range: SourceRange
+/** `robot` .. `end`. */
+internal data class RobotHeader(
+    val range: SourceRange,
+    val endRange: SourceRange,
+    val lightSensor: LightSensorSetting?,
+)
 
-    /** `forward D` and `backward D`, in centimetres. */
-    data class Move(override val range: SourceRange, val direction: MoveDirection, val distance: Expression) : Statement
+/**
+ * `light sensor on 2 facing down`.
+ *
+ * @property port 1..3, as it is printed on the brick.
+ */
+internal data class LightSensorSetting(
+    val range: SourceRange,
+    val port: Int,
+    val facing: Facing,
+)
 
-    /** `turn left A` and `turn right A`, in degrees. */
-    data class Turn(override val range: SourceRange, val direction: TurnDirection, val angle: Expression) : Statement
-
-    /** `pen down` and `pen up`. */
-    data class Pen(override val range: SourceRange, val position: PenPosition) : Statement
-
-    /** `wait T seconds` and `wait T milliseconds`. */
-    data class Wait(override val range: SourceRange, val duration: Expression, val unit: TimeUnit) : Statement
-
-    /** `beep`. */
-    data class Beep(override val range: SourceRange) : Statement
-
-    /** `show N`. */
-    data class Show(override val range: SourceRange, val value: Expression) : Statement
-
-    /** `repeat N times` .. `end`. */
-    data class Repeat(override val range: SourceRange, val count: Expression, val body: List<Statement>) : Statement
+/** A name that the pupil gives or uses, as it is typed. */
+internal data class Name(val range: SourceRange, val text: String) {
+    /** The same for all spellings of one name: names ignore case, letters beyond A to Z excepted. */
+    val key: String get() = lowercaseKeyword(text)
 }
 
-/** Something that has a value. */
-internal sealed interface Expression {
-    val range: SourceRange
+/**
+ * `procedure p(a, b)` .. `end` or `function f(a)` .. `end`.
+ *
+ * @property range the first line, from its keyword to the closing bracket.
+ * @property endRange the `end`; of no width at the end of the program if there is none.
+ */
+internal data class Routine(
+    val range: SourceRange,
+    val endRange: SourceRange,
+    val name: Name,
+    val parameters: List<Name>,
+    val body: List<Statement>,
+    val isFunction: Boolean,
+)
 
-    /** A number as it is written, with its sign. */
-    data class Number(override val range: SourceRange, val text: String, val value: NumberValue) : Expression
-}
+/** `whenever C` .. `end`. */
+internal data class Behaviour(
+    val range: SourceRange,
+    val endRange: SourceRange,
+    val condition: Expression,
+    val body: List<Statement>,
+)
 
-/** Numbers are whole or decimal, as `int` and `float` are in Java. */
-internal sealed interface NumberValue {
-    /** The nearest 32-bit decimal number. */
-    val decimal: Float
-
-    val isNegative: Boolean
-
-    data class Whole(val value: Int) : NumberValue {
-        override val decimal: Float get() = value.toFloat()
-        override val isNegative: Boolean get() = value < 0
-    }
-
-    data class Decimal(override val decimal: Float) : NumberValue {
-        override val isNegative: Boolean get() = decimal < 0f
-    }
-}
-
-internal enum class MoveDirection { FORWARD, BACKWARD }
-
-internal enum class TurnDirection { LEFT, RIGHT }
-
-internal enum class PenPosition { DOWN, UP }
-
-internal enum class TimeUnit { SECONDS, MILLISECONDS }
+internal enum class Facing { DOWN, FORWARD }

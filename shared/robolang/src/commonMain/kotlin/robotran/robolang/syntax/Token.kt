@@ -2,8 +2,42 @@ package robotran.robolang.syntax
 
 import robotran.robolang.SourceRange
 
-/** The smallest pieces a line is made of. */
-internal enum class TokenKind { WORD, NUMBER, MINUS, COMMA, COMMENT }
+/**
+ * The smallest pieces a line is made of.
+ *
+ * @property text how it is always spelled, null where that differs.
+ */
+internal enum class TokenKind(val text: String? = null) {
+    WORD,
+    NUMBER,
+
+    /** Letters for the LCD, with the quotation marks around them. */
+    TEXT,
+
+    EQUAL("=="),
+    NOT_EQUAL("!="),
+    LESS_OR_EQUAL("<="),
+    GREATER_OR_EQUAL(">="),
+    LESS("<"),
+    GREATER(">"),
+    ASSIGN("="),
+    PLUS("+"),
+    MINUS("-"),
+    TIMES("*"),
+    DIVIDE("/"),
+    COMMA(","),
+    OPEN_BRACKET("("),
+    CLOSE_BRACKET(")"),
+    OPEN_LIST("["),
+    CLOSE_LIST("]"),
+    COMMENT,
+    ;
+
+    companion object {
+        /** Those that are always spelled alike, the longer ones first. */
+        val SIGNS: List<TokenKind> = entries.filter { it.text != null }
+    }
+}
 
 /**
  * One piece of a line.
@@ -16,7 +50,11 @@ internal data class Token(
     val range: SourceRange,
     val text: String,
     val keyword: Keyword? = null,
-)
+) {
+    /** Whether a pupil may call something so. */
+    val canBeName: Boolean
+        get() = kind == TokenKind.WORD && (keyword == null || keyword.isFree)
+}
 
 /**
  * One line of the source, in pieces.
@@ -25,12 +63,10 @@ internal data class Token(
  * @property text the whole line without its line end.
  * @property tokens what counts.
  * @property comment what does not, but must not get lost: always the last thing on a line.
- * @property mistaken true if a mistake on this line has been reported already, so that nothing that follows from it is.
  */
 internal data class ScannedLine(
     val number: Int,
     val text: String,
     val tokens: List<Token>,
     val comment: Token?,
-    val mistaken: Boolean,
 )

@@ -39,7 +39,7 @@ class ScannerTest {
     @Test
     fun `the tree keeps every comment`() {
         val mistakes = Mistakes(EnglishMessages)
-        val tree = Parser(scan("// one\nbeep // two\n\n//", mistakes), mistakes).program()
+        val tree = Parser(scan("// one\nbeep // two\n\n//", mistakes), mistakes).program().tree
         assertEquals(listOf("// one", "// two", "//"), tree.comments.map { it.text })
         assertEquals(listOf(1, 2, 4), tree.comments.map { it.range.line })
     }

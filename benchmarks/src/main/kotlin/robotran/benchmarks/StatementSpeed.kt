@@ -1,0 +1,45 @@
+package robotran.benchmarks
+
+import robotran.rom.ProgramStatus
+import robotran.rom.RcxMemory
+import robotran.rom.Rom
+import robotran.rom.RomCall
+import robotran.rom.SensorRequest
+
+/** How many statements a second the interpreter executes in a loop that counts. */
+internal fun statementSpeed(): String {
+    val program = programOf("var count = 0\nrepeat 2000000 times\n  count = count + 1\nend\n")
+    var statements = 0L
+    val seconds =
+        seconds {
+            val run = program.start(SilentRom())
+            while (run.resume(STEPS) == ProgramStatus.Running) statements = run.statementsBegun
+            statements = run.statementsBegun
+        }
+    return "%.1f million statements a second (%d in %.3f s)".format(statements / seconds / 1e6, statements, seconds)
+}
+
+/** A ROM behind which there is nothing. */
+private class SilentRom : Rom {
+    override val memory = RcxMemory()
+
+    override val milliseconds = 0L
+
+    override fun call(
+        call: RomCall,
+        sourceLine: Int,
+    ) = Unit
+
+    override fun readSensor(
+        port: Int,
+        request: SensorRequest,
+    ): Int = 0
+
+    override fun setSensorTypeAndMode(
+        port: Int,
+        type: Int,
+        mode: Int,
+    ) = Unit
+}
+
+private const val STEPS = 100_000

@@ -1,0 +1,67 @@
+package robotran.desktop.cli
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.multiple
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.option
+import robotran.desktop.ExitCode
+import robotran.desktop.TextFile
+import robotran.desktop.writeFile
+import robotran.robolang.format.FormatResult
+import robotran.robolang.format.formatRobolang
+
+/** `robotran format FILE..`: lays programs out, in place; with `--check` it only tells which are not. */
+internal class FormatCommand(
+    private val console: Console,
+) : CoreCliktCommand("format") {
+    private val files by argument("FILE", help = "Robolang programs (.robo)").multiple(required = true)
+    private val onlyChecks by option("--check", help = "changes nothing and tells which files would change").flag()
+
+    override fun help(context: Context) = "Lays programs out: indentation, spaces, small letters."
+
+    override fun run() {
+        throw ProgramResult(files.maxOf { format(it).status })
+    }
+
+    private fun format(name: String): ExitCode =
+        when (val file = readRobolangText(name)) {
+            is TextFile.Refused -> refuse(file.reason)
+            is TextFile.Read -> format(name, file.text)
+        }
+
+    private fun format(
+        name: String,
+        text: String,
+    ): ExitCode =
+        when (val result = formatRobolang(text)) {
+            is FormatResult.Formatted -> {
+                settle(name, text, result.text)
+            }
+
+            is FormatResult.Mistaken -> {
+                result.diagnostics.forEach { console.complain(lineOf(name, it)) }
+                ExitCode.PROGRAM_FAILED
+            }
+        }
+
+    private fun settle(
+        name: String,
+        text: String,
+        formatted: String,
+    ): ExitCode {
+        if (text == formatted) return ExitCode.DONE
+        if (onlyChecks) {
+            console.complain("$name is not formatted.")
+            return ExitCode.PROGRAM_FAILED
+        }
+        return writeFile(name, formatted.encodeToByteArray())?.let(::refuse) ?: ExitCode.DONE
+    }
+
+    private fun refuse(reason: String): ExitCode {
+        console.complain(reason)
+        return ExitCode.BAD_INPUT
+    }
+}

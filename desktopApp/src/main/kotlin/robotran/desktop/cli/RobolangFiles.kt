@@ -1,0 +1,54 @@
+package robotran.desktop.cli
+
+import robotran.desktop.TextFile
+import robotran.desktop.readTextFile
+import robotran.robolang.Diagnostic
+import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangResult
+import robotran.robolang.readRobolang
+import robotran.ui.workshop.PENBOT_CALIBRATION
+import kotlin.io.path.Path
+import kotlin.io.path.name
+
+/** A Robolang file as the commands meet it. */
+internal sealed interface RobolangFile {
+    /** It can run; [warnings] are what is doubtful. */
+    data class Ready(val source: String, val program: RobolangProgram, val warnings: List<Diagnostic>) : RobolangFile
+
+    /** It has mistakes. */
+    data class Mistaken(val diagnostics: List<Diagnostic>) : RobolangFile
+
+    /** There is no such program; [reason] is a sentence that names the file. */
+    data class Unreadable(val reason: String) : RobolangFile
+}
+
+/** Reads and checks the Robolang file [name]. */
+internal fun readRobolangFile(name: String): RobolangFile =
+    when (val file = readRobolangText(name)) {
+        is TextFile.Refused -> {
+            RobolangFile.Unreadable(file.reason)
+        }
+
+        is TextFile.Read -> {
+            when (val result = readRobolang(Path(name).name, file.text, PENBOT_CALIBRATION)) {
+                is RobolangResult.Ready -> RobolangFile.Ready(file.text, result.program, result.warnings)
+                is RobolangResult.Mistaken -> RobolangFile.Mistaken(result.diagnostics)
+            }
+        }
+    }
+
+/** Reads the text of the Robolang file [name]. */
+internal fun readRobolangText(name: String): TextFile =
+    if (name.endsWith(ROBOLANG_EXTENSION)) {
+        readTextFile(name)
+    } else {
+        TextFile.Refused("$name is not a Robolang program: its name does not end in $ROBOLANG_EXTENSION.")
+    }
+
+/** [diagnostic] in one line for a person, with the place that editors jump to. */
+internal fun lineOf(
+    name: String,
+    diagnostic: Diagnostic,
+): String = "$name:${diagnostic.range.line}:${diagnostic.range.column}: ${diagnostic.message}"
+
+private const val ROBOLANG_EXTENSION = ".robo"

@@ -1,0 +1,57 @@
+package robotran.desktop.cli
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.options.option
+import robotran.desktop.ExitCode
+import robotran.desktop.writeFile
+import robotran.robolang.translate.kitFiles
+import robotran.robolang.translate.translateRobolang
+import kotlin.io.path.Path
+import kotlin.io.path.name
+
+/** `robotran translate FILE`: writes a program as Java for leJOS, or as a kit with all that a real brick takes. */
+internal class TranslateCommand(
+    private val console: Console,
+) : CoreCliktCommand("translate") {
+    private val program by argument("FILE", help = "a Robolang program (.robo)")
+    private val output by option("-o", "--output", metavar = "FILE", help = "where the Java goes; to the console if not given")
+    private val kit by option("--kit", metavar = "FILE", help = "writes a kit for the real brick (.zip)")
+
+    override fun help(context: Context) = "Writes a program as leJOS Java for a real robot."
+
+    override fun run() {
+        throw ProgramResult(translate().status)
+    }
+
+    private fun translate(): ExitCode =
+        when (val file = readRobolangFile(program)) {
+            is RobolangFile.Ready -> {
+                write(file)
+            }
+
+            is RobolangFile.Mistaken -> {
+                file.diagnostics.forEach { console.complain(lineOf(program, it)) }
+                ExitCode.PROGRAM_FAILED
+            }
+
+            is RobolangFile.Unreadable -> {
+                console.complain(file.reason)
+                ExitCode.BAD_INPUT
+            }
+        }
+
+    private fun write(file: RobolangFile.Ready): ExitCode {
+        val translation = translateRobolang(file.program)
+        val problems =
+            listOfNotNull(
+                output?.let { writeFile(it, translation.java.encodeToByteArray()) },
+                kit?.let { writeFile(it, zip(kitFiles(translation, Path(program).name, file.source))) },
+            )
+        problems.forEach(console::complain)
+        if (output == null && kit == null) console.say(translation.java.trimEnd('\n'))
+        return if (problems.isEmpty()) ExitCode.DONE else ExitCode.BAD_INPUT
+    }
+}

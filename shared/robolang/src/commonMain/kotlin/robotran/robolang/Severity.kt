@@ -1,0 +1,10 @@
+package robotran.robolang
+
+/** How bad it is. */
+enum class Severity {
+    /** The program cannot run until it is mended. */
+    MISTAKE,
+
+    /** The program can run, but hardly as it is meant, or not on a real brick. */
+    WARNING,
+}

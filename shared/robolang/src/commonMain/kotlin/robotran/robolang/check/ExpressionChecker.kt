@@ -1,0 +1,188 @@
+package robotran.robolang.check
+
+import robotran.robolang.DiagnosticCode
+import robotran.robolang.RobolangLimits
+import robotran.robolang.SourceFix
+import robotran.robolang.syntax.BinaryOperator
+import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.Name
+import robotran.robolang.syntax.NumberValue
+import robotran.robolang.syntax.UnaryOperator
+import robotran.robolang.syntax.parts
+import robotran.robolang.syntax.shortened
+
+/** Finds the expressions whose parts do not go together. */
+internal class ExpressionChecker(private val context: CheckContext) {
+    private val messages = context.messages
+
+    /** Checks [expression] from the inside out, so that what is wrong at the bottom is told first. */
+    fun check(expression: Expression) {
+        expression.parts.forEach(::check)
+        when (expression) {
+            is Expression.ListOf -> list(expression)
+            is Expression.Element -> element(expression)
+            is Expression.Unary -> unary(expression)
+            is Expression.Binary -> binary(expression)
+            is Expression.Call -> call(expression)
+            is Expression.Number, is Expression.Truth, is Expression.Variable, is Expression.Sense, is Expression.Brackets -> Unit
+        }
+    }
+
+    fun needNumber(expression: Expression) {
+        val type = context.typeOf(expression)
+        if (!type.isNumber && isKnown(expression)) {
+            context.report(DiagnosticCode.NUMBER_NEEDED, expression.range, messages.numberNeeded(context.quotable(expression)))
+        }
+    }
+
+    fun needWhole(expression: Expression) {
+        needNumber(expression)
+        if (context.typeOf(expression) == ValueType.DECIMAL) {
+            val fix = SourceFix(expression.range, "round(${context.textOf(expression.range)})")
+            val message = messages.wholeNumberNeeded(context.quotable(expression))
+            context.report(DiagnosticCode.WHOLE_NUMBER_NEEDED, expression.range, message, fix)
+        }
+    }
+
+    fun needCondition(expression: Expression) {
+        if (context.typeOf(expression) != ValueType.TRUTH && isKnown(expression)) {
+            context.report(DiagnosticCode.CONDITION_NEEDED, expression.range, messages.conditionNeeded(context.quotable(expression)))
+        }
+    }
+
+    fun needList(expression: Expression) {
+        if (!context.typeOf(expression).isList && isKnown(expression)) {
+            context.report(DiagnosticCode.LIST_NEEDED, expression.range, messages.listNeeded(context.quotable(expression)))
+        }
+    }
+
+    fun needElement(list: Name, index: Expression) {
+        needWhole(index)
+        val place = (context.constantOf(index) as? NumberValue.Whole)?.value ?: return
+        if (place < 0) context.report(DiagnosticCode.INDEX_OUT_OF_RANGE, index.range, messages.indexNegative())
+        val length = context.draftsByName[list.range]?.takeUnless { it.isAssigned }?.listLength ?: return
+        reportBeyond(index, place, length)
+    }
+
+    /** The values handed over in a call of [name], whose own name is known. */
+    fun arguments(name: Name, arguments: List<Expression>) {
+        val builtIn = BuiltIn.of(name.key)
+        if (builtIn != null) return builtIn(builtIn, name, arguments)
+        val routine = context.routineOf(name) ?: return
+        if (routine.range.line in context.mistakenLines) return
+        if (!isCount(name, routine.parameters.size, arguments.size)) return
+        routine.parameters.zip(arguments).forEach { (parameter, argument) ->
+            context.draftsByName[parameter.range]?.let { needType(it.type.type, argument) }
+        }
+    }
+
+    /** [type] is what is expected of [expression]; a whole number may stand for a decimal one. */
+    fun needType(type: ValueType, expression: Expression) {
+        when (type) {
+            ValueType.WHOLE -> needWhole(expression)
+            ValueType.DECIMAL -> needNumber(expression)
+            ValueType.TRUTH -> needCondition(expression)
+            ValueType.LIST_OF_WHOLE, ValueType.LIST_OF_DECIMAL -> needListOf(type, expression)
+            ValueType.NOTHING -> Unit
+        }
+    }
+
+    private fun needListOf(type: ValueType, expression: Expression) {
+        needList(expression)
+        val given = context.typeOf(expression)
+        if (given.isList && given != type) {
+            context.report(DiagnosticCode.TYPE_CHANGED, expression.range, messages.typeChanged(context.quotable(expression)))
+        }
+    }
+
+    /** False where a mistake further in left the type open: that one has been told. */
+    private fun isKnown(expression: Expression): Boolean = context.typeOf(expression) != ValueType.NOTHING
+
+    private fun list(expression: Expression.ListOf) {
+        if (expression.elements.isEmpty()) context.report(DiagnosticCode.EMPTY_LIST, expression.range, messages.emptyList())
+        if (expression.elements.size > RobolangLimits.LIST_ELEMENTS) {
+            context.report(DiagnosticCode.LIST_TOO_LONG, expression.range, messages.listTooLong(RobolangLimits.LIST_ELEMENTS))
+        }
+        for (element in expression.elements) {
+            if (!context.typeOf(element).isNumber && isKnown(element)) {
+                context.report(DiagnosticCode.MIXED_LIST, element.range, messages.mixedList(context.quotable(element)))
+            }
+        }
+    }
+
+    private fun element(expression: Expression.Element) {
+        needList(expression.list)
+        val list = expression.list
+        if (list is Expression.Variable) return needElement(list.name, expression.index)
+        needWhole(expression.index)
+        val place = (context.constantOf(expression.index) as? NumberValue.Whole)?.value ?: return
+        if (list is Expression.ListOf) reportBeyond(expression.index, place, list.elements.size)
+    }
+
+    private fun reportBeyond(index: Expression, place: Int, length: Int) {
+        if (place !in 0 until length) context.report(DiagnosticCode.INDEX_OUT_OF_RANGE, index.range, messages.indexOutOfRange(length - 1))
+    }
+
+    private fun unary(expression: Expression.Unary) {
+        when (expression.operator) {
+            UnaryOperator.MINUS -> needNumber(expression.operand)
+            UnaryOperator.NOT -> needCondition(expression.operand)
+        }
+    }
+
+    private fun binary(expression: Expression.Binary) {
+        val operands = listOf(expression.left, expression.right)
+        when (expression.operator) {
+            BinaryOperator.OR, BinaryOperator.AND -> operands.forEach(::needCondition)
+            BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> equality(expression)
+            else -> operands.forEach(::needNumber)
+        }
+        if (expression.operator == BinaryOperator.DIVIDE || expression.operator == BinaryOperator.MOD) division(expression)
+    }
+
+    private fun equality(expression: Expression.Binary) {
+        val left = context.typeOf(expression.left)
+        val right = context.typeOf(expression.right)
+        if (left == ValueType.NOTHING || right == ValueType.NOTHING) return
+        val comparable = (left.isNumber && right.isNumber) || (left == ValueType.TRUTH && right == ValueType.TRUTH)
+        if (!comparable) context.report(DiagnosticCode.NOT_COMPARABLE, expression.range, messages.notComparable())
+    }
+
+    private fun division(expression: Expression.Binary) {
+        val divisor = context.constantOf(expression.right) ?: return
+        if (divisor !is NumberValue.Whole || context.typeOf(expression) != ValueType.WHOLE) return
+        if (divisor.value == 0) return context.report(DiagnosticCode.DIVISION_BY_ZERO, expression.right.range, messages.divisionByZero())
+        val isTooLarge = divisor.value !in Short.MIN_VALUE..Short.MAX_VALUE
+        if (isTooLarge) context.warn(DiagnosticCode.DIVISOR_TOO_LARGE, expression.right.range, messages.divisorTooLarge(divisor.value))
+        val dividend = (context.constantOf(expression.left) as? NumberValue.Whole)?.value ?: return
+        if (expression.operator == BinaryOperator.MOD || dividend % divisor.value == 0) return
+        val message = messages.fractionLost(context.quotable(expression), dividend / divisor.value)
+        val left = expression.left
+        val fix = if (left is Expression.Number) SourceFix(left.range, left.text + ".0") else null
+        context.warn(DiagnosticCode.FRACTION_LOST, expression.range, message, fix)
+    }
+
+    private fun call(expression: Expression.Call) {
+        val name = expression.name
+        if (context.draftsByName[name.range]?.kind == SymbolKind.PROCEDURE) {
+            context.report(DiagnosticCode.VALUE_NEEDED, name.range, messages.valueNeeded(shortened(name.text)))
+        }
+        arguments(name, expression.arguments)
+    }
+
+    private fun builtIn(function: BuiltIn, name: Name, arguments: List<Expression>) {
+        if (!isCount(name, function.parameters, arguments.size)) return
+        when (function) {
+            BuiltIn.RANDOM -> arguments.forEach(::needWhole)
+            BuiltIn.LENGTH -> arguments.forEach(::needList)
+            else -> arguments.forEach(::needNumber)
+        }
+    }
+
+    private fun isCount(name: Name, needed: Int, given: Int): Boolean {
+        if (needed == given) return true
+        val message = messages.wrongArgumentCount(shortened(name.text), needed, given)
+        context.report(DiagnosticCode.WRONG_ARGUMENT_COUNT, name.range, message)
+        return false
+    }
+}

@@ -1,0 +1,197 @@
+package robotran.robolang.check
+
+import robotran.robolang.DiagnosticCode
+import robotran.robolang.RobolangLimits
+import robotran.robolang.SourceFix
+import robotran.robolang.SourceRange
+import robotran.robolang.syntax.AssignTarget
+import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.Name
+import robotran.robolang.syntax.Routine
+import robotran.robolang.syntax.Statement
+import robotran.robolang.syntax.bodies
+import robotran.robolang.syntax.expressions
+import robotran.robolang.syntax.shortened
+
+/** Finds what every name stands for, and lays out the flows by which types are found. */
+internal class NameResolver(private val context: CheckContext) {
+    private val scopes = Scopes()
+    private val types = TypeFlows(context, ::resolveRead)
+    private val messages = context.messages
+    private val slots = mutableMapOf<SourceRange?, Int>()
+    private val globals = mutableMapOf<String, Draft>()
+    private var owner: Routine? = null
+    private var depth = 0
+
+    fun resolve() {
+        context.tree.routines.forEachIndexed(::declareRoutine)
+        statements(context.tree.statements)
+        for (routine in context.tree.routines) inOwnScope(routine) { routine(routine) }
+        for (behaviour in context.tree.behaviours) {
+            inOwnScope(null) {
+                types.of(behaviour.condition)
+                statements(behaviour.body)
+            }
+        }
+        connectCalls()
+    }
+
+    /** What calls hand over is what parameters hold. */
+    private fun connectCalls() {
+        for (call in context.calls) {
+            val parameters = context.routineOf(call.name)?.parameters.orEmpty()
+            parameters.zip(call.arguments).forEach { (parameter, argument) ->
+                context.draftsByName[parameter.range]?.let { types.of(argument).flowTo(it.type) }
+            }
+        }
+    }
+
+    private fun declareRoutine(place: Int, routine: Routine) {
+        val kind = if (routine.isFunction) SymbolKind.FUNCTION else SymbolKind.PROCEDURE
+        val draft = Draft(routine.name, kind, owner = null, index = place, isGlobal = true)
+        val earlier = context.routines[routine.name.key]
+        when {
+            routine.name.text.isEmpty() -> return
+            BuiltIn.of(routine.name.key) != null -> reportTaken(routine.name, messages.declaredBuiltIn(shortened(routine.name.text)))
+            earlier != null -> reportTaken(routine.name, messages.declaredTwice(shortened(routine.name.text), earlier.name.range.line))
+            else -> context.routines[routine.name.key] = draft
+        }
+        context.drafts += draft
+        context.draftsByName[routine.name.range] = draft
+        context.routinesByName[routine.name.range] = routine
+        if (place == RobolangLimits.ROUTINES) {
+            context.report(DiagnosticCode.TOO_MANY_ROUTINES, routine.name.range, messages.tooManyRoutines(RobolangLimits.ROUTINES))
+        }
+    }
+
+    private fun reportTaken(name: Name, message: String) {
+        context.report(DiagnosticCode.DECLARED_TWICE, name.range, message)
+    }
+
+    private fun routine(routine: Routine) {
+        owner = routine
+        for (parameter in routine.parameters) {
+            val earlier = scopes[parameter.key]?.takeIf { it.owner == routine }
+            if (earlier != null) reportTaken(parameter, messages.declaredTwice(shortened(parameter.text), earlier.name.range.line))
+            declare(parameter, SymbolKind.PARAMETER)
+        }
+        types.current = context.draftsByName[routine.name.range]
+        statements(routine.body)
+        types.current = null
+        owner = null
+    }
+
+    private fun inOwnScope(routine: Routine?, resolve: () -> Unit) {
+        depth++
+        scopes.enter()
+        resolve()
+        scopes.leave()
+        depth--
+    }
+
+    private fun statements(statements: List<Statement>) {
+        statements.forEach(::statement)
+    }
+
+    private fun statement(statement: Statement) {
+        statement.expressions.forEach(types::of)
+        when (statement) {
+            is Statement.Declare -> declare(statement)
+            is Statement.Assign -> assign(statement)
+            is Statement.Call -> types.call(statement.name, statement.arguments)
+            is Statement.Return -> types.giveBack(statement)
+            is Statement.ForRange -> loop(statement.body) { declareCounter(statement) }
+            is Statement.ForEach -> loop(statement.body) { declareElement(statement) }
+            else -> statement.bodies.forEach { loop(it) {} }
+        }
+    }
+
+    private fun loop(body: List<Statement>, declareVariable: () -> Unit) {
+        depth++
+        scopes.enter()
+        declareVariable()
+        statements(body)
+        scopes.leave()
+        depth--
+    }
+
+    private fun declareCounter(statement: Statement.ForRange) {
+        val draft = declareNew(statement.variable, SymbolKind.LOOP_VARIABLE)
+        types.of(statement.from).flowTo(draft.type, TypeFlow.NUMBER)
+        statement.step?.let { types.of(it).flowTo(draft.type, TypeFlow.NUMBER) }
+    }
+
+    private fun declareElement(statement: Statement.ForEach) {
+        val draft = declareNew(statement.variable, SymbolKind.LOOP_VARIABLE)
+        types.of(statement.list).flowTo(draft.type, TypeFlow.ELEMENT)
+    }
+
+    private fun declare(statement: Statement.Declare) {
+        val draft = declareNew(statement.name, if (statement.isConstant) SymbolKind.CONSTANT else SymbolKind.VARIABLE)
+        types.of(statement.value).flowTo(draft.type)
+        context.declaredValues[statement.name.range] = statement.value
+        if (statement.isConstant) draft.constant = context.constantOf(statement.value)
+        draft.listLength = (statement.value as? Expression.ListOf)?.elements?.size
+    }
+
+    private fun declareNew(name: Name, kind: SymbolKind): Draft {
+        val earlier = scopes[name.key]?.takeIf { it.owner == owner && !context.isExcused(name) }
+        if (earlier != null) reportTaken(name, messages.declaredTwice(shortened(name.text), earlier.name.range.line))
+        return declare(name, kind)
+    }
+
+    private fun declare(name: Name, kind: SymbolKind): Draft {
+        val slot = slots[owner?.range] ?: 0
+        slots[owner?.range] = slot + 1
+        val draft = Draft(name, kind, owner, slot, isGlobal = depth == 0)
+        scopes.declare(draft)
+        context.drafts += draft
+        context.draftsByName[name.range] = draft
+        if (draft.isGlobal) globals[name.key] = globals[name.key] ?: draft
+        if (slot == RobolangLimits.VARIABLES) {
+            context.report(DiagnosticCode.TOO_MANY_VARIABLES, name.range, messages.tooManyVariables(RobolangLimits.VARIABLES))
+        }
+        return draft
+    }
+
+    private fun assign(statement: Statement.Assign) {
+        when (val target = statement.target) {
+            is AssignTarget.Variable -> resolve(target.name)?.let { it.isAssigned = true }
+            is AssignTarget.Element -> resolveRead(target.list)
+        }
+    }
+
+    private fun resolveRead(name: Name): Draft? = resolve(name)?.also { it.isRead = true }
+
+    private fun resolve(name: Name): Draft? {
+        val draft = scopes[name.key]
+        val isBelow = draft != null && draft.isGlobal && draft.name.range.line > name.range.line
+        if (draft != null && !isBelow) {
+            context.draftsByName[name.range] = draft
+            return draft
+        }
+        if (context.isExcused(name)) return null
+        val later = draft ?: declaredBelow(name)
+        if (later != null) {
+            val message = messages.usedBeforeDeclaration(shortened(name.text), later.name.range.line)
+            context.report(DiagnosticCode.USED_BEFORE_DECLARATION, name.range, message)
+        } else {
+            reportUnknown(name)
+        }
+        return null
+    }
+
+    private fun declaredBelow(name: Name): Draft? = globals[name.key] ?: declaredGlobally[name.key]
+
+    private val declaredGlobally: Map<String, Draft> by lazy {
+        context.tree.statements.filterIsInstance<Statement.Declare>().associate { statement ->
+            statement.name.key to Draft(statement.name, SymbolKind.VARIABLE, owner = null, index = 0, isGlobal = true)
+        }
+    }
+
+    private fun reportUnknown(name: Name) {
+        val meant = context.nearestName(name, scopes)
+        val message = messages.unknownVariable(shortened(name.text), meant)
+        context.report(DiagnosticCode.UNKNOWN_VARIABLE, name.range, message, meant?.let { SourceFix(name.range, it) })
+    }
+}

@@ -1,0 +1,51 @@
+package robotran.robolang.check
+
+import robotran.robolang.syntax.Name
+import robotran.robolang.syntax.NumberValue
+import robotran.robolang.syntax.Routine
+
+/** A symbol while the program is being read. */
+internal class Draft(
+    val name: Name,
+    val kind: SymbolKind,
+    val owner: Routine?,
+    val index: Int,
+    val isGlobal: Boolean,
+    val type: TypeNode = TypeNode(),
+) {
+    var isRead = false
+    var isAssigned = false
+
+    /** The value of a constant that is a plain number. */
+    var constant: NumberValue? = null
+
+    /** The length of the list that it was declared with. */
+    var listLength: Int? = null
+
+    fun symbol(): Symbol = Symbol(name.text, kind, type.type, name.range, owner, index, isGlobal)
+}
+
+/** Which variables are known at the place being read: those of the blocks around it. */
+internal class Scopes {
+    private val visible = mutableMapOf<String, Draft>()
+    private val blocks = ArrayDeque<MutableList<Pair<String, Draft?>>>()
+
+    fun enter() {
+        blocks.addLast(mutableListOf())
+    }
+
+    fun leave() {
+        for ((key, hidden) in blocks.removeLast().asReversed()) {
+            if (hidden == null) visible.remove(key) else visible[key] = hidden
+        }
+    }
+
+    operator fun get(key: String): Draft? = visible[key]
+
+    fun declare(draft: Draft) {
+        blocks.lastOrNull()?.add(draft.name.key to visible[draft.name.key])
+        visible[draft.name.key] = draft
+    }
+
+    val keys: Collection<String> get() = visible.keys
+}

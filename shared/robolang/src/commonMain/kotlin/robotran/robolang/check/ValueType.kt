@@ -1,0 +1,32 @@
+package robotran.robolang.check
+
+/** What kind of value an expression has; [NOTHING] is what a procedure gives and what cannot be known in a mistaken program. */
+internal enum class ValueType {
+    /** A 32-bit whole number, Java's `int`. */
+    WHOLE,
+
+    /** A 32-bit decimal number, Java's `float`. */
+    DECIMAL,
+
+    /** True or false. */
+    TRUTH,
+
+    LIST_OF_WHOLE,
+
+    LIST_OF_DECIMAL,
+
+    NOTHING,
+    ;
+
+    val isNumber: Boolean get() = this == WHOLE || this == DECIMAL
+
+    val isList: Boolean get() = this == LIST_OF_WHOLE || this == LIST_OF_DECIMAL
+
+    /** The type of one element of a list. */
+    val element: ValueType
+        get() = when (this) {
+            LIST_OF_WHOLE -> WHOLE
+            LIST_OF_DECIMAL -> DECIMAL
+            WHOLE, DECIMAL, TRUTH, NOTHING -> NOTHING
+        }
+}

@@ -1,0 +1,68 @@
+package robotran.robolang.format
+
+import robotran.robolang.syntax.Keyword
+import robotran.robolang.syntax.ParsedProgram
+import robotran.robolang.syntax.ScannedLine
+
+private const val INDENTATION = "  "
+
+/** Between a line and the comment behind it; in a run of lines the longest one has so many. */
+private const val SPACES_BEFORE_COMMENT = 2
+
+/** A line without its comment, laid out. */
+private class LaidLine(val code: String, val indentation: String, val comment: String?) {
+    val isEmpty: Boolean get() = code.isEmpty() && comment == null
+    val hasBoth: Boolean get() = code.isNotEmpty() && comment != null
+}
+
+/** The text of a program without mistakes in the common layout. */
+internal fun layout(parsed: ParsedProgram): String {
+    val lines = withoutNeedlessEmptyLines(laidLines(parsed))
+    return buildString {
+        var position = 0
+        while (position < lines.size) {
+            val run = lines.subList(position, lines.size).takeWhile { it.hasBoth }
+            val width = run.maxOfOrNull { it.code.length } ?: 0
+            val next = if (run.isEmpty()) lines.subList(position, position + 1) else run
+            next.forEach { appendLine(it, width) }
+            position += next.size
+        }
+    }
+}
+
+private fun laidLines(parsed: ParsedProgram): List<LaidLine> {
+    val line = LineLayout(parsed.names)
+    var depth = 0
+    return parsed.lines.map { scanned ->
+        val first = scanned.tokens.firstOrNull()?.takeUnless { line.isName(it) }?.keyword
+        val closes = first == Keyword.END || first == Keyword.ELSE
+        val opens = first == Keyword.ELSE || first in Keyword.OPENERS
+        if (closes) depth--
+        laidLine(scanned, line, depth).also { if (opens) depth++ }
+    }
+}
+
+private fun laidLine(scanned: ScannedLine, line: LineLayout, depth: Int): LaidLine {
+    val indentation = INDENTATION.repeat(depth)
+    val code = if (scanned.tokens.isEmpty()) "" else indentation + line.textOf(scanned.tokens)
+    return LaidLine(code, indentation, scanned.comment?.text)
+}
+
+/** One empty line at most, and none at the beginning and at the end. */
+private fun withoutNeedlessEmptyLines(lines: List<LaidLine>): List<LaidLine> {
+    val kept = mutableListOf<LaidLine>()
+    for (line in lines) {
+        if (!line.isEmpty || kept.lastOrNull()?.isEmpty == false) kept += line
+    }
+    if (kept.lastOrNull()?.isEmpty == true) kept.removeAt(kept.lastIndex)
+    return kept
+}
+
+private fun StringBuilder.appendLine(line: LaidLine, width: Int) {
+    append(line.code)
+    if (line.comment != null) {
+        if (line.hasBoth) append(" ".repeat(width - line.code.length + SPACES_BEFORE_COMMENT)) else append(line.indentation)
+        append(line.comment)
+    }
+    append('\n')
+}

@@ -1,0 +1,104 @@
+package robotran.robolang.run
+
+import robotran.robolang.RunMessages
+import robotran.robolang.check.ValueType
+
+/** The arithmetic of one type of number, on the 32 bits that the stack holds of it. Both are Java's. */
+internal sealed interface Arithmetic {
+    fun plus(left: Int, right: Int): Int
+
+    fun minus(left: Int, right: Int): Int
+
+    fun times(left: Int, right: Int): Int
+
+    fun divide(left: Int, right: Int, messages: RunMessages): Int
+
+    fun modulo(left: Int, right: Int, messages: RunMessages): Int
+
+    fun negate(value: Int): Int
+
+    fun isLess(left: Int, right: Int): Boolean
+
+    fun isEqual(left: Int, right: Int): Boolean
+
+    /** -1, 0 or 1. */
+    fun sign(value: Int): Int
+
+    fun text(value: Int): String
+
+    /** `int`: 32 bits that wrap around, with a quotient without its fraction. */
+    data object Whole : Arithmetic {
+        override fun plus(left: Int, right: Int) = left + right
+
+        override fun minus(left: Int, right: Int) = left - right
+
+        override fun times(left: Int, right: Int) = left * right
+
+        /** By -1 it is a negation, for the smallest number has no opposite and some processors stop at it. */
+        override fun divide(left: Int, right: Int, messages: RunMessages): Int = when (right) {
+            0 -> fail(messages.divisionByZero(text(left)))
+            -1 -> -left
+            else -> left / right
+        }
+
+        override fun modulo(left: Int, right: Int, messages: RunMessages): Int = when (right) {
+            0 -> fail(messages.divisionByZero(text(left)))
+            -1 -> 0
+            else -> left % right
+        }
+
+        override fun negate(value: Int) = -value
+
+        override fun isLess(left: Int, right: Int) = left < right
+
+        override fun isEqual(left: Int, right: Int) = left == right
+
+        override fun sign(value: Int) = value.compareTo(0).coerceIn(-1, 1)
+
+        override fun text(value: Int) = value.toString()
+    }
+
+    /** `float`: division by zero gives an infinite number, as on the brick. */
+    data object Decimal : Arithmetic {
+        override fun plus(left: Int, right: Int) = bits(decimal(left) + decimal(right))
+
+        override fun minus(left: Int, right: Int) = bits(decimal(left) - decimal(right))
+
+        override fun times(left: Int, right: Int) = bits(decimal(left) * decimal(right))
+
+        override fun divide(left: Int, right: Int, messages: RunMessages) = bits(decimal(left) / decimal(right))
+
+        /** What is left of the one if the other is taken away as often as it goes in; the brick has no such operation of its own. */
+        override fun modulo(left: Int, right: Int, messages: RunMessages): Int {
+            val dividend = decimal(left)
+            val divisor = decimal(right)
+            return bits(dividend - divisor * (dividend / divisor).toInt())
+        }
+
+        override fun negate(value: Int) = bits(-decimal(value))
+
+        override fun isLess(left: Int, right: Int) = decimal(left) < decimal(right)
+
+        override fun isEqual(left: Int, right: Int) = decimal(left) == decimal(right)
+
+        override fun sign(value: Int) = decimal(value).let {
+            if (it < 0f) {
+                -1
+            } else if (it > 0f) {
+                1
+            } else {
+                0
+            }
+        }
+
+        override fun text(value: Int) = decimalText(decimal(value))
+
+        private fun decimal(bits: Int) = Float.fromBits(bits)
+
+        private fun bits(value: Float) = value.toRawBits()
+    }
+
+    companion object {
+        fun of(type: ValueType): Arithmetic = if (type == ValueType.DECIMAL) Decimal else Whole
+    }
+}

@@ -1,0 +1,36 @@
+package robotran.robolang.run
+
+/** The numbers that leJOS's `java.util.Random` gives for the same [seed]. */
+internal class LejosRandom(seed: Int) {
+    private var previousSeed = 1
+    private var seed = seed
+
+    /** Any whole number. */
+    fun next(): Int {
+        val next = (seed * FACTOR) xor previousSeed
+        previousSeed = seed
+        seed = next
+        return next
+    }
+
+    /** A whole number from [first] to [last], both included, whichever is the smaller. */
+    fun between(first: Int, last: Int): Int {
+        val smaller = minOf(first, last)
+        val count = maxOf(first, last) - smaller + 1
+        if (count <= 0) return next()
+        val rest = next() % count
+        return smaller + if (rest < 0) rest + count else rest
+    }
+
+    /** A decimal number from [first] to [last]. */
+    fun between(first: Float, last: Float): Float = first + (last - first) * ((next() and LOW_BITS) / DIVISOR)
+
+    private companion object {
+        /** Source: leJOS `Random.java`. */
+        const val FACTOR = 48271
+
+        /** As many bits as a decimal number keeps. */
+        const val LOW_BITS = 0xFFFFFF
+        const val DIVISOR = 16777216f
+    }
+}

@@ -1,0 +1,58 @@
+package robotran.robolang.run
+
+import robotran.robolang.check.CheckedProgram
+import robotran.robolang.check.SymbolKind
+import robotran.robolang.syntax.Behaviour
+import robotran.robolang.syntax.Routine
+
+/**
+ * Turns a program into instructions: first those that set up its sensors, then the main program, the routines and the behaviours.
+ *
+ * Every statement begins with a [Boundary.Statement], and so does every further round of a loop. Between two of them nothing can go on
+ * for ever, because each way back in a program leads over one. A run can therefore be stopped at any statement, and only there
+ * or while it waits, which is all that budgets, behaviours and debugging need.
+ */
+internal fun lower(program: CheckedProgram, name: String): Code {
+    val emitter = Emitter()
+    val scope = LoweringScope(program)
+    val statements = StatementLowering(emitter, scope)
+    val main = emitter.place
+    emitter.emit(scope.sensors)
+    statements.lowerAll(program.tree.statements)
+    emitter.emit(Boundary.End)
+    program.tree.routines.forEach { lowerRoutine(it, scope.codeOf(it.name), emitter, statements) }
+    val behaviours = program.tree.behaviours.map { lowerBehaviour(it, emitter, statements) }
+    return Code(
+        name = name,
+        instructions = emitter.instructions,
+        main = main,
+        symbols = program.symbols.filter { it.owner == null && it.kind in VARIABLES },
+        globals = program.slotsOf(null),
+        behaviours = behaviours,
+        firstLine = program.tree.statements.firstOrNull()?.range?.line ?: 0,
+    )
+}
+
+private fun lowerRoutine(routine: Routine, code: RoutineCode, emitter: Emitter, statements: StatementLowering) {
+    code.entry = emitter.place
+    statements.lowerAll(routine.body, of = routine)
+    if (routine.isFunction) {
+        emitter.emit { fail(it.machine.messages.nothingReturned(code.name)) }
+    } else {
+        emitter.emit { it.leave() }
+    }
+}
+
+private fun lowerBehaviour(behaviour: Behaviour, emitter: Emitter, statements: StatementLowering): BehaviourCode {
+    val condition = emitter.place
+    statements.expressions.lower(behaviour.condition)
+    emitter.emit(Boundary.End)
+    val action = emitter.place
+    emitter.statement(behaviour.range.line)
+    statements.lowerAll(behaviour.body)
+    emitter.emit(Boundary.End)
+    return BehaviourCode(condition, action, behaviour.range.line)
+}
+
+/** What has a value. */
+internal val VARIABLES = setOf(SymbolKind.CONSTANT, SymbolKind.VARIABLE, SymbolKind.PARAMETER, SymbolKind.LOOP_VARIABLE)

@@ -1,0 +1,25 @@
+package robotran.robolang.run
+
+import robotran.robolang.Calibration
+import robotran.robolang.RunMessages
+import robotran.rom.Rom
+
+/** What all activities of a run share: the robot, the variables of the main program, the lists, chance and the timer. */
+internal class Machine(
+    val code: Code,
+    val rom: Rom,
+    calibration: Calibration,
+    val messages: RunMessages,
+) {
+    val durations = Durations(calibration)
+    val commands = RobotCommands(rom)
+    val senses = RobotSenses(rom)
+    val lists = Lists(messages)
+    val globals = IntArray(code.globals)
+
+    /** Seeded as `new Random()` is on a brick: with the clock at the program's start. */
+    val random = LejosRandom(rom.milliseconds.toInt())
+
+    /** Whether a `halt` has been executed. */
+    var isHalted = false
+}

@@ -1,0 +1,121 @@
+package robotran.robolang.run
+
+import robotran.robolang.check.ValueType
+import robotran.robolang.syntax.AssignTarget
+import robotran.robolang.syntax.Name
+import robotran.robolang.syntax.Routine
+import robotran.robolang.syntax.Statement
+
+/** Lowers statements; those of loops and of the robot it leaves to [LoopLowering] and [CommandLowering]. */
+internal class StatementLowering(
+    private val emitter: Emitter,
+    private val scope: LoweringScope,
+) {
+    val expressions = ExpressionLowering(emitter, scope)
+    private val commands = CommandLowering(emitter, expressions)
+    private val loops = LoopLowering(emitter, expressions, ::lowerBody)
+    private var returned = ValueType.NOTHING
+
+    /** The statements of a block; [of] is the routine whose body they are. */
+    fun lowerAll(statements: List<Statement>, of: Routine? = null) {
+        returned = of?.let { scope.symbolOf(it.name).type } ?: ValueType.NOTHING
+        lowerBody(statements)
+    }
+
+    private fun lowerBody(statements: List<Statement>) = statements.forEach(::lower)
+
+    private fun lower(statement: Statement) {
+        if (statement is Statement.Loop) return loops.lower(statement)
+        emitter.statement(statement.range.line)
+        when (statement) {
+            is Statement.If -> {
+                lowerIf(statement)
+            }
+
+            is Statement.Declare -> {
+                expressions.lower(statement.value, scope.symbolOf(statement.name).type)
+                expressions.store(statement.name)
+            }
+
+            is Statement.Assign -> {
+                lowerAssign(statement)
+            }
+
+            is Statement.Call -> {
+                expressions.call(statement.name, statement.arguments, isValueNeeded = false)
+            }
+
+            is Statement.Return -> {
+                lowerReturn(statement)
+            }
+
+            is Statement.Break -> {
+                loops.leave()
+            }
+
+            is Statement.Continue -> {
+                loops.nextRound()
+            }
+
+            is Statement.Halt -> {
+                emitter.emit { it.machine.isHalted = true }
+            }
+
+            else -> {
+                commands.lower(statement)
+            }
+        }
+    }
+
+    private fun lowerIf(statement: Statement.If) {
+        val end = Label()
+        statement.branches.forEachIndexed { place, branch ->
+            val otherwise = Label()
+            if (place > 0) emitter.statement(branch.range.line)
+            expressions.lower(branch.condition)
+            emitter.jumpIfFalse(otherwise)
+            lowerBody(branch.body)
+            emitter.jump(end)
+            emitter.put(otherwise)
+        }
+        statement.otherwise?.let { lowerBody(it.body) }
+        emitter.put(end)
+    }
+
+    private fun lowerAssign(statement: Statement.Assign) {
+        when (val target = statement.target) {
+            is AssignTarget.Variable -> {
+                expressions.lower(statement.value, scope.symbolOf(target.name).type)
+                expressions.store(target.name)
+            }
+
+            is AssignTarget.Element -> {
+                lowerElement(target.list, target, statement)
+            }
+        }
+    }
+
+    private fun lowerElement(list: Name, target: AssignTarget.Element, statement: Statement.Assign) {
+        expressions.load(list)
+        expressions.lower(target.index)
+        expressions.lower(statement.value, scope.symbolOf(list).type.element)
+        emitter.emit {
+            val value = it.pop()
+            val index = it.pop()
+            it.machine.lists[it.pop(), index] = value
+        }
+    }
+
+    private fun lowerReturn(statement: Statement.Return) {
+        if (statement.value == null) {
+            emitter.emit { it.leave() }
+        } else {
+            expressions.lower(statement.value, returned)
+            emitter.emit {
+                val value = it.pop()
+                it.leave()
+                it.push(value)
+            }
+        }
+    }
+}

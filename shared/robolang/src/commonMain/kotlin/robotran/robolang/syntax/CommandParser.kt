@@ -1,0 +1,176 @@
+package robotran.robolang.syntax
+
+import robotran.robolang.DiagnosticCode
+import robotran.robolang.Mistakes
+import robotran.robolang.SourceRange
+import robotran.rom.MotorPort
+
+/** Reads one line that drives the robot, or makes the brick show, sound or wait. */
+internal class CommandParser(reader: LineReader, mistakes: Mistakes) : LineParser(reader, mistakes) {
+    /** Null if the line is no such command or has a mistake. */
+    fun statement(): Statement? = when (reader.next?.keyword) {
+        Keyword.FORWARD, Keyword.BACKWARD -> move()
+        Keyword.TURN -> turn()
+        Keyword.START -> start()
+        Keyword.STOP -> single(Statement::StopDriving)
+        Keyword.POWER -> power()
+        Keyword.MOTOR -> motor()
+        Keyword.PEN -> pen()
+        Keyword.WAIT -> wait()
+        Keyword.RESET -> reset()
+        Keyword.BEEP -> single(Statement::Beep)
+        Keyword.BUZZ -> single(Statement::Buzz)
+        Keyword.PLAY -> play()
+        Keyword.SHOW -> show()
+        Keyword.CLEAR -> clear()
+        else -> null
+    }
+
+    private fun single(statement: (range: SourceRange) -> Statement): Statement {
+        reader.advance()
+        return statement(reader.readRange)
+    }
+
+    private fun move(): Statement? {
+        val direction = moveDirection() ?: return null
+        if (reader.next?.keyword == Keyword.FOR) {
+            val duration = seconds() ?: return null
+            return Statement.Move(reader.readRange, direction, distance = null, duration)
+        }
+        val distance = number("20") ?: return null
+        unit(Keyword.CM)
+        return if (isAlsoTimed()) null else Statement.Move(reader.readRange, direction, distance, duration = null)
+    }
+
+    private fun turn(): Statement? {
+        reader.advance()
+        val direction = turnDirection() ?: return null
+        if (reader.next?.keyword == Keyword.FOR) {
+            val duration = seconds() ?: return null
+            return Statement.Turn(reader.readRange, direction, angle = null, duration)
+        }
+        val angle = number("90") ?: return null
+        unit(Keyword.DEGREES)
+        return if (isAlsoTimed()) null else Statement.Turn(reader.readRange, direction, angle, duration = null)
+    }
+
+    private fun moveDirection(): MoveDirection? = when (reader.take(Keyword.FORWARD, Keyword.BACKWARD)) {
+        Keyword.FORWARD -> MoveDirection.FORWARD
+        Keyword.BACKWARD -> MoveDirection.BACKWARD
+        else -> null
+    }
+
+    private fun turnDirection(): TurnDirection? = when (reader.take(Keyword.LEFT, Keyword.RIGHT)) {
+        Keyword.LEFT -> TurnDirection.LEFT
+        Keyword.RIGHT -> TurnDirection.RIGHT
+        else -> missing(DiagnosticCode.MISSING_TURN_DIRECTION, SIDES, messages::missingTurnDirection)
+    }
+
+    private fun unit(unit: Keyword) {
+        if (reader.take(unit) == null) mistakes.reportWrongUnit(reader, listOf(unit))
+    }
+
+    private fun isAlsoTimed(): Boolean {
+        if (reader.next?.keyword != Keyword.FOR) return false
+        mistakes.report(reader, DiagnosticCode.LENGTH_AND_TIME, reader.restRange, messages.lengthAndTime())
+        return true
+    }
+
+    private fun start(): Statement? {
+        reader.advance()
+        moveDirection()?.let { return Statement.StartMoving(reader.readRange, it) }
+        if (reader.take(Keyword.TURNING) == null) return missing(DiagnosticCode.MISSING_MOVE, STARTS, messages::missingMove)
+        return turnDirection()?.let { Statement.StartTurning(reader.readRange, it) }
+    }
+
+    private fun power(): Statement? {
+        reader.advance()
+        val isSided = reader.next?.keyword in SIDES && reader.peek(1)?.keyword != Keyword.BUMPER
+        val side = when (if (isSided) reader.take(Keyword.LEFT, Keyword.RIGHT) else null) {
+            Keyword.LEFT -> PowerSide.LEFT
+            Keyword.RIGHT -> PowerSide.RIGHT
+            else -> PowerSide.BOTH
+        }
+        return number("5")?.let { Statement.Power(reader.readRange, side, it) }
+    }
+
+    private fun motor(): Statement? {
+        reader.advance()
+        val letter = reader.next?.text?.uppercase()
+        val port = MotorPort.entries.firstOrNull { it.name == letter } ?: return missingMotor()
+        reader.advance()
+        val command = when (reader.take(*MOTOR_COMMANDS.toTypedArray())) {
+            Keyword.FORWARD -> MotorCommand.Forward
+            Keyword.BACKWARD -> MotorCommand.Backward
+            Keyword.STOP -> MotorCommand.Stop
+            Keyword.FLOAT -> MotorCommand.Float
+            Keyword.POWER -> number("5")?.let { MotorCommand.Power(it) } ?: return null
+            else -> return missing(DiagnosticCode.MISSING_MOTOR_COMMAND, MOTOR_COMMANDS) { messages.missingMotorCommand(port.name, it) }
+        }
+        return Statement.Motor(reader.readRange, port, command)
+    }
+
+    private fun missingMotor(): Nothing? {
+        mistakes.report(reader, DiagnosticCode.MISSING_MOTOR, reader.next?.range ?: reader.gap, messages.missingMotor())
+        return null
+    }
+
+    private fun pen(): Statement? {
+        reader.advance()
+        val position = when (reader.take(Keyword.DOWN, Keyword.UP)) {
+            Keyword.DOWN -> PenPosition.DOWN
+            Keyword.UP -> PenPosition.UP
+            else -> return missing(DiagnosticCode.MISSING_PEN_POSITION, listOf(Keyword.DOWN, Keyword.UP), messages::missingPenPosition)
+        }
+        return Statement.Pen(reader.readRange, position)
+    }
+
+    private fun wait(): Statement? {
+        reader.advance()
+        if (reader.take(Keyword.UNTIL) != null) return condition()?.let { Statement.WaitUntil(reader.readRange, it) }
+        val duration = number("2 seconds") ?: return null
+        val unit = when (reader.take(Keyword.SECONDS, Keyword.MILLISECONDS)) {
+            Keyword.SECONDS -> TimeUnit.SECONDS
+            Keyword.MILLISECONDS -> TimeUnit.MILLISECONDS
+            else -> return noTimeUnit(duration)
+        }
+        return Statement.Wait(reader.readRange, duration, unit)
+    }
+
+    private fun noTimeUnit(duration: Expression): Nothing? {
+        mistakes.reportNoTimeUnit(reader, duration)
+        return null
+    }
+
+    private fun reset(): Statement? {
+        reader.advance()
+        return if (expect(Keyword.TIMER)) Statement.ResetTimer(reader.readRange) else null
+    }
+
+    private fun clear(): Statement? {
+        reader.advance()
+        return if (expect(Keyword.SCREEN)) Statement.ClearScreen(reader.readRange) else null
+    }
+
+    private fun play(): Statement? {
+        reader.advance()
+        val frequency = number("440 for 1 second") ?: return null
+        val duration = seconds() ?: return null
+        return Statement.Play(reader.readRange, frequency, duration)
+    }
+
+    private fun show(): Statement? {
+        reader.advance()
+        val text = reader.take(TokenKind.TEXT)
+        if (text != null) {
+            return Statement.ShowText(reader.readRange, text.text.removeSurrounding("\""), text.range)
+        }
+        return number("5")?.let { Statement.Show(reader.readRange, it) }
+    }
+
+    private companion object {
+        val SIDES = listOf(Keyword.LEFT, Keyword.RIGHT)
+        val STARTS = listOf(Keyword.FORWARD, Keyword.BACKWARD, Keyword.TURNING)
+        val MOTOR_COMMANDS = listOf(Keyword.FORWARD, Keyword.BACKWARD, Keyword.STOP, Keyword.FLOAT, Keyword.POWER)
+    }
+}

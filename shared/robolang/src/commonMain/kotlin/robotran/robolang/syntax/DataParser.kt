@@ -1,0 +1,98 @@
+package robotran.robolang.syntax
+
+import robotran.robolang.DiagnosticCode
+import robotran.robolang.Mistakes
+import robotran.robolang.SourceFix
+
+/** Reads one line that names, changes or hands on values, or leaves a block. */
+internal class DataParser(reader: LineReader, mistakes: Mistakes) : LineParser(reader, mistakes) {
+    /** Null if the line is no such statement or has a mistake. */
+    fun statement(): Statement? = when (reader.next?.keyword) {
+        Keyword.VAR -> declare(isConstant = false)
+        Keyword.CONST -> declare(isConstant = true)
+        Keyword.BREAK -> single { Statement.Break(reader.readRange) }
+        Keyword.CONTINUE -> single { Statement.Continue(reader.readRange) }
+        Keyword.HALT -> single { Statement.Halt(reader.readRange) }
+        Keyword.RETURN -> giveBack()
+        else -> null
+    }
+
+    /** Reads a line that begins with a name. Null if it makes no sense, or if a mistake is reported. */
+    fun named(): Statement? = when (reader.peek(1)?.kind) {
+        TokenKind.OPEN_BRACKET -> call()
+        TokenKind.OPEN_LIST -> assignElement()
+        else -> assign()
+    }
+
+    private fun single(statement: () -> Statement): Statement {
+        reader.advance()
+        return statement()
+    }
+
+    private fun declare(isConstant: Boolean): Statement? {
+        reader.advance()
+        val name = name("x = 5") ?: return null
+        if (!assignSign("= 5")) return null
+        val value = value("5") ?: return null
+        return Statement.Declare(reader.readRange, name, value, isConstant)
+    }
+
+    private fun giveBack(): Statement? {
+        reader.advance()
+        if (!canBegin(reader.next)) return Statement.Return(reader.readRange, null)
+        return value("5")?.let { Statement.Return(reader.readRange, it) }
+    }
+
+    private fun call(): Statement? {
+        val name = checkNotNull(reader.takeName())
+        reader.advance()
+        val arguments = expressions.arguments() ?: return null
+        return Statement.Call(reader.readRange, name, arguments)
+    }
+
+    private fun assign(): Statement? {
+        val name = checkNotNull(reader.takeName())
+        if (!assignSign("= 5")) return null
+        return value("5")?.let { Statement.Assign(reader.readRange, AssignTarget.Variable(name), it) }
+    }
+
+    private fun assignElement(): Statement? {
+        val name = checkNotNull(reader.takeName())
+        val opening = checkNotNull(reader.next)
+        reader.advance()
+        val index = number("0]") ?: return null
+        if (reader.take(TokenKind.CLOSE_LIST) == null) return mistakes.reportMissingBracket(reader, opening, "]")
+        if (!assignSign("= 5")) return null
+        return value("5")?.let { Statement.Assign(reader.readRange, AssignTarget.Element(name, index), it) }
+    }
+
+    /** Reads the `=` of an assignment; what is near it is reported with its fix. */
+    private fun assignSign(example: String): Boolean {
+        if (reader.take(TokenKind.ASSIGN) != null) return true
+        val sign = reader.next
+        val before = reader.quotable(reader.readRange)
+        when {
+            sign?.kind == TokenKind.EQUAL -> {
+                val fix = SourceFix(sign.range, "=")
+                mistakes.report(reader, DiagnosticCode.COMPARISON_AS_COMMAND, sign.range, messages.useOneEqualsSign(), fix)
+            }
+
+            sign != null && reader.peek(1)?.kind == TokenKind.ASSIGN -> {
+                val range = sign.range.copy(endColumn = checkNotNull(reader.peek(1)).range.endColumn)
+                val message = messages.combinedAssignment(before, shortened(sign.text))
+                mistakes.report(reader, DiagnosticCode.COMBINED_ASSIGNMENT, range, message, SourceFix(range, "= $before ${sign.text}"))
+            }
+
+            else -> {
+                val range = sign?.range ?: reader.gap
+                mistakes.report(reader, DiagnosticCode.MISSING_VALUE, range, messages.missingAssignment(before, "$before $example"))
+            }
+        }
+        return false
+    }
+
+    companion object {
+        /** What these lines begin with, if not with a name. */
+        val COMMANDS = setOf(Keyword.VAR, Keyword.CONST, Keyword.BREAK, Keyword.CONTINUE, Keyword.HALT, Keyword.RETURN)
+    }
+}

@@ -1,0 +1,171 @@
+package robotran.robolang.syntax
+
+import robotran.robolang.Mistakes
+import robotran.robolang.RobolangLimits
+
+/**
+ * Reads the expressions of one line, by recursive descent along the strength of the operators. All functions give null once they
+ * have reported a mistake. How deep expressions are inside each other is limited, for all phases walk them by recursion.
+ */
+internal class ExpressionParser(
+    private val reader: LineReader,
+    private val mistakes: Mistakes,
+) {
+    private var depth = 0
+    private var listDepth = 0
+
+    /** How many expressions the one read last has inside each other. */
+    private var height = 0
+
+    /** Where something with a value should come; [example] completes what has been read of the line so far. */
+    fun expression(expected: Expected, example: String): Expression? {
+        val lacksCount = reader.first.keyword == Keyword.REPEAT && reader.next?.keyword == Keyword.TIMES && reader.peek(1) == null
+        if (lacksCount || !canBegin(reader.next)) return mistakes.reportMissingValue(reader, expected, example)
+        return binary(BinaryOperator.OR.strength)
+    }
+
+    /** What stands in the brackets of a call, whose opening one has been read. */
+    fun arguments(): List<Expression>? = elements(TokenKind.CLOSE_BRACKET)
+
+    private fun binary(weakest: Int): Expression? {
+        var left = operand(weakest) ?: return null
+        while (true) {
+            val operator = operatorOf(reader.next)?.takeIf { it.strength >= weakest } ?: return left
+            val heightOfLeft = height
+            if (reader.next?.kind == TokenKind.ASSIGN) mistakes.reportAssignmentInsteadOfComparison(reader)
+            reader.advance()
+            if (!canBegin(reader.next)) return mistakes.reportMissingOperand(reader, operator.text)
+            val right = binary(operator.strength + 1) ?: return null
+            height = maxOf(heightOfLeft, height) + 1
+            if (height > RobolangLimits.NESTED_EXPRESSIONS) return mistakes.reportDeepExpression(reader)
+            left = Expression.Binary(reader.rangeFrom(left.range), operator, left, right)
+        }
+    }
+
+    private fun operand(weakest: Int): Expression? {
+        if (depth >= RobolangLimits.NESTED_EXPRESSIONS) return mistakes.reportDeepExpression(reader)
+        depth++
+        val operand = when {
+            reader.next?.keyword == Keyword.NOT -> unary(UnaryOperator.NOT) { binary(maxOf(weakest, STRENGTH_OF_NOT + 1)) }
+            reader.next?.kind != TokenKind.MINUS -> postfix()
+            reader.peek(1)?.kind == TokenKind.NUMBER -> leaf(readNumberExpression(reader, mistakes, listDepth > 0))
+            else -> unary(UnaryOperator.MINUS) { operand(weakest) }
+        }
+        depth--
+        return operand
+    }
+
+    private fun unary(operator: UnaryOperator, readOperand: () -> Expression?): Expression? {
+        val sign = checkNotNull(reader.next)
+        reader.advance()
+        if (!canBegin(reader.next)) return mistakes.reportMissingOperand(reader, operator.text)
+        val operand = readOperand() ?: return null
+        height++
+        return Expression.Unary(reader.rangeFrom(sign.range), operator, operand)
+    }
+
+    private fun postfix(): Expression? {
+        var value = primary() ?: return null
+        while (reader.next?.kind == TokenKind.OPEN_LIST && value !is Expression.Number) {
+            val opening = checkNotNull(reader.next)
+            val heightOfList = height
+            reader.advance()
+            val index = inner() ?: return null
+            if (reader.take(TokenKind.CLOSE_LIST) == null) return mistakes.reportMissingBracket(reader, opening, "]")
+            height = maxOf(heightOfList, height) + 1
+            if (height > RobolangLimits.NESTED_EXPRESSIONS) return mistakes.reportDeepExpression(reader)
+            value = Expression.Element(reader.rangeFrom(value.range), value, index)
+        }
+        return value
+    }
+
+    private fun primary(): Expression? {
+        val token = checkNotNull(reader.next)
+        return when (token.kind) {
+            TokenKind.NUMBER -> leaf(readNumberExpression(reader, mistakes, listDepth > 0))
+            TokenKind.OPEN_BRACKET -> brackets(token)
+            TokenKind.OPEN_LIST -> list(token)
+            else -> if (token.canBeName) named(token) else leaf(readWordExpression(reader, mistakes))
+        }
+    }
+
+    private fun leaf(expression: Expression?): Expression? {
+        height = 1
+        return expression
+    }
+
+    private fun named(token: Token): Expression? {
+        val name = checkNotNull(reader.takeName())
+        if (reader.take(TokenKind.OPEN_BRACKET) == null) return leaf(Expression.Variable(token.range, name))
+        val arguments = elements(TokenKind.CLOSE_BRACKET) ?: return null
+        height++
+        return Expression.Call(reader.rangeFrom(token.range), name, arguments)
+    }
+
+    private fun brackets(opening: Token): Expression? {
+        reader.advance()
+        val inner = inner() ?: return null
+        if (reader.take(TokenKind.CLOSE_BRACKET) == null) return mistakes.reportMissingBracket(reader, opening, ")")
+        height++
+        return Expression.Brackets(reader.rangeFrom(opening.range), inner)
+    }
+
+    private fun list(opening: Token): Expression? {
+        reader.advance()
+        val elements = elements(TokenKind.CLOSE_LIST) ?: return null
+        height++
+        return Expression.ListOf(reader.rangeFrom(opening.range), elements)
+    }
+
+    /** Values with commas between them, up to the bracket that is [closing]. */
+    private fun elements(closing: TokenKind): List<Expression>? {
+        val opening = checkNotNull(reader.peek(-1))
+        val elements = mutableListOf<Expression>()
+        var highest = 0
+        if (reader.take(closing) != null) {
+            height = 0
+            return elements
+        }
+        listDepth++
+        do {
+            elements += inner() ?: return null
+            highest = maxOf(highest, height)
+        } while (reader.take(TokenKind.COMMA) != null)
+        listDepth--
+        height = highest
+        if (reader.take(closing) == null) return mistakes.reportMissingBracket(reader, opening, checkNotNull(closing.text))
+        return elements
+    }
+
+    private fun inner(): Expression? {
+        val before = checkNotNull(reader.peek(-1))
+        if (!canBegin(reader.next)) return mistakes.reportMissingOperand(reader, before.text)
+        return binary(BinaryOperator.OR.strength)
+    }
+}
+
+/** What a command needs next. */
+internal enum class Expected { NUMBER, CONDITION, VALUE }
+
+private val BEGINNING_WORDS = setOf(
+    Keyword.NOT, Keyword.TRUE, Keyword.FALSE, Keyword.LEFT, Keyword.RIGHT, Keyword.LIGHT, Keyword.SENSOR, Keyword.BUTTON,
+    Keyword.TIMER, Keyword.BATTERY,
+)
+
+private val BEGINNING_KINDS = setOf(TokenKind.NUMBER, TokenKind.MINUS, TokenKind.OPEN_BRACKET, TokenKind.OPEN_LIST)
+
+/** Whether an expression can begin with [token]. */
+internal fun canBegin(token: Token?): Boolean =
+    token != null && (token.kind in BEGINNING_KINDS || token.keyword in BEGINNING_WORDS || token.canBeName)
+
+/** A single `=` is taken for a comparison, because nothing else can be meant by it. */
+private fun operatorOf(token: Token?): BinaryOperator? = when (token?.kind) {
+    TokenKind.WORD -> WORD_OPERATORS[token.keyword]
+    TokenKind.ASSIGN -> BinaryOperator.EQUAL
+    null -> null
+    else -> SIGN_OPERATORS[token.text]
+}
+
+private val WORD_OPERATORS = mapOf(Keyword.OR to BinaryOperator.OR, Keyword.AND to BinaryOperator.AND, Keyword.MOD to BinaryOperator.MOD)
+
+private val SIGN_OPERATORS = BinaryOperator.entries.associateBy { it.text }

@@ -1,0 +1,92 @@
+package robotran.robolang.syntax
+
+import robotran.robolang.DiagnosticCode
+import robotran.robolang.Mistakes
+import robotran.robolang.SourceFix
+
+/** Reads the first lines of blocks. Where one has a mistake its block is read all the same, so that nothing below it is blamed. */
+internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser(reader, mistakes) {
+    /** What a loop does with its body once that is read. */
+    fun loop(): (Block) -> Statement = when (reader.take(Keyword.REPEAT, Keyword.FOR)) {
+        Keyword.REPEAT -> repeat()
+        else -> if (reader.take(Keyword.EACH) != null) forEach() else forRange()
+    } ?: { Statement.RepeatForever(it.range, it.endRange, it.body) }
+
+    private fun repeat(): ((Block) -> Statement)? = when (reader.take(Keyword.FOREVER, Keyword.WHILE, Keyword.UNTIL)) {
+        Keyword.FOREVER -> { block -> Statement.RepeatForever(block.range, block.endRange, block.body) }
+        Keyword.WHILE -> condition()?.let { { block -> Statement.RepeatWhile(block.range, block.endRange, it, block.body) } }
+        Keyword.UNTIL -> condition()?.let { { block -> Statement.RepeatUntil(block.range, block.endRange, it, block.body) } }
+        else -> times()?.let { { block -> Statement.Repeat(block.range, block.endRange, it, block.body) } }
+    }
+
+    private fun times(): Expression? {
+        val count = number("4 times") ?: return null
+        if (reader.take(Keyword.TIMES) != null) return count
+        val meant = (count as? Expression.Variable)?.let { suggestion(it.name.text, KINDS_OF_REPEAT) }
+        if (meant == null) {
+            return missing(DiagnosticCode.MISSING_TIMES, listOf(Keyword.TIMES)) { messages.missingTimes(reader.quotable(count.range), it) }
+        }
+        val message = messages.missingTimes(reader.quotable(count.range), meant)
+        mistakes.report(reader, DiagnosticCode.MISSING_TIMES, count.range, message, SourceFix(count.range, meant))
+        return null
+    }
+
+    private fun forRange(): ((Block) -> Statement)? {
+        val variable = name("i from 1 to 10") ?: return null
+        if (!expect(Keyword.FROM)) return null
+        val from = number("1 to 10") ?: return null
+        if (!expect(Keyword.TO)) return null
+        val to = number("10") ?: return null
+        val step = if (reader.take(Keyword.STEP) != null) number("2") ?: return null else null
+        return { Statement.ForRange(it.range, it.endRange, variable, from, to, step, it.body) }
+    }
+
+    private fun forEach(): ((Block) -> Statement)? {
+        val variable = name("x in list") ?: return null
+        if (!expect(Keyword.IN)) return null
+        val list = value("[1, 2, 3]") ?: return null
+        return { Statement.ForEach(it.range, it.endRange, variable, list, it.body) }
+    }
+
+    /** The condition of an `if`, `else if` or `whenever`, whose words have been read. */
+    fun conditionOrAny(): Expression = condition() ?: Expression.Truth(reader.gap, true)
+
+    /** The first line of a procedure or function, whose first word has been read. */
+    fun routine(): RoutineHeader {
+        val name = name("square()") ?: return RoutineHeader(Name(reader.gap, ""), emptyList())
+        val parameters = mutableListOf<Name>()
+        val opening = reader.take(TokenKind.OPEN_BRACKET)
+        if (opening == null) {
+            val message = messages.missingBracketsOfRoutine(shortened(name.text))
+            mistakes.report(reader, DiagnosticCode.MISSING_BRACKETS, reader.gap, message, SourceFix(reader.gap, "()"))
+        } else if (reader.take(TokenKind.CLOSE_BRACKET) == null) {
+            do {
+                parameters += name("length)") ?: break
+            } while (reader.take(TokenKind.COMMA) != null)
+            if (reader.take(TokenKind.CLOSE_BRACKET) == null) mistakes.reportMissingBracket(reader, opening, ")")
+        }
+        return RoutineHeader(name, parameters)
+    }
+
+    /** `light sensor on 2 facing down`. */
+    fun lightSensor(): LightSensorSetting? {
+        val isComplete = expect(Keyword.LIGHT) && expect(Keyword.SENSOR) && expect(Keyword.ON)
+        if (!isComplete) return null
+        val port = readPort(reader, mistakes) ?: return null
+        if (!expect(Keyword.FACING)) return null
+        val facing = when (reader.take(Keyword.DOWN, Keyword.FORWARD)) {
+            Keyword.DOWN -> Facing.DOWN
+            Keyword.FORWARD -> Facing.FORWARD
+            else -> return missing(DiagnosticCode.MISSING_FACING, listOf(Keyword.DOWN, Keyword.FORWARD), messages::missingFacing)
+        }
+        mistakes.expectEndOfLine(reader)
+        return LightSensorSetting(reader.readRange, port, facing)
+    }
+
+    private companion object {
+        val KINDS_OF_REPEAT = listOf(Keyword.FOREVER.text, Keyword.WHILE.text, Keyword.UNTIL.text)
+    }
+}
+
+/** What the first line of a routine says. */
+internal class RoutineHeader(val name: Name, val parameters: List<Name>)

@@ -1,0 +1,61 @@
+package robotran.robolang.syntax
+
+import robotran.robolang.DiagnosticCode
+import robotran.robolang.Mistakes
+
+/** What the parsers of all kinds of lines need; each function gives null once it has reported a mistake. */
+internal abstract class LineParser(
+    protected val reader: LineReader,
+    protected val mistakes: Mistakes,
+) {
+    protected val messages = mistakes.messages
+    protected val expressions = ExpressionParser(reader, mistakes)
+
+    protected fun number(example: String): Expression? = expressions.expression(Expected.NUMBER, example)
+
+    protected fun condition(): Expression? = expressions.expression(Expected.CONDITION, "left bumper")
+
+    protected fun value(example: String): Expression? = expressions.expression(Expected.VALUE, example)
+
+    /** Whether [word] comes next; reports it if not. */
+    protected fun expect(word: Keyword): Boolean {
+        if (reader.take(word) != null) return true
+        val before = reader.quotable(reader.readRange)
+        missing(DiagnosticCode.MISSING_WORD, listOf(word)) { messages.missingWord(before, word.text, it) }
+        return false
+    }
+
+    /** One of [words] should come next. */
+    protected fun missing(code: DiagnosticCode, words: List<Keyword>, message: (suggestion: String?) -> String): Nothing? {
+        mistakes.reportMissingWord(reader, code, words.map { it.text }, message)
+        return null
+    }
+
+    /** The name that comes next; [example] completes the line so far. */
+    protected fun name(example: String): Name? {
+        reader.takeName()?.let { return it }
+        val token = reader.next
+        if (token?.keyword != null) {
+            mistakes.report(reader, DiagnosticCode.RESERVED_WORD, token.range, messages.reservedWord(token.text))
+        } else {
+            val before = reader.quotable(reader.readRange)
+            val range = token?.range ?: reader.gap
+            mistakes.report(reader, DiagnosticCode.MISSING_NAME, range, messages.missingName(before, "$before $example"))
+        }
+        return null
+    }
+
+    /** The seconds behind a `for` that comes next. */
+    protected fun seconds(): Expression? {
+        if (!expect(Keyword.FOR)) return null
+        val duration = number("2 seconds") ?: return null
+        if (reader.take(Keyword.SECONDS) != null) return duration
+        val word = reader.next?.takeIf { it.kind == TokenKind.WORD }
+        if (word != null && isUnit(word)) {
+            mistakes.reportUnit(reader, word, listOf(Keyword.SECONDS))
+            return null
+        }
+        expect(Keyword.SECONDS)
+        return null
+    }
+}

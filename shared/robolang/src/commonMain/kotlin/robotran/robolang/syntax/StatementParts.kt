@@ -1,0 +1,35 @@
+package robotran.robolang.syntax
+
+/** What an assignment changes. */
+internal sealed interface AssignTarget {
+    data class Variable(val name: Name) : AssignTarget
+
+    /** One element of a list, counted from 0. */
+    data class Element(val list: Name, val index: Expression) : AssignTarget
+}
+
+/** What one motor is to do. */
+internal sealed interface MotorCommand {
+    data object Forward : MotorCommand
+
+    data object Backward : MotorCommand
+
+    /** Brakes. */
+    data object Stop : MotorCommand
+
+    /** Rolls on without current. */
+    data object Float : MotorCommand
+
+    /** 0..7, for this motor from now on. */
+    data class Power(val power: Expression) : MotorCommand
+}
+
+internal enum class PowerSide { BOTH, LEFT, RIGHT }
+
+internal enum class MoveDirection { FORWARD, BACKWARD }
+
+internal enum class TurnDirection { LEFT, RIGHT }
+
+internal enum class PenPosition { DOWN, UP }
+
+internal enum class TimeUnit { SECONDS, MILLISECONDS }

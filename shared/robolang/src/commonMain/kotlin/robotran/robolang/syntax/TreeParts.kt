@@ -1,0 +1,66 @@
+package robotran.robolang.syntax
+
+/** The expressions directly inside this one, from left to right. */
+internal val Expression.parts: List<Expression>
+    get() = when (this) {
+        is Expression.Number, is Expression.Truth, is Expression.Variable, is Expression.Sense -> emptyList()
+        is Expression.ListOf -> elements
+        is Expression.Element -> listOf(list, index)
+        is Expression.Unary -> listOf(operand)
+        is Expression.Binary -> listOf(left, right)
+        is Expression.Call -> arguments
+        is Expression.Brackets -> listOf(inner)
+    }
+
+/** The expressions of a statement's own line or, in a choice, of all its branches, but not those of the statements in it. */
+internal val Statement.expressions: List<Expression>
+    get() = when (this) {
+        is Statement.Move -> listOfNotNull(distance, duration)
+
+        is Statement.Turn -> listOfNotNull(angle, duration)
+
+        is Statement.Power -> listOf(power)
+
+        is Statement.Motor -> listOfNotNull((command as? MotorCommand.Power)?.power)
+
+        is Statement.Wait -> listOf(duration)
+
+        is Statement.WaitUntil -> listOf(condition)
+
+        is Statement.Play -> listOf(frequency, duration)
+
+        is Statement.Show -> listOf(value)
+
+        is Statement.Repeat -> listOf(count)
+
+        is Statement.RepeatWhile -> listOf(condition)
+
+        is Statement.RepeatUntil -> listOf(condition)
+
+        is Statement.ForRange -> listOfNotNull(from, to, step)
+
+        is Statement.ForEach -> listOf(list)
+
+        is Statement.If -> branches.map { it.condition }
+
+        is Statement.Declare -> listOf(value)
+
+        is Statement.Assign -> listOfNotNull((target as? AssignTarget.Element)?.index, value)
+
+        is Statement.Call -> arguments
+
+        is Statement.Return -> listOfNotNull(value)
+
+        is Statement.StartMoving, is Statement.StartTurning, is Statement.StopDriving, is Statement.Pen, is Statement.ResetTimer,
+        is Statement.Beep, is Statement.Buzz, is Statement.ShowText, is Statement.ClearScreen, is Statement.RepeatForever,
+        is Statement.Break, is Statement.Continue, is Statement.Halt,
+        -> emptyList()
+    }
+
+/** The blocks directly inside this statement. */
+internal val Statement.bodies: List<List<Statement>>
+    get() = when (this) {
+        is Statement.Loop -> listOf(body)
+        is Statement.If -> branches.map { it.body } + listOfNotNull(otherwise?.body)
+        else -> emptyList()
+    }

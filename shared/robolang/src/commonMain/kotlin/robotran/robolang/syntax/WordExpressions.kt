@@ -1,0 +1,55 @@
+package robotran.robolang.syntax
+
+import robotran.robolang.DiagnosticCode
+import robotran.robolang.Mistakes
+import robotran.robolang.RobolangLimits
+
+private val BUTTONS = mapOf(Keyword.RUN to BrickButton.RUN, Keyword.VIEW to BrickButton.VIEW, Keyword.PRGM to BrickButton.PRGM)
+
+/** Reads what begins with a keyword: the truth values and what the robot feels. Gives null once a mistake is reported. */
+internal fun readWordExpression(reader: LineReader, mistakes: Mistakes): Expression? {
+    val first = checkNotNull(reader.next)
+    reader.advance()
+    val sense = when (first.keyword) {
+        Keyword.TRUE -> return Expression.Truth(first.range, true)
+        Keyword.FALSE -> return Expression.Truth(first.range, false)
+        Keyword.LEFT -> bumper(reader, mistakes, first, Sense.LeftBumper)
+        Keyword.RIGHT -> bumper(reader, mistakes, first, Sense.RightBumper)
+        Keyword.LIGHT -> Sense.Light
+        Keyword.SENSOR -> readPort(reader, mistakes)?.let { Sense.Sensor(it) }
+        Keyword.BUTTON -> button(reader, mistakes)
+        Keyword.TIMER -> Sense.Timer
+        Keyword.BATTERY -> Sense.Battery
+        else -> error("No expression begins with ${first.text}.")
+    }
+    return sense?.let { Expression.Sense(reader.rangeFrom(first.range), it) }
+}
+
+private fun bumper(reader: LineReader, mistakes: Mistakes, side: Token, sense: Sense): Sense? {
+    if (reader.take(Keyword.BUMPER) != null) return sense
+    mistakes.reportMissingWord(reader, DiagnosticCode.MISSING_WORD, listOf(Keyword.BUMPER.text)) {
+        mistakes.messages.missingWord(side.text, Keyword.BUMPER.text, it)
+    }
+    return null
+}
+
+private fun button(reader: LineReader, mistakes: Mistakes): Sense? {
+    val button = BUTTONS[reader.next?.keyword]
+    if (button != null) {
+        reader.advance()
+        return Sense.Button(button)
+    }
+    mistakes.reportMissingWord(reader, DiagnosticCode.MISSING_BUTTON, BUTTONS.keys.map { it.text }, mistakes.messages::missingButton)
+    return null
+}
+
+/** Reads the number of one of the brick's three inputs, 1..3. */
+internal fun readPort(reader: LineReader, mistakes: Mistakes): Int? {
+    val token = reader.take(TokenKind.NUMBER)
+    val port = token?.text?.toIntOrNull()?.takeIf { it in RobolangLimits.SENSOR_PORTS }
+    if (port == null) {
+        val range = (token ?: reader.next)?.range ?: reader.gap
+        mistakes.report(reader, DiagnosticCode.PORT_OUT_OF_RANGE, range, mistakes.messages.portOutOfRange())
+    }
+    return port
+}

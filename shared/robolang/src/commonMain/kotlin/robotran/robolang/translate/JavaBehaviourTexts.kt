@@ -1,0 +1,32 @@
+package robotran.robolang.translate
+
+/** The Java that every program with behaviours has. */
+internal object JavaBehaviourTexts {
+    const val SUPPRESS = """public void suppress() {
+    actionIsSuppressed = true;
+}"""
+
+    const val MAIN_PROGRAM = """/** The main program has the robot whenever no behaviour wants it. */
+static class MainProgram implements Behavior {
+    public boolean takeControl() {
+        return true;
+    }
+
+    public void action() {
+        mainIsPaused = false;
+    }
+
+    public void suppress() {
+        mainIsPaused = true;
+    }
+}"""
+
+    /** With the behaviours in the place of `ALL`, each before those that have priority over it. */
+    const val REACTIONS = """/** Looks all the time whether a behaviour is to take over. */
+static class Reactions extends Thread {
+    public void run() {
+        Behavior[] behaviours = {ALL};
+        new Arbitrator(behaviours).start();
+    }
+}"""
+}

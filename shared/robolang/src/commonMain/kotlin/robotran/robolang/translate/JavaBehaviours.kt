@@ -1,0 +1,87 @@
+package robotran.robolang.translate
+
+import robotran.robolang.check.CheckedProgram
+import robotran.robolang.syntax.Behaviour
+import robotran.robolang.syntax.BinaryOperator
+
+/**
+ * Writes the `whenever` blocks as leJOS behaviours under an arbitrator. The main program is the least of them: unlike an action it
+ * is not begun again after a behaviour but goes on, so it has a thread of its own that its behaviour only holds and lets go.
+ */
+internal class JavaBehaviours(
+    private val program: CheckedProgram,
+    private val names: JavaNames,
+    private val expressions: JavaExpressions,
+    private val throwing: Throwing,
+    private val comments: CommentsOfItems,
+    private val statements: JavaStatements,
+    private val writer: JavaWriter,
+) {
+    private val behaviours = program.tree.behaviours
+
+    fun reserveNames() {
+        if (behaviours.isEmpty()) return
+        names.reserve(MAIN_PROGRAM)
+        names.reserve(REACTIONS)
+        behaviours.indices.forEach { names.reserve(className(it)) }
+    }
+
+    /** Lets the behaviours begin to watch, just before the main program begins. */
+    fun writeStart() {
+        writer.line("mainThread = Thread.currentThread();")
+        writer.line("new $REACTIONS().start();")
+    }
+
+    fun writeClasses() {
+        behaviours.forEachIndexed { index, behaviour -> write(behaviour, className(index)) }
+        if (behaviours.isEmpty()) return
+        val all = listOf(MAIN_PROGRAM) + behaviours.indices.map(::className)
+        writer.blank()
+        writer.lines(JavaBehaviourTexts.MAIN_PROGRAM)
+        writer.blank()
+        writer.lines(JavaBehaviourTexts.REACTIONS.replace("ALL", all.joinToString(", ") { "new $it()" }))
+    }
+
+    private fun write(behaviour: Behaviour, name: String) {
+        val line = behaviour.range.line
+        writer.blank()
+        writer.takeComments(comments.of(behaviour.range))
+        writer.open("static class $name implements Behavior", line)
+        writer.line("private boolean isActive;")
+        writer.blank()
+        writer.open("public boolean takeControl()")
+        writer.line("return isActive || ${expressions.text(behaviour.condition, JavaStrength.of(BinaryOperator.OR) + 1)};", line)
+        writer.close()
+        writer.blank()
+        writer.open("public void action()")
+        writer.line("isActive = true;")
+        writer.line("actionIsSuppressed = false;")
+        action(behaviour)
+        writer.line("isActive = false;")
+        writer.close(behaviour.endRange.line)
+        writer.blank()
+        writer.lines(JavaBehaviourTexts.SUPPRESS)
+        writer.close()
+    }
+
+    private fun action(behaviour: Behaviour) {
+        if (!throwing.mayWait(behaviour.body)) return body(behaviour)
+        writer.open("try")
+        body(behaviour)
+        writer.reopen("catch (InterruptedException suppressed)", LineMap.NO_LINE)
+        writer.line("// A later behaviour has taken over.")
+        writer.close()
+    }
+
+    private fun body(behaviour: Behaviour) {
+        statements.block(behaviour.body)
+        writer.commentsAbove(behaviour.endRange.line)
+    }
+
+    private fun className(index: Int) = "Whenever${index + 1}"
+
+    private companion object {
+        const val MAIN_PROGRAM = "MainProgram"
+        const val REACTIONS = "Reactions"
+    }
+}

@@ -1,0 +1,93 @@
+package robotran.robolang.translate
+
+import robotran.robolang.RobolangProgram
+import robotran.robolang.syntax.Routine
+import robotran.robolang.syntax.Statement
+
+/** Puts the class of a whole program together: figures, fields, `main`, routines, behaviours, helpers. */
+internal class JavaClass(private val program: RobolangProgram, private val className: String) {
+    private val checked = program.checked
+    private val tree = checked.tree
+    private val names = JavaNames(className)
+    private val helpers = UsedHelpers(program.calibration, isReacting = tree.behaviours.isNotEmpty())
+    private val comments = CommentsOfItems(tree)
+    private val throwing = Throwing(checked)
+    private val expressions = JavaExpressions(checked, names, helpers)
+    private val body = JavaWriter(depth = 1)
+    private val statements = JavaStatements(checked, names, expressions, helpers, body)
+    private val fields = JavaFields(checked, names, expressions, comments)
+    private val behaviours = JavaBehaviours(checked, names, expressions, throwing, comments, statements, body)
+
+    fun write(): JavaWriter {
+        behaviours.reserveNames()
+        val globals = tree.statements.filterIsInstance<Statement.Declare>().map { it.name }
+        (globals + tree.routines.map { it.name }).map(checked::symbolOf).distinct().forEach(names::declareShared)
+        fields.write(body)
+        main()
+        tree.routines.forEach(::routine)
+        behaviours.writeClasses()
+        // Written before the helpers are: only now is it known which are used.
+        return whole()
+    }
+
+    private fun main() {
+        body.blank()
+        body.open("public static void main(String[] arguments)${throwsClause(throwing.mayWait(tree.statements))}")
+        JavaSensors(tree).setUp().forEach { body.line(it) }
+        if (helpers.isReacting) behaviours.writeStart()
+        mainStatements()
+        body.close()
+    }
+
+    private fun mainStatements() {
+        names.inScope {
+            statements.write(tree.statements.filterNot(fields::isField)) { body.takeComments(comments.of(it.range)) }
+        }
+        body.takeComments(comments.closing)
+        body.commentsLeft()
+    }
+
+    private fun routine(routine: Routine) {
+        val symbol = checked.symbolOf(routine.name)
+        body.blank()
+        body.takeComments(comments.of(routine.range))
+        names.inScope {
+            val parameters = routine.parameters.joinToString(", ") { name ->
+                val parameter = checked.symbolOf(name)
+                "${javaType(parameter.type)} ${names.declareLocal(parameter)}"
+            }
+            val type = if (routine.isFunction) javaType(symbol.type) else "void"
+            val head = "static $type ${names.of(symbol)}($parameters)${throwsClause(throwing.mayWait(routine))}"
+            val notes = (listOf(symbol) + routine.parameters.map(checked::symbolOf)).mapNotNull(names::noteOn)
+            body.open(head, routine.range.line, notes.joinToString(", ").ifEmpty { null })
+            statements.block(routine.body)
+            body.commentsAbove(routine.endRange.line)
+            if (routine.isFunction && JavaFlow(checked).completes(routine.body)) {
+                body.line("return ${statements.defaultOf(symbol.type)};", routine.endRange.line)
+            }
+            body.close(routine.endRange.line)
+        }
+    }
+
+    private fun whole(): JavaWriter = JavaWriter().apply {
+        line("// ${program.name.lines().joinToString(" ").replace('\\', '/')}, translated by Robotran for leJOS on the RCX.")
+        blank()
+        line("import josx.platform.rcx.*;")
+        if (tree.behaviours.isNotEmpty()) line("import josx.robotics.*;")
+        if (JavaHelper.DICE in helpers.all) line("import java.util.*;")
+        blank()
+        takeComments(comments.heading)
+        commentsLeft()
+        open("public class $className")
+        JavaFigures(program.calibration).write(helpers.all, this)
+        append(body)
+        helpers.all.filterNot { it.isFigure }.forEach {
+            blank()
+            lines(it.textIn(helpers.isReacting))
+        }
+        close()
+    }
+}
+
+/** What stands behind the head of a method that [mayWait] or not. */
+internal fun throwsClause(mayWait: Boolean): String = if (mayWait) " throws InterruptedException" else ""

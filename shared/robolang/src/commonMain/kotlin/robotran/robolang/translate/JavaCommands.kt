@@ -1,0 +1,163 @@
+package robotran.robolang.translate
+
+import robotran.robolang.check.ValueType
+import robotran.robolang.run.RobotConstants
+import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.MotorCommand
+import robotran.robolang.syntax.MoveDirection
+import robotran.robolang.syntax.PenPosition
+import robotran.robolang.syntax.PowerSide
+import robotran.robolang.syntax.Statement
+import robotran.robolang.syntax.TimeUnit
+import robotran.robolang.syntax.TurnDirection
+
+/** The one place where a statement that concerns the robot becomes calls of josx or of the helpers that make them. */
+internal class JavaCommands(
+    private val flow: JavaFlow,
+    private val expressions: JavaExpressions,
+    private val helpers: UsedHelpers,
+    private val writer: JavaWriter,
+) {
+    fun write(statement: Statement) {
+        for (line in lines(statement)) writer.line(line, statement.range.line)
+    }
+
+    private fun lines(statement: Statement): List<String> = when (statement) {
+        is Statement.Move -> listOf(move(statement))
+
+        is Statement.Turn -> listOf(turn(statement))
+
+        is Statement.StartMoving -> when (statement.direction) {
+            MoveDirection.FORWARD -> listOf("Motor.A.forward();", "Motor.C.forward();")
+            MoveDirection.BACKWARD -> listOf("Motor.A.backward();", "Motor.C.backward();")
+        }
+
+        is Statement.StartTurning -> when (statement.direction) {
+            TurnDirection.LEFT -> listOf("Motor.A.backward();", "Motor.C.forward();")
+            TurnDirection.RIGHT -> listOf("Motor.A.forward();", "Motor.C.backward();")
+        }
+
+        is Statement.StopDriving -> listOf("Motor.A.stop();", "Motor.C.stop();")
+
+        is Statement.Power -> power(statement)
+
+        is Statement.Motor -> listOf(motor(statement))
+
+        is Statement.Pen -> listOf(
+            when (statement.position) {
+                PenPosition.DOWN -> call(JavaHelper.PEN_DOWN)
+                PenPosition.UP -> call(JavaHelper.PEN_UP)
+            },
+        )
+
+        is Statement.Wait -> listOf(wait(statement))
+
+        is Statement.WaitUntil -> listOf(waitUntil(statement))
+
+        is Statement.ResetTimer -> listOf(call(JavaHelper.RESET_TIMER))
+
+        is Statement.Beep -> listOf("Sound.beep();")
+
+        is Statement.Buzz -> listOf("Sound.buzz();")
+
+        is Statement.Play -> listOf(
+            "${helpers.use(JavaHelper.PLAY)}(${whole(statement.frequency)}, ${expressions.text(statement.duration)});",
+        )
+
+        is Statement.Show -> listOf(show(statement.value))
+
+        is Statement.ShowText -> listOf("TextLCD.print(${javaString(statement.text)});")
+
+        is Statement.ClearScreen -> listOf("LCD.clear();", "LCD.refresh();")
+
+        else -> error("${statement::class.simpleName} is written elsewhere.")
+    }
+
+    private fun move(statement: Statement.Move): String {
+        val ahead = statement.direction == MoveDirection.FORWARD
+        return byMeasure(
+            statement.distance,
+            if (ahead) JavaHelper.FORWARD_CENTIMETRES else JavaHelper.BACKWARD_CENTIMETRES,
+            statement.duration,
+            if (ahead) JavaHelper.FORWARD_SECONDS else JavaHelper.BACKWARD_SECONDS,
+        )
+    }
+
+    private fun turn(statement: Statement.Turn): String {
+        val left = statement.direction == TurnDirection.LEFT
+        return byMeasure(
+            statement.angle,
+            if (left) JavaHelper.LEFT_DEGREES else JavaHelper.RIGHT_DEGREES,
+            statement.duration,
+            if (left) JavaHelper.LEFT_SECONDS else JavaHelper.RIGHT_SECONDS,
+        )
+    }
+
+    private fun byMeasure(measure: Expression?, measured: JavaHelper, duration: Expression?, timed: JavaHelper): String =
+        measure?.let { call(measured, it) } ?: call(timed, checkNotNull(duration) { "A move has a measure or a duration." })
+
+    private fun power(statement: Statement.Power): List<String> = when (statement.side) {
+        PowerSide.BOTH -> listOf("${helpers.use(JavaHelper.POWER_BOTH)}(${whole(statement.power)});")
+        PowerSide.LEFT -> listOf(setPower("A", statement.power))
+        PowerSide.RIGHT -> listOf(setPower("C", statement.power))
+    }
+
+    private fun motor(statement: Statement.Motor): String {
+        val motor = "Motor.${statement.port.name}"
+        return when (val command = statement.command) {
+            MotorCommand.Forward -> "$motor.forward();"
+            MotorCommand.Backward -> "$motor.backward();"
+            MotorCommand.Stop -> "$motor.stop();"
+            MotorCommand.Float -> "$motor.flt();"
+            is MotorCommand.Power -> setPower(statement.port.name, command.power)
+        }
+    }
+
+    private fun setPower(port: String, power: Expression): String = "Motor.$port.setPower(${whole(power)});"
+
+    /** [value] rounded, if it is a decimal number where the brick takes whole ones. */
+    private fun whole(value: Expression): String {
+        val text = expressions.text(value)
+        return if (expressions.typeOf(value) == ValueType.DECIMAL) "${helpers.use(JavaHelper.ROUND)}($text)" else text
+    }
+
+    /** A wait that is written as a number is worked out here, anything else by the brick. */
+    private fun wait(statement: Statement.Wait): String {
+        val written = (statement.duration as? Expression.Number)?.value
+        if (written != null) return helpers.sleep(helpers.durations.ofWait(written, statement.unit))
+        return when (statement.unit) {
+            TimeUnit.SECONDS -> call(JavaHelper.WAIT_SECONDS, statement.duration)
+            TimeUnit.MILLISECONDS -> call(JavaHelper.WAIT_MILLISECONDS, statement.duration)
+        }
+    }
+
+    private fun waitUntil(statement: Statement.WaitUntil): String {
+        val sleep = helpers.sleep(RobotConstants.LOOKING_MILLISECONDS)
+        return if (flow.isConstant(statement.condition)) {
+            "while (true) { if (${expressions.text(statement.condition)}) break; $sleep }"
+        } else {
+            "while (${expressions.negated(statement.condition)}) $sleep"
+        }
+    }
+
+    private fun show(value: Expression): String = when (expressions.typeOf(value)) {
+        ValueType.DECIMAL -> call(JavaHelper.SHOW_DECIMAL, value)
+        else -> call(JavaHelper.SHOW_WHOLE, value)
+    }
+
+    private fun call(helper: JavaHelper, vararg values: Expression): String =
+        "${helpers.use(helper)}(${expressions.arguments(values.toList())});"
+}
+
+/** [text] as a string of Java, in plain characters only. */
+internal fun javaString(text: String): String = buildString {
+    append('"')
+    for (character in text) {
+        when (character) {
+            '"', '\\' -> append('\\').append(character)
+            in ' '..'~' -> append(character)
+            else -> append("\\u").append(character.code.toString(radix = 16).padStart(4, '0'))
+        }
+    }
+    append('"')
+}

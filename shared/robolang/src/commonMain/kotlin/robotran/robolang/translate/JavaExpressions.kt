@@ -1,0 +1,155 @@
+package robotran.robolang.translate
+
+import robotran.robolang.check.BuiltIn
+import robotran.robolang.check.CheckedProgram
+import robotran.robolang.check.ValueType
+import robotran.robolang.syntax.BinaryOperator
+import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.NumberValue
+import robotran.robolang.syntax.Sense
+import robotran.robolang.syntax.UnaryOperator
+
+/** Writes expressions as Java does, with the pupil's own brackets and those that Java needs besides. */
+internal class JavaExpressions(
+    private val program: CheckedProgram,
+    private val names: JavaNames,
+    private val helpers: UsedHelpers,
+) {
+    fun typeOf(expression: Expression): ValueType = when {
+        expression is Expression.Number && expression.value is NumberValue.Whole -> ValueType.WHOLE
+        expression is Expression.Number -> ValueType.DECIMAL
+        else -> program.typeOf(expression)
+    }
+
+    /** [expression] where Java takes any. */
+    fun text(expression: Expression): String = written(expression).text
+
+    /** [expression] where something that binds as tightly as [strength] is wanted. */
+    fun text(expression: Expression, strength: Int): String = written(expression).atLeast(strength)
+
+    /** Java for `not` [condition]. */
+    fun negated(condition: Expression): String = "!" + text(condition, JavaStrength.UNARY)
+
+    /** The values of a call, separated by commas. */
+    fun arguments(values: List<Expression>): String = values.joinToString(", ") { text(it) }
+
+    private fun written(expression: Expression): JavaText = when (expression) {
+        is Expression.Number -> number(expression)
+        is Expression.Truth -> primary(expression.value.toString())
+        is Expression.ListOf -> JavaText(list(expression), JavaStrength.UNARY)
+        is Expression.Variable -> primary(names.of(program.symbolOf(expression.name)))
+        is Expression.Element -> primary("${text(expression.list, JavaStrength.PRIMARY)}[${text(expression.index)}]")
+        is Expression.Unary -> unary(expression)
+        is Expression.Binary -> binary(expression)
+        is Expression.Call -> call(expression)
+        is Expression.Sense -> sense(expression.sense)
+        is Expression.Brackets -> primary("(${text(expression.inner)})")
+    }
+
+    private fun list(expression: Expression.ListOf): String =
+        "new ${javaType(typeOf(expression).element)}[] ${elements(expression)}"
+
+    /** What stands between the braces of a new list, braces included. */
+    fun elements(expression: Expression.ListOf): String = expression.elements.joinToString(", ", "{", "}") { text(it) }
+
+    private fun unary(expression: Expression.Unary): JavaText = when (expression.operator) {
+        UnaryOperator.NOT -> {
+            JavaText(negated(expression.operand), JavaStrength.UNARY)
+        }
+
+        UnaryOperator.MINUS -> {
+            val operand = text(expression.operand, JavaStrength.UNARY)
+            JavaText(if (operand.startsWith("-")) "-($operand)" else "-$operand", JavaStrength.UNARY)
+        }
+    }
+
+    private fun binary(expression: Expression.Binary): JavaText {
+        val operator = expression.operator
+        if (operator == BinaryOperator.MOD && typeOf(expression) == ValueType.DECIMAL) {
+            helpers.use(JavaHelper.REMAINDER)
+            return primary("remainder(${text(expression.left)}, ${text(expression.right)})")
+        }
+        val strength = JavaStrength.of(operator)
+        val left = text(expression.left, strength)
+        val right = text(expression.right, strength + 1)
+        return JavaText("$left ${JavaStrength.textOf(operator)} $right", strength)
+    }
+
+    private fun call(expression: Expression.Call): JavaText {
+        val symbol = program.symbolOf(expression.name)
+        val builtIn = if (symbol.declaredAt == null) BuiltIn.of(expression.name.key) else null
+        if (builtIn == null) return primary("${names.of(symbol)}(${arguments(expression.arguments)})")
+        if (builtIn == BuiltIn.LENGTH) return primary("${text(expression.arguments.single(), JavaStrength.PRIMARY)}.length")
+        return builtIn(builtIn, expression)
+    }
+
+    private fun builtIn(builtIn: BuiltIn, expression: Expression.Call): JavaText {
+        val values = arguments(expression.arguments)
+        val isWhole = typeOf(expression) == ValueType.WHOLE
+        return when (builtIn) {
+            BuiltIn.ABS, BuiltIn.MIN, BuiltIn.MAX -> {
+                val result = "Math.${builtIn.text}($values)"
+                if (isWhole) primary(result) else JavaText("(float) $result", JavaStrength.UNARY)
+            }
+
+            // A whole number is its own.
+            BuiltIn.ROUND, BuiltIn.FLOOR, BuiltIn.CEIL -> {
+                if (typeOf(expression.arguments.single()) == ValueType.WHOLE) {
+                    primary("($values)")
+                } else {
+                    primary("${helpers.use(JavaHelper.of(builtIn))}($values)")
+                }
+            }
+
+            BuiltIn.RANDOM -> {
+                primary("${helpers.use(if (isWhole) JavaHelper.RANDOM else JavaHelper.RANDOM_DECIMAL)}($values)")
+            }
+
+            else -> {
+                primary("${helpers.use(JavaHelper.of(builtIn))}($values)")
+            }
+        }
+    }
+
+    private fun sense(sense: Sense): JavaText = when (sense) {
+        Sense.LeftBumper -> primary("Sensor.S1.readBooleanValue()")
+        Sense.RightBumper -> primary("Sensor.S3.readBooleanValue()")
+        Sense.Light -> primary("Sensor.S${lightPort(program.tree)}.readValue()")
+        is Sense.Sensor -> primary("Sensor.S${sense.port}.readValue()")
+        is Sense.Button -> primary("Button.${sense.button.name}.isPressed()")
+        Sense.Timer -> primary("${helpers.use(JavaHelper.TIMER)}()")
+        Sense.Battery -> primary("Battery.getVoltage()")
+    }
+
+    private fun primary(text: String) = JavaText(text, JavaStrength.PRIMARY)
+}
+
+/** A piece of Java and how tightly its outermost operator binds. */
+private class JavaText(val text: String, private val strength: Int) {
+    fun atLeast(wanted: Int): String = if (strength < wanted) "($text)" else text
+}
+
+/** A number as Java writes it; a whole one never with a zero before it, which would make it octal. */
+private fun number(expression: Expression.Number): JavaText {
+    val text = when (val value = expression.value) {
+        is NumberValue.Whole -> value.value.toString()
+        is NumberValue.Decimal -> decimal(expression.text, value.decimal)
+    }
+    return JavaText(text, if (text.startsWith("-")) JavaStrength.UNARY else JavaStrength.PRIMARY)
+}
+
+private fun decimal(typed: String, value: Float): String {
+    val sign = if (typed.startsWith("-")) "-" else ""
+    val digits = typed.removePrefix("-").trim()
+    return sign + (if (value == 0f) "0.0" else digits) + "f"
+}
+
+/** How Java calls the values of [type]. */
+internal fun javaType(type: ValueType): String = when (type) {
+    ValueType.WHOLE -> "int"
+    ValueType.DECIMAL -> "float"
+    ValueType.TRUTH -> "boolean"
+    ValueType.LIST_OF_WHOLE -> "int[]"
+    ValueType.LIST_OF_DECIMAL -> "float[]"
+    ValueType.NOTHING -> "void"
+}

@@ -1,0 +1,58 @@
+package robotran.robolang.translate
+
+import robotran.robolang.check.CheckedProgram
+import robotran.robolang.check.SymbolKind
+import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.Statement
+
+/** What Java knows of where a program can get to: it refuses lines that it sees can never be reached. */
+internal class JavaFlow(private val program: CheckedProgram) {
+    /** Whether something may be done behind [statements]. */
+    fun completes(statements: List<Statement>): Boolean = statements.all(::completes)
+
+    /** Whether something may be done behind [statement]. */
+    fun completes(statement: Statement): Boolean = when (statement) {
+        is Statement.Break, is Statement.Continue, is Statement.Return -> false
+        is Statement.Loop -> !isEndless(statement) || breaks(statement.body)
+        is Statement.If -> statement.branches.any { completes(it.body) } || statement.otherwise?.let { completes(it.body) } ?: true
+        else -> true
+    }
+
+    /** Whether [loop] is written as Java's `while (true)`, and ends by a `break` of the pupil's only. */
+    fun isEndless(loop: Statement.Loop): Boolean = when (loop) {
+        is Statement.RepeatForever -> true
+        is Statement.RepeatWhile -> isTruth(loop.condition, true)
+        is Statement.RepeatUntil -> isTruth(loop.condition, false)
+        else -> false
+    }
+
+    /** Whether Java may work out [expression] before the run: then it would look behind the loop that it ends. */
+    fun isConstant(expression: Expression): Boolean = when (expression) {
+        is Expression.Number, is Expression.Truth -> true
+        is Expression.Variable -> program.symbolOf(expression.name).kind == SymbolKind.CONSTANT
+        is Expression.Unary -> isConstant(expression.operand)
+        is Expression.Binary -> isConstant(expression.left) && isConstant(expression.right)
+        is Expression.Brackets -> isConstant(expression.inner)
+        is Expression.ListOf, is Expression.Element, is Expression.Call, is Expression.Sense -> false
+    }
+
+    private fun isTruth(expression: Expression, value: Boolean): Boolean = when (expression) {
+        is Expression.Truth -> expression.value == value
+        is Expression.Brackets -> isTruth(expression.inner, value)
+        else -> false
+    }
+
+    /** Whether one of [statements] that can be reached leaves the loop they are the body of. */
+    private fun breaks(statements: List<Statement>): Boolean {
+        for (statement in statements) {
+            val found = when (statement) {
+                is Statement.Break -> true
+                is Statement.If -> statement.branches.any { breaks(it.body) } || statement.otherwise?.let { breaks(it.body) } == true
+                else -> false
+            }
+            if (found) return true
+            if (!completes(statement)) return false
+        }
+        return false
+    }
+}

@@ -1,0 +1,81 @@
+package robotran.robolang.translate
+
+import robotran.robolang.check.BuiltIn
+import robotran.robolang.translate.JavaMathTexts as Maths
+import robotran.robolang.translate.JavaMoveTexts as Moves
+import robotran.robolang.translate.JavaNumberTexts as Numbers
+import robotran.robolang.translate.JavaOtherTexts as Others
+import robotran.robolang.translate.JavaReactingTexts as Reacting
+
+/**
+ * A method, or a figure, that a translation has only if it is used.
+ *
+ * @property method what it is called.
+ * @property text its Java, at the depth of a class's members, in a program without behaviours.
+ * @property needs the helpers that it uses itself; they are declared above it, so that this list can name them.
+ */
+internal enum class JavaHelper(
+    val method: String,
+    val text: String,
+    val needs: List<JavaHelper> = emptyList(),
+    val isFigure: Boolean = false,
+    private val reactingText: String? = null,
+) {
+    GIVE_WAY("giveWay", Reacting.GIVE_WAY),
+    PAUSE("pause", Reacting.PAUSE, listOf(GIVE_WAY)),
+    PAUSE_IN_CONTROL("pauseInControl", Reacting.PAUSE_IN_CONTROL, listOf(GIVE_WAY)),
+    CENTIMETRE("MILLISECONDS_PER_CENTIMETRE", "", isFigure = true),
+    DEGREE("MILLISECONDS_PER_DEGREE", "", isFigure = true),
+    PEN_TIME("PEN_MILLISECONDS", "", isFigure = true),
+    ROUND_HALF_UP("roundHalfUp", Numbers.ROUND_HALF_UP),
+    WAIT_SECONDS("waitSeconds", Moves.WAIT_SECONDS, listOf(ROUND_HALF_UP)),
+    WAIT_MILLISECONDS("waitMilliseconds", Moves.WAIT_MILLISECONDS, listOf(ROUND_HALF_UP)),
+    STOP_AFTER("stopAfter", Moves.STOP_AFTER, listOf(ROUND_HALF_UP), reactingText = Reacting.STOP_AFTER),
+    FORWARD_CENTIMETRES("forwardCentimetres", Moves.FORWARD_CENTIMETRES, listOf(CENTIMETRE, STOP_AFTER)),
+    BACKWARD_CENTIMETRES("backwardCentimetres", Moves.BACKWARD_CENTIMETRES, listOf(CENTIMETRE, STOP_AFTER)),
+    FORWARD_SECONDS("forwardSeconds", Moves.FORWARD_SECONDS, listOf(STOP_AFTER)),
+    BACKWARD_SECONDS("backwardSeconds", Moves.BACKWARD_SECONDS, listOf(STOP_AFTER)),
+    LEFT_DEGREES("turnLeftDegrees", Moves.LEFT_DEGREES, listOf(DEGREE, STOP_AFTER)),
+    RIGHT_DEGREES("turnRightDegrees", Moves.RIGHT_DEGREES, listOf(DEGREE, STOP_AFTER)),
+    LEFT_SECONDS("turnLeftSeconds", Moves.LEFT_SECONDS, listOf(STOP_AFTER)),
+    RIGHT_SECONDS("turnRightSeconds", Moves.RIGHT_SECONDS, listOf(STOP_AFTER)),
+    PEN_DOWN("penDown", Moves.PEN_DOWN, listOf(PEN_TIME), reactingText = Reacting.PEN_DOWN),
+    PEN_UP("penUp", Moves.PEN_UP, listOf(PEN_TIME), reactingText = Reacting.PEN_UP),
+    POWER_BOTH("power", Moves.POWER_BOTH),
+    PLAY("play", Others.PLAY, listOf(ROUND_HALF_UP)),
+    SHOW_WHOLE("show", Others.SHOW_WHOLE),
+    SHOW_DECIMAL("show", Others.SHOW_DECIMAL, listOf(ROUND_HALF_UP)),
+    TIMER("timer", Others.TIMER),
+    RESET_TIMER("resetTimer", Others.RESET_TIMER, listOf(TIMER)),
+    REMAINDER("remainder", Numbers.REMAINDER),
+    DICE("dice", Numbers.DICE),
+    RANDOM("random", Numbers.RANDOM, listOf(DICE)),
+    RANDOM_DECIMAL("random", Numbers.RANDOM_DECIMAL, listOf(DICE)),
+    FLOOR("floor", Numbers.FLOOR),
+    CEIL("ceil", Numbers.CEIL),
+    ROUND("round", Numbers.ROUND, listOf(FLOOR)),
+    SQRT("sqrt", Numbers.SQRT),
+    QUARTER_SINE("sineOfSmall", Maths.QUARTER_SINE, listOf(ROUND)),
+    SIN("sin", Maths.SIN, listOf(QUARTER_SINE)),
+    COS("cos", Maths.COS, listOf(QUARTER_SINE)),
+    TAN("tan", Maths.TAN, listOf(SIN, COS)),
+    ATAN2("atan2", Maths.ATAN2),
+    POW("pow", Maths.POW, listOf(ROUND)),
+    ;
+
+    /** Its Java in a program with behaviours, if [isReacting], or without. */
+    fun textIn(isReacting: Boolean): String = when {
+        !isReacting || this == GIVE_WAY || this == PAUSE || this == PAUSE_IN_CONTROL -> text
+        else -> reactingText ?: text.replace("Thread.sleep(", "pause(")
+    }
+
+    companion object {
+        /** No name of a program may be one of these. */
+        val NAMES: Set<String> = entries.map { it.method }.toSet() +
+            setOf("cosineOfSmall", "arcOf", "smallArcOf", "wholePower", "logarithmToBase2", "powerOfTwo", "timerStart") +
+            setOf("mainThread", "mainIsPaused", "actionIsSuppressed", "mustGiveWay")
+
+        /** The helper that does what [builtIn] does. */
+        fun of(builtIn: BuiltIn): JavaHelper = entries.first { it.name == builtIn.name }
+    }
+}

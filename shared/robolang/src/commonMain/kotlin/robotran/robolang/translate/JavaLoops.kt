@@ -1,0 +1,121 @@
+package robotran.robolang.translate
+
+import robotran.robolang.check.CheckedProgram
+import robotran.robolang.check.SymbolKind
+import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.NumberValue
+import robotran.robolang.syntax.Statement
+
+/** Writes the blocks that are done again and again. */
+internal class JavaLoops(
+    private val program: CheckedProgram,
+    private val names: JavaNames,
+    private val expressions: JavaExpressions,
+    private val writer: JavaWriter,
+    private val block: (List<Statement>) -> Unit,
+) {
+    private val flow = JavaFlow(program)
+
+    fun write(loop: Statement.Loop) {
+        // A list that may change while the loop goes through it gets a second name, in the block around the loop.
+        val list = (loop as? Statement.ForEach)?.let(::fixedList)
+        names.inScope {
+            when (loop) {
+                is Statement.Repeat -> repeat(loop)
+                is Statement.RepeatForever -> around(loop, "while (true)")
+                is Statement.RepeatWhile -> whileTrue(loop, loop.condition, expressions.text(loop.condition))
+                is Statement.RepeatUntil -> whileTrue(loop, loop.condition, expressions.negated(loop.condition))
+                is Statement.ForRange -> forRange(loop)
+                is Statement.ForEach -> forEach(loop, list.orEmpty())
+            }
+        }
+    }
+
+    private fun repeat(loop: Statement.Repeat) {
+        val count = expressions.text(loop.count)
+        if (flow.isConstant(loop.count)) {
+            val round = names.local("lap")
+            val last = expressions.text(loop.count, JavaStrength.PRIMARY)
+            around(loop, "for (int $round = 0; $round < $last; $round++)")
+        } else {
+            val rounds = names.local("laps")
+            around(loop, "for (int $rounds = $count; $rounds > 0; $rounds--)")
+        }
+    }
+
+    private fun whileTrue(loop: Statement.Loop, condition: Expression, text: String) {
+        if (flow.isEndless(loop)) {
+            around(loop, "while (true)")
+        } else if (flow.isConstant(condition)) {
+            writer.open("while (true)", loop.range.line)
+            writer.line("if (!($text)) break;", loop.range.line)
+            finish(loop)
+        } else {
+            around(loop, "while ($text)")
+        }
+    }
+
+    private fun forRange(loop: Statement.ForRange) {
+        val symbol = program.symbolOf(loop.variable)
+        val from = expressions.text(loop.from)
+        val to = expressions.text(loop.to)
+        val stepText = loop.step?.let { expressions.text(it) }
+        val variable = names.declareLocal(symbol)
+        val start = StringBuilder("${javaType(symbol.type)} $variable = $from")
+        val last = if (loop.to is Expression.Number) to else names.local("last").also { start.append(", $it = $to") }
+        val step = valueOfStep(loop.step)
+        if (step != null) {
+            val comparison = if (step.isNegative) ">=" else "<="
+            around(loop, "for ($start; $variable $comparison $last; ${advance(variable, stepText)})", names.noteOn(symbol))
+        } else {
+            val by = names.local("step").also { start.append(", $it = $stepText") }
+            val condition = "$by > 0 ? $variable <= $last : $variable >= $last"
+            around(loop, "for ($start; $condition; $variable += $by)", names.noteOn(symbol))
+        }
+    }
+
+    /** The step if it is written as a number, which says whether it goes up or down. */
+    private fun valueOfStep(step: Expression?): NumberValue? = when (step) {
+        null -> NumberValue.Whole(1)
+        is Expression.Number -> step.value
+        else -> null
+    }
+
+    private fun advance(variable: String, step: String?): String = when {
+        step == null || step == "1" -> "$variable++"
+        step == "-1" -> "$variable--"
+        step.startsWith("-") -> "$variable -= ${step.drop(1)}"
+        else -> "$variable += $step"
+    }
+
+    private fun forEach(loop: Statement.ForEach, list: String) {
+        val symbol = program.symbolOf(loop.variable)
+        val position = names.local("position")
+        writer.open("for (int $position = 0; $position < $list.length; $position++)", loop.range.line)
+        val variable = names.declareLocal(symbol)
+        writer.line("${javaType(symbol.type)} $variable = $list[$position];", loop.range.line, names.noteOn(symbol))
+        finish(loop)
+    }
+
+    /** The name of the list that [loop] goes through, which stays the same one while it does. */
+    private fun fixedList(loop: Statement.ForEach): String {
+        val list = loop.list
+        val symbol = (list as? Expression.Variable)?.let { program.symbolOf(it.name) }
+        if (symbol?.kind == SymbolKind.CONSTANT) return names.of(symbol)
+        val value = if (list is Expression.ListOf) expressions.elements(list) else expressions.text(list)
+        val name = names.local("elements")
+        writer.line("${javaType(expressions.typeOf(list))} $name = $value;", loop.range.line)
+        return name
+    }
+
+    private fun around(loop: Statement.Loop, opening: String, note: String? = null) {
+        writer.open(opening, loop.range.line, note)
+        finish(loop)
+    }
+
+    private fun finish(loop: Statement.Loop) {
+        if (program.tree.behaviours.isNotEmpty()) writer.line("giveWay();")
+        block(loop.body)
+        writer.close(loop.endRange.line)
+    }
+}

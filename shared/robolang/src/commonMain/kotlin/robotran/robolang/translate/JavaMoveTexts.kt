@@ -1,0 +1,115 @@
+package robotran.robolang.translate
+
+/** The Java of the helpers that move the robot and let time pass. Each makes the calls that the interpreter makes, in its order. */
+internal object JavaMoveTexts {
+    const val STOP_AFTER = """/** Lets the wheels turn for a while, then stops them. */
+static void stopAfter(float milliseconds) throws InterruptedException {
+    Thread.sleep(roundHalfUp(milliseconds < 0 ? -milliseconds : milliseconds));
+    Motor.A.stop();
+    Motor.C.stop();
+}"""
+
+    const val FORWARD_CENTIMETRES = """/** Drives ahead, or back if there is a minus. */
+static void forwardCentimetres(float distance) throws InterruptedException {
+    if (distance < 0) {
+        Motor.A.backward();
+        Motor.C.backward();
+    } else {
+        Motor.A.forward();
+        Motor.C.forward();
+    }
+    stopAfter(distance * MILLISECONDS_PER_CENTIMETRE);
+}"""
+
+    const val BACKWARD_CENTIMETRES = """/** Drives back, or ahead if there is a minus. */
+static void backwardCentimetres(float distance) throws InterruptedException {
+    if (distance < 0) {
+        Motor.A.forward();
+        Motor.C.forward();
+    } else {
+        Motor.A.backward();
+        Motor.C.backward();
+    }
+    stopAfter(distance * MILLISECONDS_PER_CENTIMETRE);
+}"""
+
+    const val LEFT_DEGREES = """/** Turns on the spot to the left, or to the right if there is a minus. */
+static void turnLeftDegrees(float angle) throws InterruptedException {
+    if (angle < 0) {
+        Motor.A.forward();
+        Motor.C.backward();
+    } else {
+        Motor.A.backward();
+        Motor.C.forward();
+    }
+    stopAfter(angle * MILLISECONDS_PER_DEGREE);
+}"""
+
+    const val RIGHT_DEGREES = """/** Turns on the spot to the right, or to the left if there is a minus. */
+static void turnRightDegrees(float angle) throws InterruptedException {
+    if (angle < 0) {
+        Motor.A.backward();
+        Motor.C.forward();
+    } else {
+        Motor.A.forward();
+        Motor.C.backward();
+    }
+    stopAfter(angle * MILLISECONDS_PER_DEGREE);
+}"""
+
+    const val FORWARD_SECONDS = """/** Drives ahead for a while. */
+static void forwardSeconds(float seconds) throws InterruptedException {
+    Motor.A.forward();
+    Motor.C.forward();
+    stopAfter(seconds * 1000);
+}"""
+
+    const val BACKWARD_SECONDS = """/** Drives back for a while. */
+static void backwardSeconds(float seconds) throws InterruptedException {
+    Motor.A.backward();
+    Motor.C.backward();
+    stopAfter(seconds * 1000);
+}"""
+
+    const val LEFT_SECONDS = """/** Turns on the spot to the left for a while. */
+static void turnLeftSeconds(float seconds) throws InterruptedException {
+    Motor.A.backward();
+    Motor.C.forward();
+    stopAfter(seconds * 1000);
+}"""
+
+    const val RIGHT_SECONDS = """/** Turns on the spot to the right for a while. */
+static void turnRightSeconds(float seconds) throws InterruptedException {
+    Motor.A.forward();
+    Motor.C.backward();
+    stopAfter(seconds * 1000);
+}"""
+
+    const val PEN_DOWN = """/** Lowers the pen. */
+static void penDown() throws InterruptedException {
+    Motor.B.forward();
+    Thread.sleep(PEN_MILLISECONDS);
+    Motor.B.stop();
+}"""
+
+    const val PEN_UP = """/** Lifts the pen. */
+static void penUp() throws InterruptedException {
+    Motor.B.backward();
+    Thread.sleep(PEN_MILLISECONDS);
+    Motor.B.stop();
+}"""
+
+    const val WAIT_SECONDS = """static void waitSeconds(float seconds) throws InterruptedException {
+    Thread.sleep(roundHalfUp(seconds * 1000));
+}"""
+
+    const val WAIT_MILLISECONDS = """static void waitMilliseconds(float milliseconds) throws InterruptedException {
+    Thread.sleep(roundHalfUp(milliseconds));
+}"""
+
+    const val POWER_BOTH = """/** Sets how strongly both wheels turn, 0 to 7. */
+static void power(int power) {
+    Motor.A.setPower(power);
+    Motor.C.setPower(power);
+}"""
+}

@@ -1,0 +1,65 @@
+package robotran.robolang.translate
+
+/**
+ * The Java of the helpers of a program with behaviours: those that let time pass let a behaviour take over meanwhile. The main program
+ * then stands still and goes on where it was; the action of a behaviour ends; what drives or moves the pen is cut short.
+ */
+internal object JavaReactingTexts {
+    const val GIVE_WAY = """static Thread mainThread;
+static boolean mainIsPaused = false;
+static boolean actionIsSuppressed = false;
+
+/** Whether a behaviour wants to take over from who asks. */
+static boolean mustGiveWay() {
+    return Thread.currentThread() == mainThread ? mainIsPaused : actionIsSuppressed;
+}
+
+/** Here the main program stands still while a behaviour has the robot, and an action ends when a later behaviour takes over. */
+static void giveWay() throws InterruptedException {
+    if (Thread.currentThread() == mainThread) {
+        while (mainIsPaused) Thread.sleep(1);
+    } else if (actionIsSuppressed) {
+        throw new InterruptedException();
+    }
+}"""
+
+    const val PAUSE = """/** Lets time pass. */
+static void pause(int milliseconds) throws InterruptedException {
+    int end = (int) System.currentTimeMillis() + milliseconds;
+    while (end - (int) System.currentTimeMillis() > 0) {
+        Thread.sleep(1);
+        if (Thread.currentThread() != mainThread) giveWay();
+    }
+    giveWay();
+}"""
+
+    const val PAUSE_IN_CONTROL = """/** Lets time pass, but only until a behaviour takes over. */
+static void pauseInControl(int milliseconds) throws InterruptedException {
+    int end = (int) System.currentTimeMillis() + milliseconds;
+    while (end - (int) System.currentTimeMillis() > 0 && !mustGiveWay()) Thread.sleep(1);
+}"""
+
+    const val STOP_AFTER = """/** Lets the wheels turn for a while, then stops them. */
+static void stopAfter(float milliseconds) throws InterruptedException {
+    pauseInControl(roundHalfUp(milliseconds < 0 ? -milliseconds : milliseconds));
+    Motor.A.stop();
+    Motor.C.stop();
+    giveWay();
+}"""
+
+    const val PEN_DOWN = """/** Lowers the pen. */
+static void penDown() throws InterruptedException {
+    Motor.B.forward();
+    pauseInControl(PEN_MILLISECONDS);
+    Motor.B.stop();
+    giveWay();
+}"""
+
+    const val PEN_UP = """/** Lifts the pen. */
+static void penUp() throws InterruptedException {
+    Motor.B.backward();
+    pauseInControl(PEN_MILLISECONDS);
+    Motor.B.stop();
+    giveWay();
+}"""
+}

@@ -1,0 +1,25 @@
+package robotran.robolang.translate
+
+import robotran.robolang.run.RobotConstants
+import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.Sense
+import robotran.robolang.syntax.SyntaxTree
+
+/** Writes how the sensors that a program uses are made ready. */
+internal class JavaSensors(private val tree: SyntaxTree) {
+    fun setUp(): List<String> {
+        val senses = allExpressions(tree).filterIsInstance<Expression.Sense>().map { it.sense }
+        val bumpers = senses.any { it == Sense.LeftBumper || it == Sense.RightBumper }
+        return buildList {
+            val light = lightPort(tree).takeIf { Sense.Light in senses }
+            // A bumper that shares its port with a light sensor can be told from percent, too.
+            if (bumpers) BUMPER_PORTS.filter { it != light }.forEach { add("Sensor.S$it.setTypeAndMode($TOUCH);") }
+            if (light != null) add("Sensor.S$light.activate();")
+        }
+    }
+
+    private companion object {
+        val BUMPER_PORTS = listOf(RobotConstants.LEFT_BUMPER_PORT, RobotConstants.RIGHT_BUMPER_PORT)
+        const val TOUCH = "SensorConstants.SENSOR_TYPE_TOUCH, SensorConstants.SENSOR_MODE_BOOL"
+    }
+}

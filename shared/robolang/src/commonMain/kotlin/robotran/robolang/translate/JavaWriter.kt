@@ -1,0 +1,88 @@
+package robotran.robolang.translate
+
+import robotran.robolang.syntax.Token
+
+/** Lines of Java as they come, each with its indentation and the line of the program it came from. */
+internal class JavaWriter(private var depth: Int = 0) {
+    private val texts = mutableListOf<String>()
+    private val origins = mutableListOf<Int>()
+    private var comments = ArrayDeque<Token>()
+
+    /** Whether what follows can never be reached: Java refuses such lines, so they become comments. */
+    var isUnreachable = false
+
+    val text: String get() = texts.joinToString("") { "$it\n" }
+
+    val lineMap: LineMap get() = LineMap(origins.toList())
+
+    /** From now on [newComments], in their order, go above or behind the lines that come from the same lines. */
+    fun takeComments(newComments: List<Token>) {
+        comments = ArrayDeque(newComments)
+    }
+
+    /** Writes [text], below the comments above [sourceLine] and with the one on it. */
+    fun line(text: String, sourceLine: Int = LineMap.NO_LINE, note: String? = null) {
+        if (sourceLine != LineMap.NO_LINE) commentsAbove(sourceLine)
+        val own = comments.firstOrNull()?.takeIf { it.range.line == sourceLine }
+        if (own != null) comments.removeFirst()
+        val behind = listOfNotNull(own?.let(::javaComment), note?.let { "// $it" }).joinToString(" ")
+        write(if (behind.isEmpty()) text else "$text $behind".trim(), sourceLine)
+    }
+
+    /** Writes the comments that stand above [sourceLine]. */
+    fun commentsAbove(sourceLine: Int) {
+        while (comments.isNotEmpty() && comments.first().range.line < sourceLine) comment(comments.removeFirst())
+    }
+
+    /** Writes the comments that are left. */
+    fun commentsLeft() {
+        while (comments.isNotEmpty()) comment(comments.removeFirst())
+    }
+
+    fun blank() {
+        if (texts.isNotEmpty() && texts.last().isNotEmpty() && !texts.last().endsWith("{")) write("", LineMap.NO_LINE)
+    }
+
+    fun open(text: String, sourceLine: Int = LineMap.NO_LINE, note: String? = null) {
+        line("$text {", sourceLine, note)
+        depth++
+    }
+
+    /** Ends one block and begins the next, such as `} else {`. */
+    fun reopen(text: String, sourceLine: Int) {
+        if (sourceLine != LineMap.NO_LINE) commentsAbove(sourceLine)
+        depth--
+        open("} $text", sourceLine)
+    }
+
+    fun close(sourceLine: Int = LineMap.NO_LINE) {
+        if (sourceLine != LineMap.NO_LINE) commentsAbove(sourceLine)
+        depth--
+        line("}", sourceLine)
+    }
+
+    /** Writes several lines that belong to no line of the program, at the depth of this place. */
+    fun lines(text: String) = text.lines().forEach { write(it, LineMap.NO_LINE) }
+
+    /** Writes all lines of [other], whose depth is its own. */
+    fun append(other: JavaWriter) {
+        blank()
+        texts += other.texts
+        origins += other.origins
+    }
+
+    private fun comment(comment: Token) = write(javaComment(comment), comment.range.line)
+
+    private fun write(text: String, sourceLine: Int) {
+        val shown = if (isUnreachable && text.isNotEmpty() && !text.startsWith("//")) "// $text" else text
+        texts += if (shown.isEmpty()) "" else INDENTATION.repeat(depth) + shown
+        origins += sourceLine
+    }
+
+    private companion object {
+        const val INDENTATION = "    "
+
+        /** Java looks for the numbers of characters, such as `\u0041`, even in comments. */
+        fun javaComment(comment: Token): String = comment.text.trimEnd().replace('\\', '/')
+    }
+}

@@ -1,0 +1,101 @@
+package robotran.robolang.translate
+
+/** What stands in the files of a kit that are not the program itself. */
+internal object KitTexts {
+    fun readme(
+        className: String,
+        sourceName: String,
+    ): String =
+        """
+        $className FOR A REAL ROBOT
+
+        $className.java is your Robolang program $sourceName in Java. It runs on a LEGO Mindstorms RCX
+        with leJOS 2.1 or 3.0: left wheel on motor A, right wheel on C, pen on B,
+        bumpers on 1 (left) and 3 (right), light sensor on 2.
+
+        WHAT YOU NEED, ONCE
+        1. Install a JDK and leJOS, and set LEJOS_HOME to the folder of leJOS.
+        2. Plug in the infrared tower and put the robot before it, about 10 cm away.
+        3. Put the firmware of leJOS on the brick: lejosfirmdl
+
+        EACH TIME
+        Switch the robot on and type one of these in this folder:
+            ant                 (with Ant)
+            sh download.sh      (Linux, macOS)
+            download.bat        (Windows)
+        Then press Run on the brick.
+
+        MAKE IT DRIVE AS FAR AS IT SHOULD
+        No two robots are quite alike, and a fresh battery makes them faster. Two figures at
+        the top of $className.java say how fast yours is. They are there if the program drives or turns.
+
+        MILLISECONDS_PER_CENTIMETRE
+        1. Run a program with the two lines  pen down  and  forward 100
+        2. Measure the line in centimetres.
+        3. New figure = old figure x 100 / what you measured.
+           Example: 50 and a line of 80 cm make 50 x 100 / 80 = 62.5
+
+        MILLISECONDS_PER_DEGREE
+        1. Run a program with the line  turn left 3600  (ten times round).
+        2. Find out how many degrees it really turned.
+        3. New figure = old figure x 3600 / degrees turned.
+           Example: 5 and nine times round (3240 degrees) make 5 x 3600 / 3240 = 5.56
+
+        Write each figure with an f behind it, such as 62.5f, and download again.
+        """.trimIndent() + "\n"
+
+    fun antFile(className: String): String =
+        """
+        <?xml version="1.0" encoding="UTF-8"?>
+        <project name="$className" default="download" basedir=".">
+            <property environment="env"/>
+            <property name="lejos.bin" location="${'$'}{env.LEJOS_HOME}/bin"/>
+            <condition property="ending" value=".bat" else="">
+                <os family="windows"/>
+            </condition>
+
+            <target name="compile" description="compiles the program for the brick">
+                <exec executable="${'$'}{lejos.bin}/lejosc${'$'}{ending}" failonerror="true">
+                    <arg line="-encoding UTF-8"/>
+                    <arg value="$className.java"/>
+                </exec>
+            </target>
+
+            <target name="link" depends="compile" description="puts it together with the classes it uses">
+                <exec executable="${'$'}{lejos.bin}/lejoslink${'$'}{ending}" failonerror="true">
+                    <arg line="-o $className.bin"/>
+                    <arg value="$className"/>
+                </exec>
+            </target>
+
+            <target name="download" depends="link" description="sends it to the brick">
+                <exec executable="${'$'}{lejos.bin}/lejosdl${'$'}{ending}" failonerror="true">
+                    <arg value="$className.bin"/>
+                </exec>
+            </target>
+        </project>
+        """.trimIndent() + "\n"
+
+    fun shellScript(className: String): String =
+        """
+        #!/bin/sh
+        # Compiles $className for the brick and sends it there.
+        set -e
+        cd "${'$'}(dirname "${'$'}0")"
+        PATH="${'$'}{LEJOS_HOME:+${'$'}LEJOS_HOME/bin:}${'$'}PATH"
+        lejosc -encoding UTF-8 $className.java
+        lejoslink -o $className.bin $className
+        lejosdl $className.bin
+        """.trimIndent() + "\n"
+
+    fun batchFile(className: String): String =
+        """
+        @echo off
+        rem Compiles $className for the brick and sends it there.
+        cd /d "%~dp0"
+        if not "%LEJOS_HOME%"=="" set PATH=%LEJOS_HOME%\bin;%PATH%
+        call lejosc -encoding UTF-8 $className.java || exit /b 1
+        call lejoslink -o $className.bin $className || exit /b 1
+        call lejosdl $className.bin
+        """.trimIndent() + "\n"
+}

@@ -1,0 +1,49 @@
+package robotran.robolang.translate
+
+import robotran.robolang.check.CheckedProgram
+import robotran.robolang.check.Symbol
+import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.Routine
+import robotran.robolang.syntax.Statement
+
+/** Which routines of a program may have to wait: in Java they say `throws InterruptedException`, and so does who calls them. */
+internal class Throwing(private val program: CheckedProgram) {
+    private val waiting: Set<Symbol> = routinesThatWait()
+
+    fun mayWait(routine: Routine): Boolean = program.symbolOf(routine.name) in waiting
+
+    fun mayWait(statements: List<Statement>): Boolean = waits(statements, waiting)
+
+    private fun routinesThatWait(): Set<Symbol> {
+        val found = mutableSetOf<Symbol>()
+        do {
+            val before = found.size
+            program.tree.routines.filter { waits(it.body, found) }.mapTo(found) { program.symbolOf(it.name) }
+        } while (found.size > before)
+        return found
+    }
+
+    private fun waits(statements: List<Statement>, known: Set<Symbol>): Boolean = statements.any { statement ->
+        waitsItself(statement) ||
+            called(statement).any { it in known } ||
+            statementsIn(statement).any { waits(it, known) }
+    }
+
+    private fun waitsItself(statement: Statement): Boolean = when (statement) {
+        is Statement.Move, is Statement.Turn, is Statement.Pen, is Statement.Wait, is Statement.WaitUntil, is Statement.Play -> true
+        is Statement.Loop -> program.tree.behaviours.isNotEmpty()
+        else -> false
+    }
+
+    private fun called(statement: Statement): Set<Symbol> {
+        val own = (statement as? Statement.Call)?.let { setOf(program.symbolOf(it.name)) }.orEmpty()
+        return own + expressionsIn(statement).flatMap(::withParts).filterIsInstance<Expression.Call>().map { program.symbolOf(it.name) }
+    }
+}
+
+/** The blocks of statements that are inside [statement]. */
+internal fun statementsIn(statement: Statement): List<List<Statement>> = when (statement) {
+    is Statement.Loop -> listOf(statement.body)
+    is Statement.If -> statement.branches.map { it.body } + listOfNotNull(statement.otherwise?.body)
+    else -> emptyList()
+}

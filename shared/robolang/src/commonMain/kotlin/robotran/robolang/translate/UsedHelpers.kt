@@ -1,0 +1,28 @@
+package robotran.robolang.translate
+
+import robotran.robolang.Calibration
+import robotran.robolang.run.Durations
+
+/** Which helpers a translation needs: only those are written. */
+internal class UsedHelpers(calibration: Calibration, val isReacting: Boolean) {
+    private val used = mutableSetOf<JavaHelper>()
+
+    /** For what is worked out before the run. */
+    val durations = Durations(calibration)
+
+    /** The helpers that are needed, in the order they are declared in. */
+    val all: List<JavaHelper> get() = JavaHelper.entries.filter { it in used }
+
+    init {
+        if (isReacting) listOf(JavaHelper.PAUSE, JavaHelper.PAUSE_IN_CONTROL).forEach(::use)
+    }
+
+    /** The Java that lets so many milliseconds pass. */
+    fun sleep(milliseconds: Int): String = if (isReacting) "pause($milliseconds);" else "Thread.sleep($milliseconds);"
+
+    /** Notes that [helper], and what it needs itself, is wanted; the answer is the name of its method. */
+    fun use(helper: JavaHelper): String {
+        if (used.add(helper)) helper.needs.forEach(::use)
+        return helper.method
+    }
+}

@@ -1,0 +1,27 @@
+package robotran.robolang.format
+
+import robotran.robolang.EnglishMessages
+import robotran.robolang.Mistakes
+import robotran.robolang.syntax.Parser
+import robotran.robolang.syntax.SyntaxTree
+import robotran.robolang.syntax.scan
+import kotlin.test.assertEquals
+
+/** If [source] can be formatted, the result must mean the same and stay as it is when it is formatted again. */
+internal fun checkFormatting(source: String) {
+    val formatted = (formatRobolang(source) as? FormatResult.Formatted)?.text ?: return
+    assertEquals(FormatResult.Formatted(formatted), formatRobolang(formatted))
+    assertEquals(withoutPlaces(treeOf(source)), withoutPlaces(treeOf(formatted)))
+}
+
+private fun treeOf(source: String): SyntaxTree {
+    val mistakes = Mistakes(EnglishMessages)
+    return Parser(scan(source, mistakes), mistakes).program().tree
+}
+
+/** The tree as text; names ignore case, and where things stand does not count. */
+private fun withoutPlaces(tree: SyntaxTree): String =
+    tree.toString().replace(PLACE, "").replace(TEXT_OF_NAME) { it.value.lowercase() }
+
+private val PLACE = Regex("""SourceRange\(line=\d+, column=\d+, endColumn=\d+\)""")
+private val TEXT_OF_NAME = Regex("""Name\([^)]*\)""")

@@ -1,0 +1,68 @@
+package robotran.robolang.translate
+
+import java.io.ByteArrayOutputStream
+import java.io.File
+import java.io.OutputStream
+import java.net.URI
+import java.util.Locale
+import javax.tools.Diagnostic
+import javax.tools.DiagnosticCollector
+import javax.tools.FileObject
+import javax.tools.ForwardingJavaFileManager
+import javax.tools.JavaFileManager
+import javax.tools.JavaFileObject
+import javax.tools.SimpleJavaFileObject
+import javax.tools.ToolProvider
+
+/** Compiles Java against the stand-ins for leJOS in the test's resources, all in memory. */
+internal object LejosCompiler {
+    private val standIns: List<JavaFileObject> = readStandIns()
+    private val compiler = checkNotNull(ToolProvider.getSystemJavaCompiler()) { "These tests need a JDK." }
+
+    /** The classes, by name, of all [translations] and the stand-ins; throws with javac's own words if one is not legal Java. */
+    fun compile(translations: Collection<Translation>): Map<String, ByteArray> {
+        val problems = DiagnosticCollector<JavaFileObject>()
+        val sources = standIns + translations.map { SourceInMemory(it.fileName, it.java) }
+        val classes = compiler.getStandardFileManager(problems, Locale.ENGLISH, Charsets.UTF_8).use { files ->
+            val memory = ClassesInMemory(files)
+            compiler.getTask(null, memory, problems, OPTIONS, null, sources).call()
+            memory.classes.mapValues { it.value.toByteArray() }
+        }
+        val errors = problems.diagnostics.filter { it.kind == Diagnostic.Kind.ERROR }
+        if (errors.isNotEmpty()) throw AssertionError(errors.take(MOST_ERRORS).joinToString("\n") { told(it, translations) })
+        return classes
+    }
+
+    private fun told(problem: Diagnostic<out JavaFileObject>, translations: Collection<Translation>): String {
+        val java = translations.firstOrNull { problem.source?.name?.endsWith(it.fileName) == true }?.java.orEmpty()
+        return "$problem\n${java.lines().getOrNull(problem.lineNumber.toInt() - 1)}\n$java"
+    }
+
+    private fun readStandIns(): List<JavaFileObject> {
+        val folder = File(checkNotNull(javaClass.getResource("/lejos")) { "The stand-ins are missing." }.toURI())
+        return folder.walk().filter { it.extension == "java-stub" }.map { file ->
+            SourceInMemory(file.relativeTo(folder).invariantSeparatorsPath.replace(".java-stub", ".java"), file.readText())
+        }.toList()
+    }
+
+    private const val MOST_ERRORS = 3
+    private val OPTIONS = listOf("--release", "8", "-proc:none", "-nowarn", "-Xlint:-options")
+}
+
+private class SourceInMemory(name: String, private val text: String) :
+    SimpleJavaFileObject(URI("memory", null, "/$name", null), JavaFileObject.Kind.SOURCE) {
+    override fun getCharContent(ignoreEncodingErrors: Boolean): CharSequence = text
+}
+
+private class ClassesInMemory(files: JavaFileManager) : ForwardingJavaFileManager<JavaFileManager>(files) {
+    val classes = mutableMapOf<String, ByteArrayOutputStream>()
+
+    override fun getJavaFileForOutput(
+        location: JavaFileManager.Location,
+        className: String,
+        kind: JavaFileObject.Kind,
+        sibling: FileObject?,
+    ): JavaFileObject = object : SimpleJavaFileObject(URI.create("memory:///$className.class"), kind) {
+        override fun openOutputStream(): OutputStream = ByteArrayOutputStream().also { classes[className] = it }
+    }
+}
