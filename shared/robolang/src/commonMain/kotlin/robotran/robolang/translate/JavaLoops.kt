@@ -1,7 +1,7 @@
 package robotran.robolang.translate
 
 import robotran.robolang.check.CheckedProgram
-import robotran.robolang.check.SymbolKind
+import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement
@@ -15,6 +15,7 @@ internal class JavaLoops(
     private val block: (List<Statement>) -> Unit,
 ) {
     private val flow = JavaFlow(program)
+    private val steady = SteadyValues(program)
 
     fun write(loop: Statement.Loop) {
         // A list that may change while the loop goes through it gets a second name, in the block around the loop.
@@ -23,8 +24,8 @@ internal class JavaLoops(
             when (loop) {
                 is Statement.Repeat -> repeat(loop)
                 is Statement.RepeatForever -> around(loop, "while (true)")
-                is Statement.RepeatWhile -> whileTrue(loop, loop.condition, expressions.text(loop.condition))
-                is Statement.RepeatUntil -> whileTrue(loop, loop.condition, expressions.negated(loop.condition))
+                is Statement.RepeatWhile -> asLongAs(loop, loop.condition, expressions.text(loop.condition), expressions.opposite(loop.condition))
+                is Statement.RepeatUntil -> asLongAs(loop, loop.condition, expressions.opposite(loop.condition), expressions.text(loop.condition))
                 is Statement.ForRange -> forRange(loop)
                 is Statement.ForEach -> forEach(loop, list.orEmpty())
             }
@@ -33,36 +34,37 @@ internal class JavaLoops(
 
     private fun repeat(loop: Statement.Repeat) {
         val count = expressions.text(loop.count)
-        if (flow.isConstant(loop.count)) {
+        if (steady.isSteady(loop.count)) {
             val round = names.local("lap")
-            val last = expressions.text(loop.count, JavaStrength.PRIMARY)
-            around(loop, "for (int $round = 0; $round < $last; $round++)")
+            val limit = expressions.text(loop.count, JavaStrength.of(BinaryOperator.LESS) + 1)
+            around(loop, "for (int $round = 0; $round < $limit; $round++)")
         } else {
             val rounds = names.local("laps")
             around(loop, "for (int $rounds = $count; $rounds > 0; $rounds--)")
         }
     }
 
-    private fun whileTrue(loop: Statement.Loop, condition: Expression, text: String) {
+    /** A loop that is done while [goesOn], Java for the opposite of [ends], holds; both say what [condition] does. */
+    private fun asLongAs(loop: Statement.Loop, condition: Expression, goesOn: String, ends: String) {
         if (flow.isEndless(loop)) {
             around(loop, "while (true)")
         } else if (flow.isConstant(condition)) {
             writer.open("while (true)", loop.range.line)
-            writer.line("if (!($text)) break;", loop.range.line)
+            writer.line("if ($ends) break;", loop.range.line)
             finish(loop)
         } else {
-            around(loop, "while ($text)")
+            around(loop, "while ($goesOn)")
         }
     }
 
     private fun forRange(loop: Statement.ForRange) {
         val symbol = program.symbolOf(loop.variable)
         val from = expressions.text(loop.from)
-        val to = expressions.text(loop.to)
+        val to = expressions.text(loop.to, JavaStrength.of(BinaryOperator.LESS) + 1)
         val stepText = loop.step?.let { expressions.text(it) }
         val variable = names.declareLocal(symbol)
         val start = StringBuilder("${javaType(symbol.type)} $variable = $from")
-        val last = if (loop.to is Expression.Number) to else names.local("last").also { start.append(", $it = $to") }
+        val last = if (steady.isSteady(loop.to)) to else names.local("last").also { start.append(", $it = $to") }
         val step = valueOfStep(loop.step)
         if (step != null) {
             val comparison = if (step.isNegative) ">=" else "<="
@@ -101,7 +103,7 @@ internal class JavaLoops(
     private fun fixedList(loop: Statement.ForEach): String {
         val list = loop.list
         val symbol = (list as? Expression.Variable)?.let { program.symbolOf(it.name) }
-        if (symbol?.kind == SymbolKind.CONSTANT) return names.of(symbol)
+        if (symbol != null && steady.isSteady(list)) return names.of(symbol)
         val value = if (list is Expression.ListOf) expressions.elements(list) else expressions.text(list)
         val name = names.local("elements")
         writer.line("${javaType(expressions.typeOf(list))} $name = $value;", loop.range.line)
