@@ -79,7 +79,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         blank()
         line("import josx.platform.rcx.*;")
         if (tree.behaviours.isNotEmpty()) line("import josx.robotics.*;")
-        if (JavaHelper.DICE in helpers.all) line("import java.util.Random;")
+        if (JavaHelper.DICE in helpers.all) line("import java.util.*;")
         blank()
         takeComments(comments.heading)
         commentsLeft()
@@ -100,7 +100,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
 }
 
 /** Where the pupil's own part ends. */
-private const val METHODS_BELOW = "// The methods below do what the commands of Robolang do."
+internal const val METHODS_BELOW = "// The methods below do what the commands of Robolang do."
 
 /** What stands behind the head of a method that [mayWait] or not. */
 internal fun throwsClause(mayWait: Boolean): String = if (mayWait) " throws InterruptedException" else ""

@@ -78,9 +78,7 @@ class LineMapTest {
         text.isEmpty() || text in COMMON || COMMON_BEGINNINGS.any { text.startsWith(it) }
 
     private companion object {
-        const val METHODS_BELOW = "// The methods below do what the commands of Robolang do."
-
-        val COMMON_BEGINNINGS = listOf("import ", "public class ", "public static void main(", "/**", "static ", "// ", "Sensor.S")
+        val COMMON_BEGINNINGS = listOf("import ", "public class ", "public static void main(", "/**", "static ", "// ", "Sensor.S", "Behavior[] ")
 
         /** What behaviours consist of, and the ends of blocks that Java has beside the program's. */
         val COMMON: Set<String> = listOf(
@@ -96,7 +94,6 @@ class LineMapTest {
             "} catch (InterruptedException suppressed) {",
             "isActive = false;",
             "giveWay();",
-            "Behavior[] behaviours = {",
         ).toSet() + listOf(JavaBehaviourTexts.SUPPRESS, JavaBehaviourTexts.MAIN_PROGRAM, JavaBehaviourTexts.REACTIONS)
             .flatMap { text -> text.lines().map { it.trim() } }
     }

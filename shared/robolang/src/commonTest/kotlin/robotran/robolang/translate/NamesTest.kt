@@ -25,8 +25,8 @@ class NamesTest {
 
     @Test
     fun `classes of leJOS keep their names`() {
-        val java = translationOf("var Motor = 3\nfunction Sound()\n  return 1\nend\nshow Motor + Sound()").java
-        assertContains(java, "show(Motor_ + Sound_());")
+        val java = translationOf("var Thread = 3\nfunction Math()\n  return 1\nend\nshow Thread + Math()").java
+        assertContains(java, "show(Thread_ + Math_());")
     }
 
     @Test
