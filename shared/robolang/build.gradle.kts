@@ -6,7 +6,7 @@ plugins {
 texts {
     constant("commonTest", "robotran.robolang.testPrograms", "shared/robolang/src/commonTest/resources/programs", "**/*.robo")
     constant("commonTest", "robotran.robolang.examplePrograms", "examples", "*.robo")
-    constant("commonTest", "robotran.robolang.recordedTranslations", "shared/robolang/src/commonTest/resources/translations", "**/*.*")
+    constant("commonTest", "robotran.robolang.recordedTranslations", "shared/robolang/src/commonTest/resources/translations", "*.*")
     blocks("commonTest", "robotran.robolang.documentedPrograms", "docs", "*.md", "robolang")
 }
 

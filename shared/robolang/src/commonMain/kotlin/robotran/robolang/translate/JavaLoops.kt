@@ -36,8 +36,7 @@ internal class JavaLoops(
         val count = expressions.text(loop.count)
         if (steady.isSteady(loop.count)) {
             val round = names.local("lap")
-            val limit = expressions.text(loop.count, JavaStrength.of(BinaryOperator.LESS) + 1)
-            around(loop, "for (int $round = 0; $round < $limit; $round++)")
+            around(loop, "for (int $round = 0; $round < ${operand(loop.count)}; $round++)")
         } else {
             val rounds = names.local("laps")
             around(loop, "for (int $rounds = $count; $rounds > 0; $rounds--)")
@@ -60,21 +59,29 @@ internal class JavaLoops(
     private fun forRange(loop: Statement.ForRange) {
         val symbol = program.symbolOf(loop.variable)
         val from = expressions.text(loop.from)
-        val to = expressions.text(loop.to, JavaStrength.of(BinaryOperator.LESS) + 1)
+        val to = expressions.text(loop.to)
         val stepText = loop.step?.let { expressions.text(it) }
         val variable = names.declareLocal(symbol)
         val start = StringBuilder("${javaType(symbol.type)} $variable = $from")
-        val last = if (steady.isSteady(loop.to)) to else names.local("last").also { start.append(", $it = $to") }
+        val last = if (steady.isSteady(loop.to)) operand(loop.to) else names.local("last").also { start.append(", $it = $to") }
         val step = valueOfStep(loop.step)
         if (step != null) {
-            val comparison = if (step.isNegative) ">=" else "<="
-            around(loop, "for ($start; $variable $comparison $last; ${advance(variable, stepText)})", names.noteOn(symbol))
+            val count = steady.countBehind(loop.to).takeIf { loop.step == null }
+            val condition = when {
+                count != null -> "$variable < ${operand(count)}"
+                step.isNegative -> "$variable >= $last"
+                else -> "$variable <= $last"
+            }
+            around(loop, "for ($start; $condition; ${advance(variable, stepText)})", names.noteOn(symbol))
         } else {
             val by = names.local("step").also { start.append(", $it = $stepText") }
             val condition = "$by > 0 ? $variable <= $last : $variable >= $last"
             around(loop, "for ($start; $condition; $variable += $by)", names.noteOn(symbol))
         }
     }
+
+    /** [expression] as it stands beside `<`. */
+    private fun operand(expression: Expression): String = expressions.text(expression, JavaStrength.of(BinaryOperator.LESS) + 1)
 
     /** The step if it is written as a number, which says whether it goes up or down. */
     private fun valueOfStep(step: Expression?): NumberValue? = when (step) {

@@ -6,6 +6,7 @@ import robotran.robolang.check.Symbol
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.UnaryOperator
 
@@ -25,6 +26,13 @@ internal class SteadyValues(private val program: CheckedProgram) {
         is Expression.Brackets -> isSteady(expression.inner)
         is Expression.Call -> isLength(expression) && isSteady(expression.arguments.single())
         is Expression.ListOf, is Expression.Element, is Expression.Sense -> false
+    }
+
+    /** The length of a list if [last] is that minus one, the place of its last element: Java counts up to the length instead. */
+    fun countBehind(last: Expression): Expression? {
+        val difference = last as? Expression.Binary ?: return null
+        val isOneLess = difference.operator == BinaryOperator.MINUS && (difference.right as? Expression.Number)?.value == NumberValue.Whole(1)
+        return difference.left.takeIf { isOneLess && isSteady(it) && it is Expression.Call }
     }
 
     private fun isLength(call: Expression.Call): Boolean =
