@@ -11,7 +11,7 @@ public class ListsAndFunctions {
     static int loudest = 0;
 
     public static void main(String[] arguments) throws InterruptedException {
-        for (int i = 0; i <= notes.length - 1; i++) {
+        for (int i = 0; i < notes.length; i++) {
             play(notes[i], 0.5f);
             loudest = Math.max(loudest, notes[i]);
         }

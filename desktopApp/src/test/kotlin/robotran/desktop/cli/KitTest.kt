@@ -115,7 +115,9 @@ class KitTest {
         } finally {
             TimeZone.setDefault(zone)
         }
-        val times = ZipFile.builder().setPath(folder.resolve("first.zip")).get().use { zip -> zip.entries.asSequence().map { it.timeLocal }.toSet() }
+        val times = ZipFile.builder().setPath(folder.resolve("first.zip")).get().use { zip ->
+            zip.entries.asSequence().map { it.timeLocal }.toSet()
+        }
         assertEquals(setOf(LocalDateTime.of(1980, 1, 1, 0, 0)), times)
     }
 

@@ -24,11 +24,32 @@ private fun plain(text: String): String = text.map { character ->
     }
 }.joinToString("")
 
-private val SPELLINGS: Map<Char, String> = mapOf('ß' to "ss", 'ä' to "ae", 'ö' to "oe", 'ü' to "ue", 'Ä' to "Ae", 'Ö' to "Oe", 'Ü' to "Ue") +
-    mapOf('æ' to "ae", 'ø' to "oe", 'å' to "aa", 'Æ' to "Ae", 'Ø' to "Oe", 'Å' to "Aa", 'ç' to "c", 'ñ' to "n", 'Ç' to "C", 'Ñ' to "N") +
-    "àáâã".associateWith { "a" } + "èéêë".associateWith { "e" } + "ìíîï".associateWith { "i" } + "òóôõ".associateWith { "o" } +
-    "ùúû".associateWith { "u" } + "ÀÁÂÃ".associateWith { "A" } + "ÈÉÊË".associateWith { "E" } + "ÌÍÎÏ".associateWith { "I" } +
-    "ÒÓÔÕ".associateWith { "O" } + "ÙÚÛ".associateWith { "U" }
+/** What letters beyond the alphabet are written as. */
+private val SPELLINGS: Map<Char, String> = mapOf(
+    "a" to "àáâã",
+    "aa" to "å",
+    "ae" to "äæ",
+    "c" to "ç",
+    "e" to "èéêë",
+    "i" to "ìíîï",
+    "n" to "ñ",
+    "o" to "òóôõ",
+    "oe" to "öø",
+    "ss" to "ß",
+    "u" to "ùúû",
+    "ue" to "ü",
+    "A" to "ÀÁÂÃ",
+    "Aa" to "Å",
+    "Ae" to "ÄÆ",
+    "C" to "Ç",
+    "E" to "ÈÉÊË",
+    "I" to "ÌÍÎÏ",
+    "N" to "Ñ",
+    "O" to "ÒÓÔÕ",
+    "Oe" to "ÖØ",
+    "U" to "ÙÚÛ",
+    "Ue" to "Ü",
+).flatMap { (plain, others) -> others.map { it to plain } }.toMap()
 
 /** What the class of a behaviour is called, its number left aside. */
 internal const val WHENEVER = "Whenever"

@@ -24,8 +24,8 @@ internal class JavaLoops(
             when (loop) {
                 is Statement.Repeat -> repeat(loop)
                 is Statement.RepeatForever -> around(loop, "while (true)")
-                is Statement.RepeatWhile -> asLongAs(loop, loop.condition, expressions.text(loop.condition), expressions.opposite(loop.condition))
-                is Statement.RepeatUntil -> asLongAs(loop, loop.condition, expressions.opposite(loop.condition), expressions.text(loop.condition))
+                is Statement.RepeatWhile -> asLongAs(loop, loop.condition, isOpposite = false)
+                is Statement.RepeatUntil -> asLongAs(loop, loop.condition, isOpposite = true)
                 is Statement.ForRange -> forRange(loop)
                 is Statement.ForEach -> forEach(loop, list.orEmpty())
             }
@@ -43,18 +43,21 @@ internal class JavaLoops(
         }
     }
 
-    /** A loop that is done while [goesOn], Java for the opposite of [ends], holds; both say what [condition] does. */
-    private fun asLongAs(loop: Statement.Loop, condition: Expression, goesOn: String, ends: String) {
+    /** A loop that is done as long as [condition] holds or, if [isOpposite], does not. */
+    private fun asLongAs(loop: Statement.Loop, condition: Expression, isOpposite: Boolean) {
         if (flow.isEndless(loop)) {
             around(loop, "while (true)")
         } else if (flow.isConstant(condition)) {
             writer.open("while (true)", loop.range.line)
-            writer.line("if ($ends) break;", loop.range.line)
+            writer.line("if (${text(condition, !isOpposite)}) break;", loop.range.line)
             finish(loop)
         } else {
-            around(loop, "while ($goesOn)")
+            around(loop, "while (${text(condition, isOpposite)})")
         }
     }
+
+    private fun text(condition: Expression, isOpposite: Boolean): String =
+        if (isOpposite) expressions.opposite(condition) else expressions.text(condition)
 
     private fun forRange(loop: Statement.ForRange) {
         val symbol = program.symbolOf(loop.variable)

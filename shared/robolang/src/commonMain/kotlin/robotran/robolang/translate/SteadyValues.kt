@@ -31,7 +31,8 @@ internal class SteadyValues(private val program: CheckedProgram) {
     /** The length of a list if [last] is that minus one, the place of its last element: Java counts up to the length instead. */
     fun countBehind(last: Expression): Expression? {
         val difference = last as? Expression.Binary ?: return null
-        val isOneLess = difference.operator == BinaryOperator.MINUS && (difference.right as? Expression.Number)?.value == NumberValue.Whole(1)
+        val isOneLess =
+            difference.operator == BinaryOperator.MINUS && (difference.right as? Expression.Number)?.value == NumberValue.Whole(1)
         return difference.left.takeIf { isOneLess && isSteady(it) && it is Expression.Call }
     }
 

@@ -34,7 +34,8 @@ class CommentsTest {
 
     @Test
     fun `the comments of a header are above the sensors`() {
-        val java = javaLinesOf("// my robot\nrobot\n  // it looks at the line\n  light sensor on 2 facing down // near\nend // of the header\nshow light")
+        val header = "// my robot\nrobot\n  // it looks at the line\n  light sensor on 2 facing down // near\nend // of the header\n"
+        val java = javaLinesOf(header + "show light")
         val place = java.indexOf("// my robot")
         assertEquals(
             listOf("// my robot", "// it looks at the line", "Sensor.S2.activate(); // near", "// of the header"),

@@ -78,7 +78,8 @@ class LineMapTest {
         text.isEmpty() || text in COMMON || COMMON_BEGINNINGS.any { text.startsWith(it) }
 
     private companion object {
-        val COMMON_BEGINNINGS = listOf("import ", "public class ", "public static void main(", "/**", "static ", "// ", "Sensor.S", "Behavior[] ")
+        val COMMON_BEGINNINGS =
+            listOf("import ", "public class ", "public static void main(", "/**", "static ", "// ", "Sensor.S", "Behavior[] ")
 
         /** What behaviours consist of, and the ends of blocks that Java has beside the program's. */
         val COMMON: Set<String> = listOf(

@@ -31,7 +31,8 @@ class NamesTest {
 
     @Test
     fun `a variable may be called like a method, and only then`() {
-        val java = translationOf("procedure main()\n  beep\nend\nfor round from 1 to 3\n  var main = round\n  show main\n  main()\nend").java
+        val loop = "for round from 1 to 3\n  var main = round\n  show main\n  main()\nend"
+        val java = translationOf("procedure main()\n  beep\nend\n$loop").java
         assertContains(java, "static void main_() { // in Robolang: main")
         assertContains(java, "for (int round = 1; round <= 3; round++) {")
         assertContains(java, "int main = round;")

@@ -13,6 +13,7 @@ import org.apache.bcel.classfile.Method
 import org.apache.bcel.generic.ANEWARRAY
 import org.apache.bcel.generic.CHECKCAST
 import org.apache.bcel.generic.ConstantPoolGen
+import org.apache.bcel.generic.ConstantPushInstruction
 import org.apache.bcel.generic.INSTANCEOF
 import org.apache.bcel.generic.InstructionHandle
 import org.apache.bcel.generic.InstructionList
@@ -20,7 +21,6 @@ import org.apache.bcel.generic.LDC
 import org.apache.bcel.generic.MULTIANEWARRAY
 import org.apache.bcel.generic.NEWARRAY
 import org.apache.bcel.generic.PushInstruction
-import org.apache.bcel.generic.ConstantPushInstruction
 
 /** What the linker of leJOS would say against the class file [bytes], each in a sentence; nothing if it is content. */
 internal fun tinyVmProblems(bytes: ByteArray): List<String> {
