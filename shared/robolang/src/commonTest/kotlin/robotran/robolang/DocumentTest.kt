@@ -1,0 +1,61 @@
+package robotran.robolang
+
+import robotran.robolang.syntax.Keyword
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+/** Holds the tables, the lists of words and the grammar of docs/robolang.md against the language; `ProgramsTest` runs its programs. */
+class DocumentTest {
+    private val document = documents.getValue("robolang.md")
+
+    /** The rows of the tables of mistakes and warnings: code, when, and pieces of code such as the program it is told in. */
+    private val rows: List<List<String>> =
+        document.substringAfter("\n## Mistakes and warnings\n").substringBefore("\n## ").lines()
+            .filter { it.startsWith("| `") }
+            .map { row -> row.removeSurrounding("| ", " |").split(" | ") }
+
+    @Test
+    fun `the tables have every code of a mistake or a warning and no other`() {
+        assertEquals(DiagnosticCode.entries.map { it.id }, rows.map { it.first().trim('`') })
+    }
+
+    @Test
+    fun `the program beside each code has that mistake or warning and no other`() {
+        val different = rows.filter { it.last() != "-" }.mapNotNull { row ->
+            val code = row.first().trim('`')
+            val told = codesOf(row.last().split("<br>").joinToString("\n") { it.trim('`') })
+            "$code is documented with a program that has $told".takeIf { told != listOf(code) }
+        }
+        assertEquals("", different.joinToString("\n"))
+    }
+
+    @Test
+    fun `only what fills pages has no program beside it`() {
+        val limits = setOf(
+            DiagnosticCode.NESTED_TOO_DEEPLY, DiagnosticCode.SOURCE_TOO_LONG, DiagnosticCode.EXPRESSION_TOO_DEEP, DiagnosticCode.LIST_TOO_LONG,
+            DiagnosticCode.TOO_MANY_VARIABLES, DiagnosticCode.TOO_MANY_CONSTANTS, DiagnosticCode.TOO_MANY_ROUTINES,
+        )
+        assertEquals(limits.map { it.id }.toSet(), rows.filter { it.last() == "-" }.map { it.first().trim('`') }.toSet())
+    }
+
+    @Test
+    fun `the grammar has every word of the language and no other`() {
+        val rules = documentedGrammar.values.single().replace(Regex("""\(\*.*?\*\)"""), "")
+        val words = Regex(""""([a-z]{2,})"""").findAll(rules).map { it.groupValues[1] }.toSet()
+        assertEquals(spellings(Keyword.entries), words)
+    }
+
+    @Test
+    fun `the words that may be names are those the document lists`() {
+        val listed = document.substringAfter("No word of the language can be a name but ").substringBefore(".\n")
+        val words = Regex("`([a-z]+)`").findAll(listed).map { it.groupValues[1] }.toSet()
+        assertEquals(spellings(Keyword.entries.filter { it.isFree }), words)
+    }
+
+    private fun spellings(keywords: List<Keyword>): Set<String> = keywords.flatMap { listOfNotNull(it.text, it.singular) }.toSet()
+
+    private fun codesOf(source: String): List<String> = when (val result = read(source)) {
+        is RobolangResult.Mistaken -> result.diagnostics
+        is RobolangResult.Ready -> result.warnings
+    }.map { it.code.id }
+}
