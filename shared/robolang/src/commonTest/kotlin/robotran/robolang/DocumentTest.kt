@@ -1,5 +1,6 @@
 package robotran.robolang
 
+import robotran.robolang.run.RobotConstants
 import robotran.robolang.syntax.Keyword
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -8,11 +9,8 @@ import kotlin.test.assertEquals
 class DocumentTest {
     private val document = documents.getValue("robolang.md")
 
-    /** The rows of the tables of mistakes and warnings: code, when, and pieces of code such as the program it is told in. */
-    private val rows: List<List<String>> =
-        document.substringAfter("\n## Mistakes and warnings\n").substringBefore("\n## ").lines()
-            .filter { it.startsWith("| `") }
-            .map { row -> row.removeSurrounding("| ", " |").split(" | ") }
+    /** Of each mistake and warning: its code, when it is told, and a program that has it. */
+    private val rows = rowsUnder("## Mistakes and warnings").filter { it.first().startsWith("`") }
 
     @Test
     fun `the tables have every code of a mistake or a warning and no other`() {
@@ -32,8 +30,9 @@ class DocumentTest {
     @Test
     fun `only what fills pages has no program beside it`() {
         val limits = setOf(
-            DiagnosticCode.NESTED_TOO_DEEPLY, DiagnosticCode.SOURCE_TOO_LONG, DiagnosticCode.EXPRESSION_TOO_DEEP, DiagnosticCode.LIST_TOO_LONG,
-            DiagnosticCode.TOO_MANY_VARIABLES, DiagnosticCode.TOO_MANY_CONSTANTS, DiagnosticCode.TOO_MANY_ROUTINES,
+            DiagnosticCode.NESTED_TOO_DEEPLY, DiagnosticCode.SOURCE_TOO_LONG, DiagnosticCode.EXPRESSION_TOO_DEEP,
+            DiagnosticCode.LIST_TOO_LONG, DiagnosticCode.TOO_MANY_VARIABLES, DiagnosticCode.TOO_MANY_CONSTANTS,
+            DiagnosticCode.TOO_MANY_ROUTINES,
         )
         assertEquals(limits.map { it.id }.toSet(), rows.filter { it.last() == "-" }.map { it.first().trim('`') }.toSet())
     }
@@ -51,6 +50,24 @@ class DocumentTest {
         val words = Regex("`([a-z]+)`").findAll(listed).map { it.groupValues[1] }.toSet()
         assertEquals(spellings(Keyword.entries.filter { it.isFree }), words)
     }
+
+    @Test
+    fun `what is said when a run fails is documented in the same words`() {
+        val said = with(EnglishRunMessages) {
+            listOf(
+                divisionByZero("7"), indexOutside(7, 5), tooManyCalls("f", RobotConstants.DEEPEST_CALLS),
+                listsTooLarge(RobotConstants.LIST_WORDS), negativeTime("-1"), negativeCount(-1), powerOutside(9), stepOfNothing(),
+                rootOfNegative("-4.0"), powerOfNegative("-8.0", "0.5"),
+            )
+        }
+        assertEquals(said, rowsUnder("### When a run fails").drop(1).map { it.first() })
+    }
+
+    /** The cells of all tables between [heading] and the next heading of its level. */
+    private fun rowsUnder(heading: String): List<List<String>> =
+        document.substringAfter("\n$heading\n").substringBefore("\n${heading.substringBefore(' ')} ").lines()
+            .filter { it.startsWith("| ") }
+            .map { row -> row.removeSurrounding("| ", " |").split(" | ") }
 
     private fun spellings(keywords: List<Keyword>): Set<String> = keywords.flatMap { listOfNotNull(it.text, it.singular) }.toSet()
 
