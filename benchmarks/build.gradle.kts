@@ -1,15 +1,13 @@
 plugins {
-    id("application")
-    id("org.jetbrains.kotlin.jvm")
+    id("robotran.benchmarks")
 }
 
-dependencies {
-    implementation(project(":shared:robolang"))
-    implementation(project(":shared:world"))
-    implementation(project(":shared:physics"))
-    implementation(libs.coroutines.core)
-}
-
-application {
-    mainClass.set("robotran.benchmarks.MainKt")
+kotlin {
+    sourceSets {
+        commonMain.dependencies {
+            implementation(project(":shared:robolang"))
+            implementation(project(":shared:world"))
+            implementation(libs.coroutines.core)
+        }
+    }
 }

@@ -9,6 +9,8 @@ texts {
     constant("commonTest", "robotran.robolang.recordedTranslations", "shared/robolang/src/commonTest/resources/translations", "*.*")
     blocks("commonTest", "robotran.robolang.documentedPrograms", "docs", "*.md", "robolang")
     blocks("commonTest", "robotran.robolang.documentedTranslations", "docs", "*.md", "java")
+    blocks("commonTest", "robotran.robolang.documentedGrammar", "docs", "robolang.md", "ebnf")
+    constant("commonTest", "robotran.robolang.documents", "docs", "robolang.md")
 }
 
 kotlin {

@@ -7,16 +7,16 @@ import robotran.rom.RomCall
 import robotran.rom.SensorRequest
 
 /** How many statements a second the interpreter executes in a loop that counts. */
-internal fun statementSpeed(): String {
+internal suspend fun statementSpeed(): Figure {
     val program = programOf("var count = 0\nrepeat 2000000 times\n  count = count + 1\nend\n")
     var statements = 0L
     val seconds =
         seconds {
             val run = program.start(SilentRom())
-            while (run.resume(STEPS) == ProgramStatus.Running) statements = run.statementsBegun
+            while (run.resume(STEPS) == ProgramStatus.Running) Unit
             statements = run.statementsBegun
         }
-    return "%.1f million statements a second (%d in %.3f s)".format(statements / seconds / 1e6, statements, seconds)
+    return Figure(statements / seconds / 1e6, "million statements/s", "$statements in ${rounded(seconds)} s")
 }
 
 /** A ROM behind which there is nothing. */

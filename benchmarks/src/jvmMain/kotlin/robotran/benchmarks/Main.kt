@@ -1,5 +1,6 @@
 package robotran.benchmarks
 
+import kotlinx.coroutines.runBlocking
 import kotlin.system.exitProcess
 
 /** Measures what is named, or everything, and prints a line for each. */
@@ -9,16 +10,7 @@ fun main(vararg names: String) {
         System.err.println("There is no benchmark ${unknown.joinToString()}, only ${BENCHMARKS.keys.joinToString()}.")
         exitProcess(2)
     }
-    for ((name, benchmark) in BENCHMARKS) {
-        if (names.isEmpty() || name in names) println("$name: ${benchmark()}")
+    for (name in BENCHMARKS.keys) {
+        if (names.isEmpty() || name in names) println(runBlocking { measured(name) })
     }
 }
-
-/** Each measures something and tells the result in a line. */
-private val BENCHMARKS: Map<String, () -> String> =
-    mapOf(
-        "session" to ::sessionSpeed,
-        "reading" to ::readingSpeed,
-        "mistakes" to ::mistakesTime,
-        "statements" to ::statementSpeed,
-    )
