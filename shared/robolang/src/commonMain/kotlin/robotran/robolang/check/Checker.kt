@@ -18,7 +18,10 @@ internal class Checker(
         if (mistakes.isEmpty) settleUnusedTypes(context)
         ExpressionChecker(context).let { StatementChecker(context, it, calibration).check() }
         WayChecker(context).check()
-        LimitChecker(context).check()
+        val graph = CallGraph(context)
+        DeclarationOrder(context, graph).check()
+        LimitChecker(context, graph).check()
+        EndlessRecursion(context).check()
         warnOfUnusedVariables(context)
         return CheckedProgram(
             parsed.tree,

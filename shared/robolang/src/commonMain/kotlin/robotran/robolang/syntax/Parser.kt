@@ -73,7 +73,11 @@ internal class Parser(
     }
 
     private fun noCommand(reader: LineReader): Nothing? {
-        if (mistakes.reportNoCommand(reader, routineNames)) blocks.openUnknown()
+        when (mistakes.reportNoCommand(reader, routineNames)) {
+            BlockEffect.NONE -> Unit
+            BlockEffect.MAY_OPEN -> blocks.openUnknown()
+            BlockEffect.CLOSES -> blocks.closeUnsurely(reader.first)
+        }
         return null
     }
 
