@@ -71,13 +71,19 @@ internal fun Mistakes.reportNoCommand(reader: LineReader, routineNames: Set<Stri
             report(reader, DiagnosticCode.SETTING_OUTSIDE_ROBOT, reader.restRange, messages.settingOutsideRobot())
         }
 
-        word.keyword in VALUES || reader.peek(1)?.keyword == Keyword.BUMPER -> {
-            report(reader, DiagnosticCode.UNKNOWN_COMMAND, word.range, messages.valueAsCommand(shortened(word.text)))
+        word.keyword in VALUES -> reportValueAsCommand(reader, word.range)
+
+        reader.peek(1)?.keyword == Keyword.BUMPER -> {
+            reportValueAsCommand(reader, word.range.copy(endColumn = checkNotNull(reader.peek(1)).range.endColumn))
         }
 
         else -> return reportUnknownCommand(reader, word)
     }
     return BlockEffect.NONE
+}
+
+private fun Mistakes.reportValueAsCommand(reader: LineReader, range: SourceRange) {
+    report(reader, DiagnosticCode.UNKNOWN_COMMAND, range, messages.valueAsCommand(reader.quotable(range)))
 }
 
 private fun Mistakes.reportUnknownCommand(reader: LineReader, word: Token): BlockEffect {

@@ -39,6 +39,7 @@ internal abstract class LineParser(
             mistakes.reportMalformedName(reader, token.range)
         } else if (token?.keyword != null) {
             mistakes.report(reader, DiagnosticCode.RESERVED_WORD, token.range, messages.reservedWord(token.text))
+            mistakes.takenWords.getOrPut(lowercaseKeyword(token.text)) { mutableSetOf() } += token.range.line
         } else {
             val before = reader.quotable(reader.readRange)
             val range = token?.range ?: reader.gap

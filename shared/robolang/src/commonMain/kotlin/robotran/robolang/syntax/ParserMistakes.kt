@@ -36,9 +36,18 @@ internal fun Mistakes.reportMissingWord(
 
 /** Reports a name that is broken by a sign or begins with a figure; [start] is where it begins. */
 internal fun Mistakes.reportMalformedName(reader: LineReader, start: SourceRange) {
-    val end = reader.line.text.drop(start.column - 1).indexOfFirst { isBlank(it) || it == '=' }
+    val end = reader.line.text.drop(start.column - 1).indexOfFirst { isBlank(it) || it in "=()," }
     val range = if (end < 0) reader.restRange.copy(column = start.column) else start.copy(endColumn = start.column + end)
     report(reader, DiagnosticCode.MALFORMED_NAME, range, messages.malformedName(reader.quotable(range)))
+}
+
+/** Who declares a word of the language as a name is told so there, and not in each line that uses the name. */
+internal fun forgiveTakenWords(lines: List<ScannedLine>, mistakes: Mistakes) {
+    val taken = mistakes.takenWords
+    if (taken.isEmpty()) return
+    val declaring = taken.values.flatten().toSet()
+    val using = lines.filter { line -> line.tokens.any { it.keyword != null && lowercaseKeyword(it.text) in taken } }
+    mistakes.forgive(using.mapTo(mutableSetOf()) { it.number } - declaring)
 }
 
 /** After a number: reports the next word if it is meant as a unit, but is none of [units]. Anything else is for who reads on. */
