@@ -93,6 +93,9 @@ internal object EnglishMeaningMessages : MeaningMessages {
     override fun calledBeforeDeclaration(routine: String, variable: String, line: Int) =
         "${quoted(routine)} uses ${quoted(variable)}, which is declared only in line $line. Move that line up."
 
+    override fun calledInDeclaration(routine: String, variable: String) =
+        "${quoted(routine)} uses ${quoted(variable)}, which gets its first value only here."
+
     override fun neededBeforeDeclaration(variable: String, line: Int) =
         "A \"whenever\" can need ${quoted(variable)} at once, but it is declared only in line $line. Move that line to the top."
 

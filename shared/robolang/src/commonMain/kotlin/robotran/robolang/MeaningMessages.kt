@@ -88,6 +88,9 @@ interface MeaningMessages {
     /** The procedure or function [routine] is called above [line], where the [variable] is declared that it uses. */
     fun calledBeforeDeclaration(routine: String, variable: String, line: Int): String
 
+    /** The [variable] is declared with a value for which [routine] is called, and that uses the variable. */
+    fun calledInDeclaration(routine: String, variable: String): String
+
     /** A `whenever` uses [variable], which is declared in [line], below other commands. */
     fun neededBeforeDeclaration(variable: String, line: Int): String
 

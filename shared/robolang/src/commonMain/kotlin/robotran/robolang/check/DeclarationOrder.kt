@@ -2,6 +2,7 @@ package robotran.robolang.check
 
 import robotran.robolang.DiagnosticCode
 import robotran.robolang.SourceRange
+import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.leadingDeclarations
 import robotran.robolang.syntax.shortened
 
@@ -18,11 +19,21 @@ internal class DeclarationOrder(private val context: CheckContext, private val g
         for (statement in context.tree.statements) {
             for (call in Uses().apply { add(statement) }.calls) {
                 val routine = context.routineOf(call) ?: continue
-                val global = graph.latestGlobal(routine)?.takeIf { it.name.range.line >= call.range.line } ?: continue
-                report(call.range, global, messages.calledBeforeDeclaration(shortened(call.text), shortened(global.name.text), lineOf(global)))
+                val global = graph.latestGlobal(routine)?.takeIf { lineOf(it) >= call.range.line } ?: continue
+                report(call.range, global, messageOf(call, global))
             }
         }
         checkBehaviours()
+    }
+
+    private fun messageOf(call: Name, global: Draft): String {
+        val routine = shortened(call.text)
+        val variable = shortened(global.name.text)
+        return if (lineOf(global) == call.range.line) {
+            messages.calledInDeclaration(routine, variable)
+        } else {
+            messages.calledBeforeDeclaration(routine, variable, lineOf(global))
+        }
     }
 
     private fun checkBehaviours() {

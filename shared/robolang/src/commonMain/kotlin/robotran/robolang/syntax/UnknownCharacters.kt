@@ -65,11 +65,14 @@ internal fun Mistakes.reportCharacter(text: String, range: SourceRange) {
 
 /** Whether a brace at [position] stands alone on its line, where other languages end a block. */
 internal fun isOtherEnd(text: String, position: Int): Boolean =
-    text[position] == '}' && text.take(position).all(::isBlank) && isLast(text, position)
+    text[position] == '}' && text.indexOfFirst { !isBlank(it) } == position && isLast(text, position)
 
 /** Whether nothing but a comment stands behind the character at [position]. */
-private fun isLast(text: String, position: Int): Boolean =
-    text.substring(position + 1).trimStart(::isBlank).let { it.isEmpty() || it.startsWith("//") }
+private fun isLast(text: String, position: Int): Boolean {
+    var next = position + 1
+    while (next < text.length && isBlank(text[next])) next++
+    return next == text.length || text.startsWith("//", next)
+}
 
 /** Words need a space between them and what is beside them, signs do not. */
 private fun spaced(right: String, text: String, range: SourceRange): String {

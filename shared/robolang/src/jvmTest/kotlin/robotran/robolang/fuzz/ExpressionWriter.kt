@@ -22,7 +22,7 @@ class ExpressionWriter(private val random: Random, private val known: KnownNames
             14 -> "${pick("min", "MAX")}(${whole(depth - 1)}, ${whole(depth - 1)})"
             15 -> "${pick("round", "floor", "ceil")}(${decimal(depth - 1)})"
             16 -> "length(${list(depth - 1)})"
-            17 -> "[1, ${whole(depth - 1)}, 3][${pick("0", "2", whole(0))}]".replace("[-", "[0 * -")
+            17 -> "[1, ${whole(depth - 1)}, 3][${pick("0", "2", "abs(light) mod 3")}]"
             18 -> known.oneOf(known.lists, random)?.let { "$it[abs(${whole(depth - 1)}) mod 3]" } ?: "8"
             else -> known.oneOf(known.functions, random)?.let { "$it(${whole(depth - 1)})" } ?: "9"
         }

@@ -8,7 +8,6 @@ import robotran.robolang.SourceRange
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.robolang.readRobolang
-import robotran.rom.DebuggableRun
 import robotran.rom.ProgramStatus
 import robotran.rom.RcxMemory
 import robotran.rom.Rom
@@ -32,7 +31,7 @@ fun checkHarmless(source: String) {
 /** Runs [program] for at most so many [steps], the clock jumping over every wait; gives how it stands and the calls it has made. */
 fun runFor(program: RobolangProgram, steps: Int): Pair<ProgramStatus, List<String>> {
     val rom = CountingRom()
-    val run = program.start(rom) as DebuggableRun
+    val run = program.start(rom)
     var status: ProgramStatus = ProgramStatus.Running
     repeat(steps / STEPS_AT_ONCE) {
         status = run.resume(STEPS_AT_ONCE)

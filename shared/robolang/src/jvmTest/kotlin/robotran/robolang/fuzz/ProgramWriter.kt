@@ -83,7 +83,7 @@ class ProgramWriter(private val random: Random) {
         16 -> "buzz"
         17 -> "play ${expressions.number()} for ${expressions.positive()} seconds"
         18 -> "show ${expressions.number()}"
-        19 -> "show ${pick("\"\"", "\"Hi-_5\"", "\" a \"")}"
+        19 -> "show ${pick("\"\"", "\"Hi-_5\"", "\"a\"")}"
         else -> "clear screen"
     }
 
@@ -140,11 +140,11 @@ class ProgramWriter(private val random: Random) {
                 2 -> "repeat while ${expressions.truth()}"
                 3 -> "repeat until ${expressions.truth()}"
                 4 -> "for $variable from ${expressions.whole(1)} to ${expressions.number(1)}"
-                5 -> "for $variable from ${expressions.whole(1)} to ${expressions.whole(1)} step ${pick("2", "-1", "(${expressions.whole(1)})")}"
+                5 -> "for $variable from ${expressions.whole(1)} to ${expressions.whole(1)} step ${pick("2", "-1", "(light + 1)")}"
                 else -> "for each $variable in ${expressions.list()}"
             }
             if (opener.startsWith("for")) known.wholes += variable
-            block(if (opener.endsWith("step (0)")) "repeat forever" else opener) { statements(depth) }
+            block(opener) { statements(depth) }
         }
         loops--
     }
