@@ -10,6 +10,15 @@ dependencies {
     implementation(libs.coroutines.core)
 }
 
+kotlin {
+    sourceSets {
+        main {
+            // Texts to read and what must be true of them: the same as in the tests.
+            kotlin.srcDir("../shared/robolang/src/jvmTest/kotlin/robotran/robolang/fuzz")
+        }
+    }
+}
+
 application {
     mainClass.set("robotran.benchmarks.MainKt")
 }

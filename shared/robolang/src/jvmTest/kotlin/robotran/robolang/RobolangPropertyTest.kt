@@ -30,7 +30,7 @@ import kotlin.random.Random
 
 @OptIn(ExperimentalKotest::class)
 class RobolangPropertyTest : StringSpec({
-    val config = PropTestConfig(seed = 2005, iterations = 25_000)
+    val config = PropTestConfig(seed = 2005, iterations = 30_000)
 
     fun texts(text: (Random) -> String): Arb<String> = arbitrary { text(it.random) }
     val programs = texts { ProgramWriter(it).write() }
@@ -48,11 +48,11 @@ class RobolangPropertyTest : StringSpec({
     }
 
     "a program with something changed is read without harm" {
-        checkAll(config, texts(::spoiltProgram)) { checkHarmless(it) }
+        checkAll(PropTestConfig(seed = 2005, iterations = 10_000), texts(::spoiltProgram)) { checkHarmless(it) }
     }
 
     "a generated program has no mistakes, and formatted it is the same tree" {
-        checkAll(PropTestConfig(seed = 2005, iterations = 3_000), programs) { source ->
+        checkAll(PropTestConfig(seed = 2005, iterations = 2_000), programs) { source ->
             mistakesOf(source).shouldBeEmpty()
             (formatRobolang(source) is FormatResult.Formatted) shouldBe true
             checkFormatting(source)

@@ -3,6 +3,7 @@ package robotran.robolang.check
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.bodies
@@ -11,7 +12,8 @@ import robotran.robolang.syntax.parts
 
 /** Gives parameters that no call gives a value yet the type that their routine needs, as far as that is not a number. */
 internal class NeededTypes(private val context: CheckContext) {
-    fun settle() = context.tree.routines.forEach { routine -> routine.body.forEach(::settle) }
+    /** Twice, because what a routine needs may follow from another one further down. */
+    fun settle() = repeat(2) { context.tree.routines.forEach { routine -> routine.body.forEach(::settle) } }
 
     private fun settle(statement: Statement) {
         when (statement) {
@@ -22,6 +24,8 @@ internal class NeededTypes(private val context: CheckContext) {
             is Statement.ForEach -> need(statement.list, ValueType.LIST_OF_WHOLE)
 
             is Statement.Assign -> assigned(statement)
+
+            is Statement.Call -> handedOver(statement.name, statement.arguments)
 
             else -> Unit
         }
@@ -46,10 +50,16 @@ internal class NeededTypes(private val context: CheckContext) {
             is Expression.Unary -> if (expression.operator == UnaryOperator.NOT) need(expression.operand, ValueType.TRUTH)
             is Expression.Binary -> settleOperands(expression)
             is Expression.Element -> need(expression.list, ValueType.LIST_OF_WHOLE)
-            is Expression.Call -> if (BuiltIn.of(expression.name.key) == BuiltIn.LENGTH) needAll(expression, ValueType.LIST_OF_WHOLE)
+            is Expression.Call -> handedOver(expression.name, expression.arguments)
             else -> Unit
         }
         expression.parts.forEach(::settle)
+    }
+
+    private fun handedOver(routine: Name, arguments: List<Expression>) {
+        if (BuiltIn.of(routine.key) == BuiltIn.LENGTH) return arguments.forEach { need(it, ValueType.LIST_OF_WHOLE) }
+        val parameters = context.routineOf(routine)?.parameters.orEmpty()
+        parameters.zip(arguments) { parameter, argument -> context.draftsByName[parameter.range]?.let { need(argument, it.type.type) } }
     }
 
     private fun settleOperands(expression: Expression.Binary) {
