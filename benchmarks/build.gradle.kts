@@ -9,5 +9,9 @@ kotlin {
             implementation(project(":shared:world"))
             implementation(libs.coroutines.core)
         }
+        jvmMain {
+            // Texts to read and what must be true of them: the same as in the tests.
+            kotlin.srcDir("../shared/robolang/src/jvmTest/kotlin/robotran/robolang/fuzz")
+        }
     }
 }
