@@ -9,11 +9,11 @@ import kotlin.random.Random
 /** Everything that means something to Robolang, and a little that does not. */
 internal val PIECES: List<String> = listOf(
     "forward", "backward", "turn", "pen", "repeat", "wait", "beep", "show", "end", "left", "right", "down", "up", "times", "cm",
-    "degrees", "seconds", "milliseconds", "if", "else", "for", "each", "in", "from", "to", "step", "while", "until", "forever", "break", "continue", "var",
-    "const", "procedure", "function", "return", "whenever", "halt", "robot", "light", "sensor", "on", "facing", "start", "turning", "stop",
-    "power", "motor", "A", "play", "buzz", "clear", "screen", "reset", "timer", "battery", "button", "run", "bumper", "true", "false",
-    "and", "or", "not", "mod", "x", "x", "p", "p()", "(", ")", "[", "]", "=", "==", "!=", "<", "<=", ">", ">=", "+", "*", "/", "\"HI\"",
-    "\"", "random", "length", "foward", " ", " ", " ", " ", "\n", "\n", "\n", "\r\n", "\r", "\t", "//", "-", ",", ".",
+    "degrees", "seconds", "milliseconds", "if", "else", "for", "each", "in", "from", "to", "step", "while", "until", "forever", "break",
+    "continue", "var", "const", "procedure", "function", "return", "whenever", "halt", "robot", "light", "sensor", "on", "facing", "start",
+    "turning", "stop", "power", "motor", "A", "play", "buzz", "clear", "screen", "reset", "timer", "battery", "button", "run", "bumper",
+    "true", "false", "and", "or", "not", "mod", "x", "x", "p", "p()", "(", ")", "[", "]", "=", "==", "!=", "<", "<=", ">", ">=", "+", "*",
+    "/", "\"HI\"", "\"", "random", "length", "foward", " ", " ", " ", " ", "\n", "\n", "\n", "\r\n", "\r", "\t", "//", "-", ",", ".",
     "0", "4", "2.5", "99999999999", "\uFEFF", "\uD83E\uDD16", "\uD83E", "\u0000", ";", "°", "é",
 )
 
