@@ -20,7 +20,9 @@ internal fun fuzz(arguments: List<String>) {
         val text = anyText(Random(seed + number))
         try {
             checkHarmless(text)
-        } catch (@Suppress("TooGenericExceptionCaught") failure: Throwable) {
+        } catch (
+            @Suppress("TooGenericExceptionCaught") failure: Throwable,
+        ) {
             System.err.println("Text $number of seed $seed does harm, $failure:\n$text")
             exitProcess(1)
         }

@@ -125,7 +125,8 @@ internal object EnglishSyntaxMessages : SyntaxMessages {
     override fun expressionTooDeep(limit: Int) =
         "There can be at most $limit brackets and operators inside each other. Use a variable for a part."
 
-    override fun valueAsCommand(word: String) = "${quoted(word)} has a value but does nothing. Use it inside a command, such as \"show light\"."
+    override fun valueAsCommand(word: String) =
+        "${quoted(word)} has a value but does nothing. Use it inside a command, such as \"show light\"."
 
     override fun settingOutsideRobot() = "This belongs between a line \"robot\" and its \"end\"."
 

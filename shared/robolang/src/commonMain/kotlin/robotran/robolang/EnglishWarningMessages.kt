@@ -14,7 +14,7 @@ internal object EnglishWarningMessages : WarningMessages {
     override fun divisorTooLarge(divisor: Int, kept: Int) =
         "The brick divides only by numbers from -32768 to 32767. It takes $divisor for $kept."
 
-    override fun listInLoop() = 
+    override fun listInLoop() =
         "This makes a new list again and again, and the brick never gets its memory back. Make the list once, at the top."
 
     override fun divisorTakenForZero(divisor: Int) =

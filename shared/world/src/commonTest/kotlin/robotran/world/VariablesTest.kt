@@ -65,7 +65,8 @@ class VariablesTest {
 
     @Test
     fun `each call of a recursive routine has its own values`() = runTest {
-        val session = startedForDebugging("procedure down(n)\n  var twice = n * 2\n  if n > 0\n    down(n - 1)\n  end\n  show twice\nend\ndown(2)")
+        val session =
+            startedForDebugging("procedure down(n)\n  var twice = n * 2\n  if n > 0\n    down(n - 1)\n  end\n  show twice\nend\ndown(2)")
         session.breakpoints = setOf(6)
         val frames = List(3) {
             session.runUntilStop(1_000)

@@ -139,7 +139,8 @@ internal class NameResolver(private val context: CheckContext) {
         if (earlier != null) {
             val isBoth = kind == SymbolKind.VARIABLE && earlier.kind == SymbolKind.VARIABLE
             val line = earlier.name.range.line
-            reportTaken(name, if (isBoth) messages.redeclared(shortened(name.text), line) else messages.declaredTwice(shortened(name.text), line))
+            val text = shortened(name.text)
+            reportTaken(name, if (isBoth) messages.redeclared(text, line) else messages.declaredTwice(text, line))
         }
         return declare(name, kind)
     }

@@ -21,13 +21,21 @@ internal class NeededTypes(private val context: CheckContext) {
                 statement.expressions.forEach { need(it, ValueType.TRUTH) }
             }
 
-            is Statement.ForEach -> need(statement.list, ValueType.LIST_OF_WHOLE)
+            is Statement.ForEach -> {
+                need(statement.list, ValueType.LIST_OF_WHOLE)
+            }
 
-            is Statement.Assign -> assigned(statement)
+            is Statement.Assign -> {
+                assigned(statement)
+            }
 
-            is Statement.Call -> handedOver(statement.name, statement.arguments)
+            is Statement.Call -> {
+                handedOver(statement.name, statement.arguments)
+            }
 
-            else -> Unit
+            else -> {
+                Unit
+            }
         }
         statement.expressions.forEach(::settle)
         statement.bodies.forEach { it.forEach(::settle) }
@@ -64,13 +72,17 @@ internal class NeededTypes(private val context: CheckContext) {
 
     private fun settleOperands(expression: Expression.Binary) {
         when (expression.operator) {
-            BinaryOperator.AND, BinaryOperator.OR -> needAll(expression, ValueType.TRUTH)
+            BinaryOperator.AND, BinaryOperator.OR -> {
+                needAll(expression, ValueType.TRUTH)
+            }
 
             BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> {
                 if (expression.parts.any { context.typeOf(it) == ValueType.TRUTH }) needAll(expression, ValueType.TRUTH)
             }
 
-            else -> Unit
+            else -> {
+                Unit
+            }
         }
     }
 

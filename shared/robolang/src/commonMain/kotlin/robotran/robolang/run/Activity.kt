@@ -48,7 +48,11 @@ internal class Activity(
     val isInsideStatement: Boolean get() = !isWaiting && instructions[next] !is Boundary
 
     /** The variables that it knows at the place where it is, those of the main program left aside inside a routine. */
-    val known: List<Symbol> get() = (if (isWaiting) knownInside else statement?.known ?: knownInside)?.all.orEmpty()
+    val known: List<Symbol>
+        get() {
+            val upcoming = statement
+            return (if (upcoming == null || isWaiting) knownInside else upcoming.known)?.all.orEmpty()
+        }
 
     /** The variables that it knows outside all routines it is inside of. */
     val knownOutside: List<Symbol> get() = if (calls.isEmpty()) known else calls.first().known?.all.orEmpty()

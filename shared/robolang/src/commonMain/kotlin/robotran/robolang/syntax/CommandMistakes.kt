@@ -58,9 +58,13 @@ internal fun Mistakes.reportNoCommand(reader: LineReader, routineNames: Set<Stri
     val word = reader.first
     val letters = lettersOfCommandWithNumber(word)
     when {
-        word.kind != TokenKind.WORD -> reportNoWord(reader)
+        word.kind != TokenKind.WORD -> {
+            reportNoWord(reader)
+        }
 
-        lowercaseKeyword(word.text) in routineNames -> reportMissingBrackets(reader)
+        lowercaseKeyword(word.text) in routineNames -> {
+            reportMissingBrackets(reader)
+        }
 
         letters != null -> {
             reportMissingSpace(reader, word, letters)
@@ -71,13 +75,17 @@ internal fun Mistakes.reportNoCommand(reader: LineReader, routineNames: Set<Stri
             report(reader, DiagnosticCode.SETTING_OUTSIDE_ROBOT, reader.restRange, messages.settingOutsideRobot())
         }
 
-        word.keyword in VALUES -> reportValueAsCommand(reader, word.range)
+        word.keyword in VALUES -> {
+            reportValueAsCommand(reader, word.range)
+        }
 
         reader.peek(1)?.keyword == Keyword.BUMPER -> {
             reportValueAsCommand(reader, word.range.copy(endColumn = checkNotNull(reader.peek(1)).range.endColumn))
         }
 
-        else -> return reportUnknownCommand(reader, word)
+        else -> {
+            return reportUnknownCommand(reader, word)
+        }
     }
     return BlockEffect.NONE
 }

@@ -45,14 +45,18 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
     private fun isOtherLoop(variable: Name): Boolean {
         val sign = reader.next
         val (before, word, fix) = when {
-            sign?.kind == TokenKind.ASSIGN -> Triple(reader.quotable(reader.readRange), Keyword.FROM, SourceFix(sign.range, Keyword.FROM.text))
+            sign?.kind == TokenKind.ASSIGN -> {
+                Triple(reader.quotable(reader.readRange), Keyword.FROM, SourceFix(sign.range, Keyword.FROM.text))
+            }
 
             sign?.keyword == Keyword.IN -> {
                 val start = variable.range.copy(endColumn = variable.range.column)
                 Triple(Keyword.FOR.text, Keyword.EACH, SourceFix(start, Keyword.EACH.text + " "))
             }
 
-            else -> return false
+            else -> {
+                return false
+            }
         }
         mistakes.report(reader, DiagnosticCode.MISSING_WORD, fix.range, messages.missingWord(before, word.text, null), fix)
         return true

@@ -143,7 +143,11 @@ internal class Parser(
             if (reader.first.keyword in Keyword.OPENERS) blocks.openUnknown()
             return
         }
-        if (lightSensor != null && robot == null) mistakes.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.secondSetting())
+        if (lightSensor != null &&
+            robot == null
+        ) {
+            mistakes.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.secondSetting())
+        }
         lightSensor = HeaderParser(reader, mistakes).lightSensor() ?: lightSensor
     }
 

@@ -61,14 +61,16 @@ class BehaviourTest {
 
     @Test
     fun `a condition that never comes to its end keeps the program waiting and does no harm`() {
-        val brick = Brick("function stuck()\n  repeat forever\n  end\n  return true\nend\nwhenever stuck()\n  beep\nend\nbuzz").runFor(1_000)
+        val stuck = "function stuck()\n  repeat forever\n  end\n  return true\nend\nwhenever stuck()\n  beep\nend\n"
+        val brick = Brick(stuck + "buzz").runFor(1_000)
         assertEquals(ProgramStatus.Running, brick.status)
         assertEquals(emptyList(), brick.rom.calls)
     }
 
     @Test
     fun `a condition that takes long is still seen`() {
-        val brick = Brick(condition(6) + "repeat forever\n  wait 1 second\nend", listOf(SensorEvent(port = 1, milliseconds = 400, raw = 20)))
+        val brick =
+            Brick(condition(6) + "repeat forever\n  wait 1 second\nend", listOf(SensorEvent(port = 1, milliseconds = 400, raw = 20)))
         brick.runFor(1_000)
         assertEquals(ProgramStatus.Ended, brick.status)
         assertTrue(brick.rom.calls.single().milliseconds in 400..420)

@@ -16,7 +16,17 @@ private val PIECES: List<String> = listOf(
 
 /** Characters of any kind, half pairs of surrogates included, plain ones more often than not. */
 fun arbitraryText(random: Random): String = buildString {
-    repeat(random.nextInt(LONGEST)) { append(if (random.nextInt(4) == 0) random.nextInt(0x10000).toChar() else random.nextInt(32, 127).toChar()) }
+    repeat(random.nextInt(LONGEST)) {
+        append(
+            if (random.nextInt(4) ==
+                0
+            ) {
+                random.nextInt(0x10000).toChar()
+            } else {
+                random.nextInt(32, 127).toChar()
+            },
+        )
+    }
 }
 
 /** What bytes of any kind are as UTF-8. */
