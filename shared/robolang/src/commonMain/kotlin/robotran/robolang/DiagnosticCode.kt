@@ -246,6 +246,9 @@ enum class DiagnosticCode(val id: String) {
     /** More variables than [RobolangLimits.VARIABLES]. */
     TOO_MANY_VARIABLES("too-many-variables"),
 
+    /** More parameters than [RobolangLimits.PARAMETERS]. */
+    TOO_MANY_PARAMETERS("too-many-parameters"),
+
     /** More numbers and texts than [RobolangLimits.CONSTANTS]. */
     TOO_MANY_CONSTANTS("too-many-constants"),
 

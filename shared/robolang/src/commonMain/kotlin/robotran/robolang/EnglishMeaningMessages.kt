@@ -83,6 +83,8 @@ internal object EnglishMeaningMessages : MeaningMessages {
 
     override fun tooManyVariables(limit: Int) = "The brick has room for $limit variables here. This is one more."
 
+    override fun tooManyParameters(limit: Int) = "The brick has room for $limit values in brackets. This is one more."
+
     override fun tooManyConstants(limit: Int) =
         "The brick has room for $limit different large or decimal numbers and texts. This is one more."
 

@@ -70,6 +70,8 @@ interface MeaningMessages {
 
     fun tooManyVariables(limit: Int): String
 
+    fun tooManyParameters(limit: Int): String
+
     fun tooManyConstants(limit: Int): String
 
     fun tooManyRoutines(limit: Int): String

@@ -26,6 +26,9 @@ object RobolangLimits {
     /** How many variables and parameters a method, or static fields a class, can have on the brick: their numbers are bytes. */
     const val VARIABLES = 255
 
+    /** How many parameters a routine can have on the brick: the linker of leJOS takes no more. */
+    const val PARAMETERS = 16
+
     /** How many large or decimal numbers and texts a class can have on the brick: its constants are numbered in a byte. */
     const val CONSTANTS = 255
 

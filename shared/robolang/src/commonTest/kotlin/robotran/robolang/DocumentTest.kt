@@ -31,8 +31,8 @@ class DocumentTest {
     fun `only what fills pages has no program beside it`() {
         val limits = setOf(
             DiagnosticCode.NESTED_TOO_DEEPLY, DiagnosticCode.SOURCE_TOO_LONG, DiagnosticCode.EXPRESSION_TOO_DEEP,
-            DiagnosticCode.LIST_TOO_LONG, DiagnosticCode.TOO_MANY_VARIABLES, DiagnosticCode.TOO_MANY_CONSTANTS,
-            DiagnosticCode.TOO_MANY_ROUTINES,
+            DiagnosticCode.LIST_TOO_LONG, DiagnosticCode.TOO_MANY_VARIABLES, DiagnosticCode.TOO_MANY_PARAMETERS,
+            DiagnosticCode.TOO_MANY_CONSTANTS, DiagnosticCode.TOO_MANY_ROUTINES,
         )
         assertEquals(limits.map { it.id }.toSet(), rows.filter { it.last() == "-" }.map { it.first().trim('`') }.toSet())
     }

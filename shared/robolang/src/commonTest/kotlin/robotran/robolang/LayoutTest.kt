@@ -17,7 +17,7 @@ class LayoutTest {
 
     @Test
     fun `a name in other letters is no other name`() =
-        assertRuns("procedure p()\n  beep\nend\nprocedure P() // error 4:11 There is a \"P\" already, in line 1.\n  buzz\nend\np()\n")
+        assertRuns("procedure p()\n  beep\nend\nprocedure P() // error 4:11 \"P\" is declared already, in line 1. Take another name.\n  buzz\nend\np()\n")
 
     @Test
     fun `spaces and tabs make no difference`() = assertRuns(

@@ -19,6 +19,7 @@ internal class NameResolver(private val context: CheckContext) {
     private val types = TypeFlows(context, ::resolveRead)
     private val messages = context.messages
     private val slots = mutableMapOf<SourceRange?, Int>()
+    private val room = VariableRoom(context)
     private val globals = mutableMapOf<String, Draft>()
     private var owner: Routine? = null
     private var depth = 0
@@ -75,6 +76,9 @@ internal class NameResolver(private val context: CheckContext) {
             if (earlier != null) reportTaken(parameter, messages.declaredTwice(shortened(parameter.text), earlier.name.range.line))
             declare(parameter, SymbolKind.PARAMETER)
         }
+        routine.parameters.getOrNull(RobolangLimits.PARAMETERS)?.let {
+            context.report(DiagnosticCode.TOO_MANY_PARAMETERS, it.range, messages.tooManyParameters(RobolangLimits.PARAMETERS))
+        }
         types.current = context.draftsByName[routine.name.range]
         statements(routine.body)
         types.current = null
@@ -93,7 +97,7 @@ internal class NameResolver(private val context: CheckContext) {
         statements.forEach(::statement)
     }
 
-    private fun statement(statement: Statement) {
+    private fun statement(statement: Statement) = room.around(statement, owner) {
         statement.expressions.forEach(types::of)
         when (statement) {
             is Statement.Declare -> declare(statement)
@@ -117,8 +121,7 @@ internal class NameResolver(private val context: CheckContext) {
 
     private fun declareCounter(statement: Statement.ForRange) {
         val draft = declareNew(statement.variable, SymbolKind.LOOP_VARIABLE)
-        types.of(statement.from).flowTo(draft.type, TypeFlow.NUMBER)
-        statement.step?.let { types.of(it).flowTo(draft.type, TypeFlow.NUMBER) }
+        for (number in listOfNotNull(statement.from, statement.to, statement.step)) types.of(number).flowTo(draft.type, TypeFlow.NUMBER)
     }
 
     private fun declareElement(statement: Statement.ForEach) {
@@ -153,9 +156,7 @@ internal class NameResolver(private val context: CheckContext) {
         context.drafts += draft
         context.draftsByName[name.range] = draft
         if (draft.isGlobal) globals[name.key] = globals[name.key] ?: draft
-        if (slot == RobolangLimits.VARIABLES) {
-            context.report(DiagnosticCode.TOO_MANY_VARIABLES, name.range, messages.tooManyVariables(RobolangLimits.VARIABLES))
-        }
+        if (draft.isGlobal) room.field(name.range) else room.local(owner, name.range)
         return draft
     }
 
