@@ -17,25 +17,14 @@ internal class NeededTypes(private val context: CheckContext) {
 
     private fun settle(statement: Statement) {
         when (statement) {
-            is Statement.WaitUntil, is Statement.RepeatWhile, is Statement.RepeatUntil, is Statement.If -> {
-                statement.expressions.forEach { need(it, ValueType.TRUTH) }
-            }
-
-            is Statement.ForEach -> {
-                need(statement.list, ValueType.LIST_OF_WHOLE)
-            }
-
-            is Statement.Assign -> {
-                assigned(statement)
-            }
-
-            is Statement.Call -> {
-                handedOver(statement.name, statement.arguments)
-            }
-
-            else -> {
-                Unit
-            }
+            is Statement.WaitUntil -> need(statement.condition, ValueType.TRUTH)
+            is Statement.RepeatWhile -> need(statement.condition, ValueType.TRUTH)
+            is Statement.RepeatUntil -> need(statement.condition, ValueType.TRUTH)
+            is Statement.If -> statement.branches.forEach { need(it.condition, ValueType.TRUTH) }
+            is Statement.ForEach -> need(statement.list, ValueType.LIST_OF_WHOLE)
+            is Statement.Assign -> assigned(statement)
+            is Statement.Call -> handedOver(statement.name, statement.arguments)
+            else -> Unit
         }
         statement.expressions.forEach(::settle)
         statement.bodies.forEach { it.forEach(::settle) }
@@ -71,19 +60,12 @@ internal class NeededTypes(private val context: CheckContext) {
     }
 
     private fun settleOperands(expression: Expression.Binary) {
-        when (expression.operator) {
-            BinaryOperator.AND, BinaryOperator.OR -> {
-                needAll(expression, ValueType.TRUTH)
-            }
-
-            BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> {
-                if (expression.parts.any { context.typeOf(it) == ValueType.TRUTH }) needAll(expression, ValueType.TRUTH)
-            }
-
-            else -> {
-                Unit
-            }
+        val joinsTruths = when (expression.operator) {
+            BinaryOperator.AND, BinaryOperator.OR -> true
+            BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> expression.parts.any { context.typeOf(it) == ValueType.TRUTH }
+            else -> false
         }
+        if (joinsTruths) needAll(expression, ValueType.TRUTH)
     }
 
     private fun needAll(expression: Expression, type: ValueType) = expression.parts.forEach { need(it, type) }
