@@ -25,6 +25,7 @@ static class MainProgram implements Behavior {
     const val REACTIONS = """/** Looks all the time whether a behaviour is to take over. */
 static class Reactions extends Thread {
     public void run() {
+        watchingThread = this;
         Behavior[] behaviours = {ALL};
         new Arbitrator(behaviours).start();
     }

@@ -26,7 +26,7 @@ internal class JavaBehaviours(
         behaviours.indices.forEach { names.reserve(className(it)) }
     }
 
-    /** Lets the behaviours begin to watch, just before the main program begins. */
+    /** Lets the behaviours begin to watch, once the declarations that the main program begins with are done. */
     fun writeStart() {
         writer.line("mainThread = Thread.currentThread();")
         writer.line("new $REACTIONS().start();")
@@ -50,13 +50,18 @@ internal class JavaBehaviours(
         writer.line("private boolean isActive;")
         writer.blank()
         writer.open("public boolean takeControl()")
-        writer.line("return isActive || ${expressions.text(behaviour.condition, JavaStrength.of(BinaryOperator.OR) + 1)};", line)
+        interruptible(throwing.mayWait(behaviour.condition), "return false;") {
+            writer.line("return isActive || ${expressions.text(behaviour.condition, JavaStrength.of(BinaryOperator.OR) + 1)};", line)
+        }
         writer.close()
         writer.blank()
         writer.open("public void action()")
         writer.line("isActive = true;")
         writer.line("actionIsSuppressed = false;")
-        action(behaviour)
+        interruptible(throwing.mayWait(behaviour.body), "// A later behaviour has taken over.") {
+            statements.block(behaviour.body)
+            writer.commentsAbove(behaviour.endRange.line)
+        }
         writer.line("isActive = false;")
         writer.close(behaviour.endRange.line)
         writer.blank()
@@ -64,18 +69,14 @@ internal class JavaBehaviours(
         writer.close()
     }
 
-    private fun action(behaviour: Behaviour) {
-        if (!throwing.mayWait(behaviour.body)) return body(behaviour)
+    /** [content], which [isNeeded] tells to end with [otherwise] if it is interrupted while it waits. */
+    private fun interruptible(isNeeded: Boolean, otherwise: String, content: () -> Unit) {
+        if (!isNeeded) return content()
         writer.open("try")
-        body(behaviour)
+        content()
         writer.reopen("catch (InterruptedException suppressed)", LineMap.NO_LINE)
-        writer.line("// A later behaviour has taken over.")
+        writer.line(otherwise)
         writer.close()
-    }
-
-    private fun body(behaviour: Behaviour) {
-        statements.block(behaviour.body)
-        writer.commentsAbove(behaviour.endRange.line)
     }
 
     private fun className(index: Int) = "$WHENEVER${index + 1}"

@@ -38,19 +38,24 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         tree.robot?.let { body.takeComments(comments.of(it.range)) }
         JavaSensors(tree).setUp(body)
         tree.robot?.let { body.commentsAbove(it.endRange.line + 1) }
-        if (helpers.isReacting) behaviours.writeStart()
         body.blank()
         mainStatements()
         body.close()
     }
 
     private fun mainStatements() {
+        val declarations = tree.statements.takeWhile { it is Statement.Declare }
         names.inScope {
-            statements.write(tree.statements.filterNot(fields::isField)) { body.takeComments(comments.of(it.range)) }
+            mainStatements(declarations)
+            if (helpers.isReacting) behaviours.writeStart()
+            mainStatements(tree.statements.drop(declarations.size))
         }
         body.takeComments(comments.closing)
         body.commentsLeft()
     }
+
+    private fun mainStatements(part: List<Statement>) =
+        statements.write(part.filterNot(fields::isField)) { body.takeComments(comments.of(it.range)) }
 
     private fun routine(routine: Routine) {
         val symbol = checked.symbolOf(routine.name)
@@ -91,11 +96,21 @@ internal class JavaClass(private val program: RobolangProgram, private val class
             blank()
             line(METHODS_BELOW)
         }
-        methods.forEach {
+        val (calculations, others) = methods.partition { it.isCalculation }
+        others.forEach { helper(it) }
+        if (calculations.isNotEmpty()) {
             blank()
-            lines(it.textIn(helpers.isReacting))
+            line("/** Calculates with 32-bit decimal numbers, as Robotran does; a class of its own because a brick's class has room for few numbers. */")
+            open("static class ${JavaHelper.CALCULATION}")
+            calculations.forEach { helper(it) }
+            close()
         }
         close()
+    }
+
+    private fun JavaWriter.helper(helper: JavaHelper) {
+        blank()
+        lines(helper.textIn(helpers.isReacting))
     }
 }
 

@@ -12,6 +12,8 @@ import robotran.robolang.translate.JavaReactingTexts as Reacting
  *
  * @property called its name.
  * @property text its Java, at the depth of a class's members, in a program without behaviours; empty for the figures of the robot.
+ * @property isCalculation whether it stands in a class of its own, [CALCULATION]: its many numbers must not use up those of the program's
+ *   class, whose constants are numbered in a byte.
  * @property needs the helpers that it uses itself; they are declared above it, so that this list can name them.
  */
 internal enum class JavaHelper(
@@ -19,6 +21,7 @@ internal enum class JavaHelper(
     val text: String,
     val needs: List<JavaHelper> = emptyList(),
     val isField: Boolean = false,
+    val isCalculation: Boolean = false,
     private val reactingText: String? = null,
 ) {
     CENTIMETRE("MILLISECONDS_PER_CENTIMETRE", "", isField = true),
@@ -57,12 +60,12 @@ internal enum class JavaHelper(
     CEIL("ceil", Numbers.CEIL),
     ROUND("round", Numbers.ROUND, listOf(FLOOR)),
     SQRT("sqrt", Numbers.SQRT),
-    QUARTER_SINE("sineOfSmall", Maths.QUARTER_SINE, listOf(ROUND)),
-    SIN("sin", Maths.SIN, listOf(QUARTER_SINE)),
-    COS("cos", Maths.COS, listOf(QUARTER_SINE)),
-    TAN("tan", Maths.TAN, listOf(SIN, COS)),
-    ATAN2("atan2", Maths.ATAN2),
-    POW("pow", Maths.POW, listOf(ROUND)),
+    QUARTER_SINE("sineOfSmall", Maths.QUARTER_SINE, listOf(ROUND), isCalculation = true),
+    SIN("sin", Maths.SIN, listOf(QUARTER_SINE), isCalculation = true),
+    COS("cos", Maths.COS, listOf(QUARTER_SINE), isCalculation = true),
+    TAN("tan", Maths.TAN, listOf(SIN, COS), isCalculation = true),
+    ATAN2("atan2", Maths.ATAN2, isCalculation = true),
+    POW("pow", Maths.POW, listOf(ROUND), isCalculation = true),
     ;
 
     /** Its Java in a program with behaviours, if [isReacting], or without. */
@@ -72,9 +75,12 @@ internal enum class JavaHelper(
     }
 
     companion object {
+        /** The class that holds those that work with many numbers. */
+        const val CALCULATION = "Calculation"
+
         /** No variable of a program may be called like one of these. */
         val FIELDS: Set<String> = entries.filter { it.isField }.map { it.called }.toSet() +
-            setOf("mainThread", "actionIsSuppressed", "takenOver")
+            setOf("mainThread", "watchingThread", "mainIsPaused", "actionIsSuppressed", "takenOver")
 
         /** No routine of a program may be called like one of these. */
         val METHODS: Set<String> = entries.filterNot { it.isField }.map { it.called }.toSet() +

@@ -7,22 +7,24 @@ package robotran.robolang.translate
 internal object JavaReactingTexts {
     const val CONTROL = """/** Who has the robot: the main program and a behaviour each look here whether they have to give way. */
 static Thread mainThread;
+static Thread watchingThread;
 static boolean mainIsPaused = false;
 static boolean actionIsSuppressed = false;
 
 /** Thrown again and again, for the brick never takes back the memory of a new one. */
 static final InterruptedException takenOver = new InterruptedException();"""
 
-    const val GIVE_WAY = """/** Whether a behaviour wants to take over from who asks. */
+    const val GIVE_WAY = """/** Whether a behaviour wants to take over from who asks. Nobody takes over from who looks at the conditions. */
 static boolean mustGiveWay() {
-    return Thread.currentThread() == mainThread ? mainIsPaused : actionIsSuppressed;
+    Thread asking = Thread.currentThread();
+    return asking == mainThread ? mainIsPaused : asking != watchingThread && actionIsSuppressed;
 }
 
 /** Here the main program stands still while a behaviour has the robot, and an action ends when a later behaviour takes over. */
 static void giveWay() throws InterruptedException {
     if (Thread.currentThread() == mainThread) {
         while (mainIsPaused) Thread.sleep(1);
-    } else if (actionIsSuppressed) {
+    } else if (mustGiveWay()) {
         throw takenOver;
     }
 }"""

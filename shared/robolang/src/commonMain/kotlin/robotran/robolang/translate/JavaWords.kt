@@ -13,7 +13,7 @@ internal object JavaWords {
         words(
             "Motor Sensor SensorConstants Button LCD LCDConstants TextLCD MinLCD Segment Sound MinSound Battery ROM Memory Poll Serial",
             "Servo Message Opcode Behavior Arbitrator Math Thread System String StringBuffer Object Integer Float Throwable Exception",
-            "InterruptedException Random Runtime Class Error Vector Stack Queue Hashtable BitSet",
+            "InterruptedException Random Runtime Class Error Vector Stack Queue Hashtable BitSet Calculation",
         )
 
     /** What every class has from Object, and where Java begins. */

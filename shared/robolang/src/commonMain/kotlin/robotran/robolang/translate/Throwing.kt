@@ -16,6 +16,8 @@ internal class Throwing(private val program: CheckedProgram) {
 
     fun mayWait(statements: List<Statement>): Boolean = waits(statements, waiting)
 
+    fun mayWait(expression: Expression): Boolean = called(expression).any { it in waiting }
+
     private fun routinesThatWait(): Set<Symbol> {
         val found = mutableSetOf<Symbol>()
         do {
@@ -39,6 +41,9 @@ internal class Throwing(private val program: CheckedProgram) {
 
     private fun called(statement: Statement): Set<Symbol> {
         val own = (statement as? Statement.Call)?.let { setOf(program.symbolOf(it.name)) }.orEmpty()
-        return own + statement.expressions.flatMap(::withParts).filterIsInstance<Expression.Call>().map { program.symbolOf(it.name) }
+        return own + statement.expressions.flatMap(::called)
     }
+
+    private fun called(expression: Expression): List<Symbol> =
+        withParts(expression).filterIsInstance<Expression.Call>().map { program.symbolOf(it.name) }
 }

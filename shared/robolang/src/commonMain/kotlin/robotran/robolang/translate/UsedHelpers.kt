@@ -20,9 +20,9 @@ internal class UsedHelpers(calibration: Calibration, val isReacting: Boolean) {
     /** The Java that lets so many milliseconds pass. */
     fun sleep(milliseconds: Int): String = if (isReacting) "pause($milliseconds);" else "Thread.sleep($milliseconds);"
 
-    /** Notes that [helper], and what it needs itself, is wanted; the answer is its name. */
+    /** Notes that [helper], and what it needs itself, is wanted; the answer is how the program calls it. */
     fun use(helper: JavaHelper): String {
         if (used.add(helper)) helper.needs.forEach(::use)
-        return helper.called
+        return if (helper.isCalculation) "${JavaHelper.CALCULATION}.${helper.called}" else helper.called
     }
 }

@@ -93,6 +93,7 @@ class LineMapTest {
             "actionIsSuppressed = false;",
             "try {",
             "} catch (InterruptedException suppressed) {",
+            "return false;",
             "isActive = false;",
             "giveWay();",
         ).toSet() + listOf(JavaBehaviourTexts.SUPPRESS, JavaBehaviourTexts.MAIN_PROGRAM, JavaBehaviourTexts.REACTIONS)

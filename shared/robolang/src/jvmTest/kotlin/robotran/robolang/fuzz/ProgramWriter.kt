@@ -134,16 +134,22 @@ class ProgramWriter(private val random: Random) {
         loops++
         known.inBlock {
             val variable = newName("i")
-            val opener = when (random.nextInt(7)) {
+            val kind = random.nextInt(8)
+            val opener = when (kind) {
                 0 -> "repeat ${pick("0", "3", "abs(${expressions.whole(1)}) mod 5")} ${pick("times", "time")}"
                 1 -> "repeat forever"
                 2 -> "repeat while ${expressions.truth()}"
                 3 -> "repeat until ${expressions.truth()}"
-                4 -> "for $variable from ${expressions.whole(1)} to ${expressions.number(1)}"
+                4 -> "for $variable from ${expressions.whole(1)} to ${expressions.whole(1)}"
                 5 -> "for $variable from ${expressions.whole(1)} to ${expressions.whole(1)} step ${pick("2", "-1", "(light + 1)")}"
+                6 -> "for $variable from ${expressions.number(1)} to ${expressions.decimal(1)}"
                 else -> "for each $variable in ${expressions.list()}"
             }
-            if (opener.startsWith("for")) known.wholes += variable
+            when (kind) {
+                in 0..3 -> Unit
+                6 -> known.decimals += variable
+                else -> known.wholes += variable
+            }
             block(opener) { statements(depth) }
         }
         loops--
