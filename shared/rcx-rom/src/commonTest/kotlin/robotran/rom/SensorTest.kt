@@ -83,14 +83,6 @@ class SensorTest {
     }
 
     @Test
-    fun `a mode that is not modelled is reported and keeps its value`() {
-        hardware.memory.writeByte(RESULT + 1, 0xE0)
-        hardware.memory.writeShort(RESULT + 4, 77)
-        assertEquals(RomOutcome.NOT_MODELLED, hardware.call(RomAddress.READ_SENSOR, 0x1000, RESULT).outcome)
-        assertEquals(77, hardware.memory.readShort(RESULT + 4))
-    }
-
-    @Test
     fun `a brick's sensors are measured from outside`() {
         val brick = Brick(emptyList())
         brick.setRawSensorValue(0, 200)
