@@ -27,9 +27,14 @@ import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorkshopStatus
 
-/** Run, Stop, and what is going on; always in sight. */
+/** Run, Stop, and what is going on; always in sight. At its end there is room for [more]. */
 @Composable
-internal fun RunBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun RunBar(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    more: @Composable () -> Unit = {},
+) {
     Row(
         modifier
             .fillMaxWidth()
@@ -42,6 +47,7 @@ internal fun RunBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modi
         RunButton(pulsing = state.untouched && state.status == WorkshopStatus.Ready, onClick = { onEvent(WorkshopEvent.RunPressed) })
         StopButton(enabled = state.running, onClick = { onEvent(WorkshopEvent.StopPressed) })
         Status(state, Modifier.weight(1f))
+        more()
     }
 }
 
