@@ -28,13 +28,21 @@ internal class BrickScript(private val path: String, private val text: String) {
                 if (then.isNotEmpty()) perform(then)
             }
 
-            "wait" -> advance(rest.toLong())
+            "wait" -> {
+                advance(rest.toLong())
+            }
 
-            "programs" -> brick = Brick(rest.split(' ').map(::scriptedProgram), InfraredAir())
+            "programs" -> {
+                brick = Brick(rest.split(' ').map(::scriptedProgram), InfraredAir())
+            }
 
-            in ACTIONS -> act(word, rest)
+            in ACTIONS -> {
+                act(word, rest)
+            }
 
-            else -> compare(statement, rest, seen(word, rest))
+            else -> {
+                compare(statement, rest, seen(word, rest))
+            }
         }
     }
 

@@ -60,9 +60,12 @@ class FormulaTableTest {
 
     @Test
     fun `the boolean value at every raw value and slope from either side`() {
-        for (mode in 0..31) {
+        for (slope in 0..31) {
             for (raw in 0..1023) {
-                for (before in 0..1) assertEquals(expectedBoolean(raw, before, mode), SensorReading.boolean(raw, before, raw, mode), "$raw $mode")
+                for (before in 0..1) {
+                    val boolean = SensorReading.boolean(raw, before, rawBefore = raw, modeAndSlope = slope)
+                    assertEquals(expectedBoolean(raw, before, slope), boolean, "raw $raw, slope $slope, $before before")
+                }
             }
         }
     }
@@ -70,6 +73,12 @@ class FormulaTableTest {
     /** What it is when the raw value stays as it was. */
     private fun expectedBoolean(raw: Int, before: Int, slope: Int): Int {
         val (lowest, highest) = if (slope == 0) 460 to 563 else slope to 1023 - slope
-        return if (raw < lowest) 1 else if (raw > highest) 0 else before
+        return if (raw < lowest) {
+            1
+        } else if (raw > highest) {
+            0
+        } else {
+            before
+        }
     }
 }
