@@ -21,7 +21,7 @@ class Brick(
     air: InfraredAir = InfraredAir(),
     messages: BrickMessages = EnglishBrickMessages,
 ) {
-    private val hardware = Hardware(air, messages)
+    internal val hardware = Hardware(air, messages)
     private val shell = Shell(programs, hardware, messages)
 
     /** Every ROM call so far, of the program and of the firmware. */

@@ -58,7 +58,16 @@ internal class SerialReceiver(private val memory: RcxMemory) {
         val operands = operandsOf(byte)
         memory.writeByte(SerialMemory.RECEIVE_REMAINING, if (isTransfer(byte)) TRANSFER_HEAD else operands)
         memory.writeByte(SerialMemory.TRANSFER_SUM, 0)
-        memory.writeByte(SerialMemory.RECEIVE_STATE, if (operands == 0) SUM else if (isTransfer(byte)) TRANSFER else OPERANDS)
+        memory.writeByte(
+            SerialMemory.RECEIVE_STATE,
+            if (operands == 0) {
+                SUM
+            } else if (isTransfer(byte)) {
+                TRANSFER
+            } else {
+                OPERANDS
+            },
+        )
     }
 
     private fun receiveOperand(byte: Int) {

@@ -62,7 +62,11 @@ internal class Shell(
     }
 
     fun stopProgram() {
-        if (run != null) endProgram() else if (shownFailure != null) leaveFailure()
+        if (run != null) {
+            endProgram()
+        } else if (shownFailure != null) {
+            leaveFailure()
+        }
     }
 
     /** The run that can be looked into, if there is one. */

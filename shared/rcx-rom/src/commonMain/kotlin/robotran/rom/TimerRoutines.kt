@@ -41,14 +41,17 @@ internal class TimerRoutines(
         val (code, first) = arguments
         return when (code) {
             RomCode.OUTPUT_SENSORS -> setSensors(first, active = true)
-            RomCode.OUTPUT_SOUND -> hardware.sounds.queue(sound(arguments) ?: return tooFew(arguments))
-            RomCode.OUTPUT_SOUND_NOW -> hardware.sounds.playNow(sound(arguments) ?: return tooFew(arguments))
+
+            RomCode.OUTPUT_SOUND -> hardware.sounds.queue(sound(arguments) ?: return tooFew("control output", ALL_ARGUMENTS, arguments))
+
+            RomCode.OUTPUT_SOUND_NOW -> hardware.sounds.playNow(sound(arguments) ?: return tooFew("control output", ALL_ARGUMENTS, arguments))
+
             else -> refused(messages.unknownCode(code))
         }
     }
 
     private fun clearOutput(arguments: List<Int>): RomEffect = when (val code = arguments[0]) {
-        RomCode.OUTPUT_SENSORS -> setSensors(arguments.getOrNull(1) ?: return tooFew(arguments, needed = 2), active = false)
+        RomCode.OUTPUT_SENSORS -> setSensors(arguments.getOrNull(1) ?: return tooFew("clear output", needed = 2, arguments), active = false)
         RomCode.OUTPUT_MINUTE_TIMER -> resetMinuteTimer()
         else -> refused(messages.unknownCode(code))
     }
@@ -64,8 +67,8 @@ internal class TimerRoutines(
         return if (kind == Sound.SYSTEM_SOUND) Sound.system(value) else Sound(kind, value, control)
     }
 
-    private fun tooFew(arguments: List<Int>, needed: Int = ALL_ARGUMENTS) =
-        refused(messages.tooFewArguments(if (needed == ALL_ARGUMENTS) "control output" else "clear output", needed, arguments.size))
+    private fun tooFew(routine: String, needed: Int, arguments: List<Int>) =
+        refused(messages.tooFewArguments(routine, needed, arguments.size))
 
     private companion object {
         const val ALL_ARGUMENTS = 4

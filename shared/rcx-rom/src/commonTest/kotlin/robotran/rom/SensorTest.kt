@@ -90,4 +90,28 @@ class SensorTest {
         assertFalse(brick.sensorIsActive(0))
         assertEquals(emptyList(), brick.log.entries.filter { it.call.address == RomAddress.READ_SENSOR })
     }
+
+    @Test
+    fun `a program can set each field of the table`() {
+        hardware.rom.setSensorValue(1, 0x40, SensorField.MODE)
+        hardware.rom.setSensorValue(1, 4, SensorField.TYPE)
+        hardware.rom.setSensorValue(1, -7, SensorField.VALUE)
+        hardware.rom.setSensorValue(1, 1, SensorField.BOOLEAN)
+        assertEquals(listOf(4, 0x40), listOf(0x8018, 0x8019).map(hardware.memory::readByte))
+        assertEquals(SensorState(2, SensorMode.EDGE, 1023, -7, boolean = true, active = false), hardware.sensors.states[1])
+    }
+
+    @Test
+    fun `the raw value is what the converter has in its register`() {
+        hardware.sensors.measure(0, 300)
+        hardware.sensors.measure(2, 5)
+        assertEquals(listOf(5, 1023, 300, 320), listOf(0xFFE0, 0xFFE2, 0xFFE4, 0xFFE6).map { hardware.memory.readWord(it) shr 6 })
+    }
+
+    @Test
+    fun `all slopes are kept apart from their modes`() {
+        for (mode in SensorMode.entries) {
+            for (slope in 0..31) assertEquals(mode, SensorMode.of(mode.code + slope))
+        }
+    }
 }
