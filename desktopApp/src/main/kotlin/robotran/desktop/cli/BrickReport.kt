@@ -1,6 +1,7 @@
 package robotran.desktop.cli
 
 import robotran.rom.LcdGlass
+import robotran.rom.LcdIcon
 import robotran.rom.RunState
 import robotran.rom.SoundEvent
 import robotran.world.Session
@@ -57,7 +58,7 @@ private fun lineOf(run: RunState): Int = when (run) {
 }
 
 private fun lcd(glass: LcdGlass): String =
-    "{\"text\": ${quoted(glass.text)}, \"icons\": ${glass.litIcons.joinToString(", ", "[", "]") { quoted(it.words) }}}"
+    "{\"text\": ${quoted(glass.text)}, \"icons\": ${(glass.litIcons - PARTS_OF_THE_TEXT).joinToString(", ", "[", "]") { quoted(it.words) }}}"
 
 private fun sound(event: SoundEvent): String = when (event) {
     is SoundEvent.Tone -> {
@@ -74,3 +75,6 @@ private fun input(input: SessionInput): String = when (input) {
     is SessionInput.Release -> "\"release\": ${quoted(buttonName(input.button))}"
     SessionInput.Stop -> "\"stop\": true"
 }
+
+/** What [LcdGlass.text] tells already. */
+private val PARTS_OF_THE_TEXT = setOf(LcdIcon.MINUS, LcdIcon.POINT_1, LcdIcon.POINT_2, LcdIcon.POINT_3)

@@ -70,7 +70,10 @@ internal fun Session.runWithPresses(
     var quiet = 0
     val waiting = ArrayDeque(inputsOf(presses))
     while (state.milliseconds < milliseconds && (waiting.isNotEmpty() || quiet < QUIET_MILLISECONDS)) {
-        while (waiting.isNotEmpty() && waiting.first().milliseconds <= state.milliseconds) apply(waiting.removeFirst().input)
+        while (waiting.isNotEmpty() && waiting.first().milliseconds <= state.milliseconds) {
+            apply(waiting.removeFirst().input)
+            quiet = 0
+        }
         val before = state
         advance(1)
         val resting = state.brick.run !is RunState.Running && !state.brick.sounding && state.robot.pose == before.robot.pose

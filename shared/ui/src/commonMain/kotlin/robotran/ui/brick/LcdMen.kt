@@ -21,9 +21,9 @@ internal object LcdMen {
 
     /** Legs and arms far apart, clear of those of the man who stands. */
     val walking: Path = Path().apply {
-        addPath(polygon(middle - 6f, top + 37f, middle - 6f, top + 44f, middle - 9f, top + 60f, middle - 13.5f, top + 58f))
-        addPath(polygon(middle + 6f, top + 37f, middle + 6f, top + 44f, middle + 9f, top + 60f, middle + 13.5f, top + 58f))
-        addPath(polygon(middle - 6.5f, top + 15f, middle - 6.5f, top + 21f, middle - 11.5f, top + 32f, middle - 14f, top + 30f))
-        addPath(polygon(middle + 6.5f, top + 15f, middle + 6.5f, top + 21f, middle + 11.5f, top + 32f, middle + 14f, top + 30f))
+        addPath(polygon(middle - 6f, top + 37f, middle - 6f, top + 44f, middle - 7.5f, top + 60f, middle - 12f, top + 58f))
+        addPath(polygon(middle + 6f, top + 37f, middle + 6f, top + 44f, middle + 7.5f, top + 60f, middle + 12f, top + 58f))
+        addPath(polygon(middle - 6.5f, top + 15f, middle - 6.5f, top + 21f, middle - 9f, top + 33f, middle - 12f, top + 31f))
+        addPath(polygon(middle + 6.5f, top + 15f, middle + 6.5f, top + 21f, middle + 9f, top + 33f, middle + 12f, top + 31f))
     }
 }

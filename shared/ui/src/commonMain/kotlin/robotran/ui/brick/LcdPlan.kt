@@ -21,7 +21,7 @@ internal object LcdPlan {
     const val POINT_RADIUS = 2.6f
 
     /** Before the program digit. */
-    val MAN = Rect(151f, 42f, 179f, 102f)
+    val MAN = Rect(152f, 42f, 176f, 102f)
 
     /** The middles of what belongs to the ports 1, 2, 3 above and A, B, C below. */
     val PORT_COLUMNS: List<Float> = listOf(36f, 120f, 204f)

@@ -3,7 +3,6 @@ package robotran.ui.brick
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
-import androidx.compose.ui.graphics.PathFillType
 import robotran.rom.LcdIcon
 
 private val QUARTERS =
@@ -69,18 +68,16 @@ private fun quarterOfCircle(quarter: Int): Path = Path().apply {
 }
 
 /** A battery with its pole on the right, crossed out. */
-private fun battery(place: Rect): Path {
-    val case = Path().apply {
-        fillType = PathFillType.EvenOdd
-        addRect(place)
-        addRect(place.deflate(2.5f))
-    }
-    val pole = Path().apply { addRect(Rect(place.right + 1.5f, place.center.y - 3.5f, place.right + 4.5f, place.center.y + 3.5f)) }
+private fun battery(place: Rect): Path = Path().apply {
+    addRect(place.copy(bottom = place.top + BATTERY_LINE))
+    addRect(place.copy(top = place.bottom - BATTERY_LINE))
+    addRect(place.copy(right = place.left + BATTERY_LINE))
+    addRect(place.copy(left = place.right - BATTERY_LINE))
+    addRect(Rect(place.right, place.center.y - 3.5f, place.right + 4f, place.center.y + 3.5f))
     val x = place.center.x
     val (top, bottom) = place.top - 2f to place.bottom + 2f
-    val falling = polygon(x - 9f, top, x - 5.5f, top, x + 9f, bottom, x + 5.5f, bottom)
-    val rising = polygon(x + 9f, top, x + 5.5f, top, x - 9f, bottom, x - 5.5f, bottom)
-    return Path().apply { listOf(case, pole, falling, rising).forEach(::addPath) }
+    addPath(polygon(x - 11f, top, x - 7.5f, top, x + 11f, bottom, x + 7.5f, bottom))
+    addPath(polygon(x + 7.5f, top, x + 11f, top, x - 7.5f, bottom, x - 11f, bottom))
 }
 
 /** The lower part of the beam, which both ranges have. */
@@ -93,6 +90,9 @@ private fun farBeam(place: Rect): Path {
     val x = place.center.x
     return polygon(x - 6.8f, place.center.y - 3f, place.left, place.top, place.right, place.top, x + 6.8f, place.center.y - 3f)
 }
+
+/** How thick the battery is drawn. */
+private const val BATTERY_LINE = 2.4f
 
 /** The polygon with these corners, each an x and a y. */
 internal fun polygon(vararg places: Float): Path = Path().apply {

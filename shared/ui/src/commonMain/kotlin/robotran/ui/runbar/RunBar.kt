@@ -64,7 +64,7 @@ private fun Status(state: WorkshopState, modifier: Modifier) {
             fontSize = 16.sp,
             lineHeight = 20.sp,
             fontWeight = FontWeight.Medium,
-            maxLines = 2,
+            maxLines = 3,
             overflow = TextOverflow.Ellipsis,
         )
         if (!state.untouched) {

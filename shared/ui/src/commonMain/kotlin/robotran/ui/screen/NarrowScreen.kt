@@ -10,6 +10,7 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -36,6 +37,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
             PaneTabs(state.pane, state.mistakes.isNotEmpty(), { onEvent(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
             SoundSwitch(state.soundOn, { onEvent(WorkshopEvent.SoundSwitched(it)) })
         }
+        HorizontalDivider(color = LocalRobotranColours.current.line)
         val pane = Modifier.weight(1f)
         when (state.pane) {
             Pane.PROGRAM -> ProgramPane(state, MOST_MISTAKES, onEvent, pane)
