@@ -11,15 +11,13 @@ import robotran.ui.sound.ToneWave
 /** The loudspeaker of the tablet or phone; its volume keys are those of media. */
 internal fun audioTrackSpeaker(): LoudSpeaker = SampleFeeder(::openAudioTrack)
 
-/** A track that plays; null if Android gives none. */
+/** A track that plays; null if Android gives none, for whatever reason: a tone is never worth ending the app. */
 internal fun openAudioTrack(): SampleLine? =
     try {
         val track = newTrack()
         track.play()
         AudioTrackLine(track)
-    } catch (_: UnsupportedOperationException) {
-        null
-    } catch (_: IllegalStateException) {
+    } catch (_: RuntimeException) {
         null
     }
 
@@ -53,7 +51,6 @@ private class AudioTrackLine(private val track: AudioTrack) : SampleLine {
 
     /** A track can only drop what it holds while it pauses. */
     override fun discard() {
-        if (track.state != AudioTrack.STATE_INITIALIZED) return
         track.pause()
         track.flush()
         track.play()

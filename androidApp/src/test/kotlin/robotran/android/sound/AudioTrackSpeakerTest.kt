@@ -3,11 +3,11 @@ package robotran.android.sound
 import android.media.AudioFormat
 import org.junit.After
 import org.junit.Assert.assertEquals
-import org.junit.Assert.assertNotNull
 import org.junit.Assert.assertTrue
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
+import org.robolectric.annotation.Config
 import org.robolectric.shadows.ShadowAudioTrack
 import robotran.ui.sound.PlannedTone
 import robotran.ui.sound.ToneWave
@@ -15,6 +15,7 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 
 @RunWith(RobolectricTestRunner::class)
+@Config(shadows = [UnknownPlayer::class])
 class AudioTrackSpeakerTest {
     private val heard = LinkedBlockingQueue<Pair<AudioFormat, ByteArray>>()
     private val listener = ShadowAudioTrack.OnAudioDataWrittenListener { _, bytes, format -> heard += format to bytes }
@@ -38,11 +39,9 @@ class AudioTrackSpeakerTest {
 
     @Test
     fun `a track can be opened, emptied and given back`() {
-        val line = openAudioTrack()
-        assertNotNull(line)
-        line?.write(ByteArray(100))
-        line?.discard()
-        line?.close()
-        line?.discard()
+        val line = checkNotNull(openAudioTrack())
+        line.write(ByteArray(100))
+        line.discard()
+        line.close()
     }
 }

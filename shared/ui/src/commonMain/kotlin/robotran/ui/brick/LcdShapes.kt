@@ -69,16 +69,19 @@ private fun quarterOfCircle(quarter: Int): Path = Path().apply {
 
 /** A battery with its pole on the right, crossed out. */
 private fun battery(place: Rect): Path = Path().apply {
-    addRect(place.copy(bottom = place.top + BATTERY_LINE))
-    addRect(place.copy(top = place.bottom - BATTERY_LINE))
-    addRect(place.copy(right = place.left + BATTERY_LINE))
-    addRect(place.copy(left = place.right - BATTERY_LINE))
-    addRect(Rect(place.right, place.center.y - 3.5f, place.right + 4f, place.center.y + 3.5f))
+    addPath(bar(place.copy(bottom = place.top + BATTERY_LINE)))
+    addPath(bar(place.copy(top = place.bottom - BATTERY_LINE)))
+    addPath(bar(place.copy(right = place.left + BATTERY_LINE)))
+    addPath(bar(place.copy(left = place.right - BATTERY_LINE)))
+    addPath(bar(Rect(place.right, place.center.y - 3.5f, place.right + 4f, place.center.y + 3.5f)))
     val x = place.center.x
     val (top, bottom) = place.top - 2f to place.bottom + 2f
     addPath(polygon(x - 11f, top, x - 7.5f, top, x + 11f, bottom, x + 7.5f, bottom))
     addPath(polygon(x + 7.5f, top, x + 11f, top, x - 7.5f, bottom, x - 11f, bottom))
 }
+
+/** Clockwise like the polygons: where shapes of one path lie over each other in opposite directions there would be a hole. */
+private fun bar(place: Rect): Path = with(place) { polygon(left, top, right, top, right, bottom, left, bottom) }
 
 /** The lower part of the beam, which both ranges have. */
 private fun nearBeam(place: Rect): Path {

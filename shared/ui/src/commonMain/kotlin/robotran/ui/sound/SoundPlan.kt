@@ -66,7 +66,10 @@ internal class SoundPlan(private val speaker: LoudSpeaker) {
          */
         const val LEAD = 60.0
 
-        /** Milliseconds: in real time nothing is planned further ahead, with a few frames to spare. */
-        const val MOST_AHEAD = 150.0
+        /**
+         * Milliseconds: nothing is planned further ahead. In real time a tone only is while the clock stands still because the sound
+         * card is being opened, which takes about 200 ms the first time.
+         */
+        const val MOST_AHEAD = 400.0
     }
 }

@@ -23,24 +23,23 @@ class SampleFeeder(private val openLine: () -> SampleLine?) : LoudSpeaker {
 
     override val milliseconds: Double get() = lock.withLock { wave.milliseconds }
 
-    override fun play(tone: PlannedTone) = lock.withLock {
-        if (closed) return
-        wave.play(tone)
-        if (!feeding) {
-            feeding = true
-            thread(isDaemon = true, name = "robotran-sound") { feed() }
+    override fun play(tone: PlannedTone): Unit = lock.withLock {
+        if (!closed) {
+            wave.play(tone)
+            if (!feeding) {
+                feeding = true
+                thread(isDaemon = true, name = "robotran-sound") { feed() }
+            }
+            changed.signalAll()
         }
-        changed.signalAll()
     }
 
     override fun endAt(milliseconds: Double) = lock.withLock { wave.endAt(milliseconds) }
 
-    override fun silence() {
-        val current = lock.withLock {
-            wave.silence()
-            line
-        }
-        current?.discard()
+    /** The line is there as long as it can be reached under the lock. */
+    override fun silence() = lock.withLock {
+        wave.silence()
+        line?.discard() ?: Unit
     }
 
     override fun close() {

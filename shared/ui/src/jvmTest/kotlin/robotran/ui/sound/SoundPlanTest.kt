@@ -40,6 +40,13 @@ class SoundPlanTest {
     }
 
     @Test
+    fun `beeps that come while the sound card is being opened keep their rhythm`() {
+        plan.add(listOf(SoundEvent.Tone(20, 1000.0, 150)))
+        plan.add(listOf(SoundEvent.Tone(220, 1000.0, 150)))
+        assertEquals(listOf(60.0, 260.0), speaker.tones.map { it.start })
+    }
+
+    @Test
     fun `after a long rest a tone begins as soon as the first, although the clock stood still`() {
         plan.add(melody.take(1))
         speaker.milliseconds = 200.0
