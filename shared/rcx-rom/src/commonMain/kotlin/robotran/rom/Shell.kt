@@ -78,7 +78,7 @@ internal class Shell(
     /** What the shell itself does in a millisecond: looks for messages, and switches the brick off when nobody has used it for long. */
     fun tick() {
         when {
-            isSwitchingOff -> if (hardware.memory.readByte(Speaker.PLAYING_FLAG) == 0) finishSwitchingOff()
+            isSwitchingOff -> if (hardware.isSilent) finishSwitchingOff()
             !isReady -> return
             mailbox.hasMessage -> answerMessage()
             rom.milliseconds >= powerOffTime -> powerDown()
