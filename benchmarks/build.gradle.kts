@@ -1,15 +1,17 @@
 plugins {
-    id("application")
-    id("org.jetbrains.kotlin.jvm")
+    id("robotran.benchmarks")
 }
 
-dependencies {
-    implementation(project(":shared:robolang"))
-    implementation(project(":shared:world"))
-    implementation(project(":shared:physics"))
-    implementation(libs.coroutines.core)
-}
-
-application {
-    mainClass.set("robotran.benchmarks.MainKt")
+kotlin {
+    sourceSets {
+        commonMain.dependencies {
+            implementation(project(":shared:robolang"))
+            implementation(project(":shared:world"))
+            implementation(libs.coroutines.core)
+        }
+        jvmMain {
+            // Texts to read and what must be true of them: the same as in the tests.
+            kotlin.srcDir("../shared/robolang/src/jvmTest/kotlin/robotran/robolang/fuzz")
+        }
+    }
 }

@@ -7,6 +7,7 @@ dependencies {
     implementation(compose.desktop.currentOs)
     implementation(libs.coroutines.swing)
     implementation(libs.clikt)
+    implementation(libs.commons.compress)
     testImplementation(libs.serialization.json)
 }
 

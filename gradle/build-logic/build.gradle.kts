@@ -39,6 +39,10 @@ gradlePlugin {
             id = "robotran.web"
             implementationClass = "robotran.build.WebAppPlugin"
         }
+        create("benchmarks") {
+            id = "robotran.benchmarks"
+            implementationClass = "robotran.build.BenchmarksPlugin"
+        }
         create("desktop") {
             id = "robotran.desktop"
             implementationClass = "robotran.build.DesktopPlugin"

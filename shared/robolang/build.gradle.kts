@@ -6,13 +6,20 @@ plugins {
 texts {
     constant("commonTest", "robotran.robolang.testPrograms", "shared/robolang/src/commonTest/resources/programs", "**/*.robo")
     constant("commonTest", "robotran.robolang.examplePrograms", "examples", "*.robo")
-    blocks("commonTest", "robotran.robolang.documentedPrograms", "docs", "robolang.md", "robolang")
+    constant("commonTest", "robotran.robolang.recordedTranslations", "shared/robolang/src/commonTest/resources/translations", "*.*")
+    blocks("commonTest", "robotran.robolang.documentedPrograms", "docs", "*.md", "robolang")
+    blocks("commonTest", "robotran.robolang.documentedTranslations", "docs", "*.md", "java")
+    blocks("commonTest", "robotran.robolang.documentedGrammar", "docs", "robolang.md", "ebnf")
+    constant("commonTest", "robotran.robolang.documents", "docs", "robolang.md")
 }
 
 kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:rcx-rom"))
+        }
+        jvmTest.dependencies {
+            implementation(libs.bcel)
         }
     }
 }

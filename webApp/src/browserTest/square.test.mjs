@@ -1,5 +1,6 @@
 // Drives the built page as a pupil would: looks for the green Run on the brick, presses it, and watches the robot draw.
 import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -49,9 +50,10 @@ test('every example makes its recorded run in the browser, bit for bit', async (
     const name = path.basename(example, '.robo');
     const program = await readFile(example, 'utf8');
     const run = await page.evaluate((text) => globalThis.robotran.run(text, 60_000), program);
-    const recorded = (ending) => readFile(path.join(process.env.EXPECTED_RUNS, name + ending), 'utf8');
-    assert.equal(run.romLog, await recorded('.rom-log.txt'), name);
-    assert.equal(`${run.report}\n`, await recorded('.report.json'), name);
+    const recorded = path.join(process.env.EXPECTED_RUNS, name);
+    // The trace hash in the report counts all that a ROM log tells; only short logs are recorded as well.
+    if (existsSync(`${recorded}.rom-log.txt`)) assert.equal(run.romLog, await readFile(`${recorded}.rom-log.txt`, 'utf8'), name);
+    assert.equal(`${run.report}\n`, await readFile(`${recorded}.report.json`, 'utf8'), name);
   }
   assert.deepEqual(troubles, []);
 });

@@ -3,7 +3,9 @@ package robotran.desktop.cli
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.desktop.ExitCode
 import robotran.desktop.writeFile
@@ -12,24 +14,25 @@ import robotran.robolang.translate.translateRobolang
 import kotlin.io.path.Path
 import kotlin.io.path.name
 
-/** `robotran translate FILE`: writes a program as Java for leJOS, or as a kit with all that a real brick takes. */
+/** `robotran translate FILE..`: writes programs as Java for leJOS, or one as a kit with all that a real brick takes. */
 internal class TranslateCommand(
     private val console: Console,
 ) : CoreCliktCommand("translate") {
-    private val program by argument("FILE", help = "a Robolang program (.robo)")
+    private val programs by argument("FILE", help = "Robolang programs (.robo)").multiple(required = true)
     private val output by option("-o", "--output", metavar = "FILE", help = "where the Java goes; to the console if not given")
     private val kit by option("--kit", metavar = "FILE", help = "writes a kit for the real brick (.zip)")
 
-    override fun help(context: Context) = "Writes a program as leJOS Java for a real robot."
+    override fun help(context: Context) = "Writes programs as leJOS Java for a real robot."
 
     override fun run() {
-        throw ProgramResult(translate().status)
+        if (programs.size > 1 && (output != null || kit != null)) throw UsageError("-o and --kit take one program at a time")
+        throw ProgramResult(programs.maxOf { translate(it).status })
     }
 
-    private fun translate(): ExitCode =
+    private fun translate(program: String): ExitCode =
         when (val file = readRobolangFile(program)) {
             is RobolangFile.Ready -> {
-                write(file)
+                write(program, file)
             }
 
             is RobolangFile.Mistaken -> {
@@ -43,7 +46,10 @@ internal class TranslateCommand(
             }
         }
 
-    private fun write(file: RobolangFile.Ready): ExitCode {
+    private fun write(
+        program: String,
+        file: RobolangFile.Ready,
+    ): ExitCode {
         val translation = translateRobolang(file.program)
         val problems =
             listOfNotNull(

@@ -4,16 +4,12 @@ import robotran.desktop.ExitCode
 import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path
-import java.util.zip.ZipInputStream
 import kotlin.io.path.exists
-import kotlin.io.path.inputStream
-import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertContains
-import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
@@ -48,26 +44,17 @@ class TranslateCommandTest {
     }
 
     @Test
-    fun `a kit has all that a real brick takes`() {
-        val kit = folder.resolve("square.zip")
-        assertEquals(0, translate(square, "--kit", "$kit"))
-        val files = entries(kit)
-        assertEquals(
-            listOf("Square.java", "square.robo", "README.txt", "build.xml", "download.sh", "download.bat").map { "Square/$it" },
-            files.keys.toList(),
-        )
-        assertEquals(File(square).readText(), files["Square/square.robo"])
-        assertContains(files.getValue("Square/README.txt"), "MILLISECONDS_PER_CENTIMETRE")
-        assertContains(files.getValue("Square/build.xml"), "Square.java")
-        assertContains(files.getValue("Square/download.sh"), "lejosc")
-        assertContains(files.getValue("Square/download.bat"), "\r\n")
+    fun `several programs go to the console one after the other`() {
+        assertEquals(0, translate(square, tree.resolve("examples/star.robo").path))
+        assertEquals(listOf("Square", "Star"), console.said.map { it.substringAfter("public class ").substringBefore(" ") })
     }
 
     @Test
-    fun `a kit is the same to the last byte whenever it is made`() {
-        val kits = listOf("first.zip", "second.zip").map { folder.resolve(it) }
-        kits.forEach { assertEquals(0, translate(square, "--kit", "$it")) }
-        assertContentEquals(kits[0].readBytes(), kits[1].readBytes())
+    fun `several programs do not fit into one file`() {
+        for (option in listOf("-o", "--kit")) {
+            assertEquals(2, translate(square, square, option, "$folder/all"))
+            assertContains(console.complaints.last(), "one program at a time")
+        }
     }
 
     @Test
@@ -84,9 +71,4 @@ class TranslateCommandTest {
         assertEquals(2, translate("$folder/missing.robo"))
         assertContains(console.complaints.single(), "missing.robo")
     }
-
-    private fun entries(zip: Path): Map<String, String> =
-        ZipInputStream(zip.inputStream()).use { stream ->
-            generateSequence { stream.nextEntry }.associate { it.name to stream.readBytes().decodeToString() }
-        }
 }

@@ -68,7 +68,7 @@ object CodeStyle {
     ): FileCollection =
         project.fileTree(project.rootDir) {
             it.include(pattern)
-            it.exclude("*/build/**", "shared/*/build/**", "gradle/build-logic/build/**", "**/.*/**")
+            it.exclude("build/**", "*/build/**", "shared/*/build/**", "gradle/build-logic/build/**", "**/.*/**")
         }
 
     private fun paths(

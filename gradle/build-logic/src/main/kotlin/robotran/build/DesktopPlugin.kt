@@ -18,13 +18,17 @@ class DesktopPlugin : Plugin<Project> {
         project.dependencies.add("testImplementation", libraries.findLibrary("coroutines-test").get())
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.useJUnitPlatform()
-            // The tests run the tree's own examples and hold them against its recorded runs.
+            // The tests run the tree's own examples and test programs and hold them against its recorded runs.
             test.systemProperty("robotran.tree", project.rootDir.path)
-            listOf("examples", "worlds", "shared/world/src/commonTest/resources/runs").forEach {
+            listOf("examples", "worlds", TEST_PROGRAMS, "shared/world/src/commonTest/resources/runs").forEach {
                 test.inputs.dir(project.rootProject.file(it)).withPathSensitivity(PathSensitivity.RELATIVE)
             }
         }
         // The folder of the caller, not that of the module, is where the files named on the command line lie.
         project.tasks.named("run", JavaExec::class.java) { it.workingDir = project.rootDir }
+    }
+
+    private companion object {
+        const val TEST_PROGRAMS = "shared/robolang/src/commonTest/resources/programs"
     }
 }

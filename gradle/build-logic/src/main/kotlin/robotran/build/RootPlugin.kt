@@ -50,6 +50,6 @@ class RootPlugin : Plugin<Project> {
     ): ConfigurableFileTree =
         project.fileTree(project.rootDir) {
             it.include(pattern)
-            it.exclude("*/build/**", "shared/*/build/**", "**/.*/**", "gradle/**")
+            it.exclude("build/**", "*/build/**", "shared/*/build/**", "**/.*/**", "gradle/**")
         }
 }

@@ -21,6 +21,7 @@ class Brick(
     air: InfraredAir = InfraredAir(),
     messages: BrickMessages = EnglishBrickMessages,
 ) {
+    /** The parts themselves, for tests that call the ROM as a program does. */
     internal val hardware = Hardware(air, messages)
     private val shell = Shell(programs, hardware, messages)
 

@@ -93,15 +93,15 @@ object EnglishBrickMessages : BrickMessages {
 
     override fun dataWaiting(waiting: Boolean) = if (waiting) "a message waits" else "no message waits"
 
-    override fun received(bytes: Int) = "receive $bytes bytes"
+    override fun received(bytes: Int) = "receive ${bytes(bytes)}"
 
-    override fun sent(bytes: Int) = "send $bytes bytes"
+    override fun sent(bytes: Int) = "send ${bytes(bytes)}"
 
     override fun stillSending() = "nothing is sent, the message before is still on its way"
 
     override fun infraredOff() = "nothing is sent, the infrared is switched off"
 
-    override fun wrongMessageLength(bytes: Int, longest: Int) = "nothing is sent, $bytes bytes are no message, only 1 to $longest"
+    override fun wrongMessageLength(bytes: Int, longest: Int) = "nothing is sent, a message has 1 to $longest bytes, not $bytes"
 
     private fun buttonName(button: BrickButton) = when (button) {
         BrickButton.ON_OFF -> "On-Off"
@@ -117,6 +117,8 @@ object EnglishBrickMessages : BrickMessages {
         RomCode.SEGMENT_ALL -> "everything"
         else -> LcdSegmentRoutines.iconOf(code)?.words ?: hexadecimal(code)
     }
+
+    private fun bytes(count: Int) = if (count == 1) "1 byte" else "$count bytes"
 
     private fun hexadecimal(value: Int) = RomCallText.hexadecimal(value)
 

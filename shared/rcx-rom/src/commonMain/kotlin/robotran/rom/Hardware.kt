@@ -55,6 +55,9 @@ internal class Hardware(
     /** The raw value that the battery has. */
     val batteryRaw: Int get() = memory.readWord(Registers.CONVERTER_OF_BATTERY) shr Registers.CONVERTER_SHIFT
 
+    /** Whether nothing more will be heard unless it is asked for. */
+    val isSilent: Boolean get() = !timerRuns || memory.readByte(Speaker.PLAYING_FLAG) == 0
+
     /** On-Off is pressed, which wakes the processor. */
     fun wake() {
         asleep = false

@@ -78,16 +78,20 @@ internal class Shell(
     /** What the shell itself does in a millisecond: looks for messages, and switches the brick off when nobody has used it for long. */
     fun tick() {
         when {
-            isSwitchingOff -> if (hardware.memory.readByte(Speaker.PLAYING_FLAG) == 0) finishSwitchingOff()
+            isSwitchingOff -> if (hardware.isSilent) finishSwitchingOff()
             !isReady -> return
             mailbox.hasMessage -> answerMessage()
             rom.milliseconds >= powerOffTime -> powerDown()
         }
     }
 
-    /** The program's share of one millisecond, or what is left of it after a pause: at most [steps], none while it waits. */
+    /**
+     * The program's share of one millisecond, or what is left of it after a pause: at most [steps], none while it waits, and none while
+     * On-Off is held down, for then leJOS waits until it is let go.
+     */
     fun resumeProgram(steps: Int) {
-        if (rom.milliseconds < waitUntil || hardware.asleep) return
+        val standsStill = BrickButton.ON_OFF in buttons.pressed && !isPaused
+        if (rom.milliseconds < waitUntil || standsStill || hardware.asleep) return
         val share = if (isPaused) pausedSteps else steps
         pausedSteps = 0
         when (val status = run?.resume(share)) {

@@ -37,41 +37,38 @@ internal class TimerRoutines(
         return RomEffect(messages.resetMinuteTimer())
     }
 
-    private fun controlOutput(arguments: List<Int>): RomEffect {
-        val (code, first) = arguments
-        return when (code) {
-            RomCode.OUTPUT_SENSORS -> setSensors(first, active = true)
-
-            RomCode.OUTPUT_SOUND -> hardware.sounds.queue(sound(arguments) ?: return tooFew("control output", ALL_ARGUMENTS, arguments))
-
-            RomCode.OUTPUT_SOUND_NOW -> hardware.sounds.playNow(sound(arguments) ?: return tooFew("control output", ALL_ARGUMENTS, arguments))
-
-            else -> refused(messages.unknownCode(code))
-        }
+    private fun controlOutput(arguments: List<Int>): RomEffect = when (val code = arguments[0]) {
+        RomCode.OUTPUT_SENSORS -> setSensors(arguments[1], active = true)
+        RomCode.OUTPUT_SOUND -> play(arguments, hardware.sounds::queue)
+        RomCode.OUTPUT_SOUND_NOW -> play(arguments, hardware.sounds::playNow)
+        else -> refused(messages.unknownCode(code))
     }
 
     private fun clearOutput(arguments: List<Int>): RomEffect = when (val code = arguments[0]) {
-        RomCode.OUTPUT_SENSORS -> setSensors(arguments.getOrNull(1) ?: return tooFew("clear output", needed = 2, arguments), active = false)
+        RomCode.OUTPUT_SENSORS -> clearSensors(arguments)
         RomCode.OUTPUT_MINUTE_TIMER -> resetMinuteTimer()
         else -> refused(messages.unknownCode(code))
     }
+
+    private fun clearSensors(arguments: List<Int>): RomEffect =
+        if (arguments.size < 2) tooFew("clear output", needed = 2, arguments) else setSensors(arguments[1], active = false)
 
     private fun setSensors(bits: Int, active: Boolean): RomEffect {
         hardware.sensors.setActive(bits, active)
         return RomEffect(messages.sensorPowers((0..<SensorCode.PORTS).filter { bits and Sensors.portBit(it) != 0 }.map { it + 1 }, active))
     }
 
-    private fun sound(arguments: List<Int>): Sound? {
-        if (arguments.size < ALL_ARGUMENTS) return null
+    private fun play(arguments: List<Int>, play: (Sound) -> RomEffect): RomEffect {
+        if (arguments.size < SOUND_ARGUMENTS) return tooFew("control output", SOUND_ARGUMENTS, arguments)
         val (kind, value, control) = arguments.drop(1).map { it and BYTE }
-        return if (kind == Sound.SYSTEM_SOUND) Sound.system(value) else Sound(kind, value, control)
+        return play(if (kind == Sound.SYSTEM_SOUND) Sound.system(value) else Sound(kind, value, control))
     }
 
     private fun tooFew(routine: String, needed: Int, arguments: List<Int>) =
         refused(messages.tooFewArguments(routine, needed, arguments.size))
 
     private companion object {
-        const val ALL_ARGUMENTS = 4
+        const val SOUND_ARGUMENTS = 4
         const val BYTE = 0xFF
     }
 }

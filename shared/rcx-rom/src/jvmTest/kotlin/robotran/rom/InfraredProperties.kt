@@ -46,13 +46,15 @@ class InfraredProperties : StringSpec({
 
     "bricks that use their infrared in any order come to rest again" {
         val address = Arb.element(RomTable.signatures.filter { it.group == RomGroup.INFRARED }.map { it.address })
-        checkAll(iterations = 60, Arb.list(Arb.bind(address, Arb.list(Arb.int(0..0xFFFF), 4..4), Arb.int(0..40), ::Triple), 1..30)) { calls ->
+        val call = Arb.bind(address, Arb.list(Arb.int(0..0xFFFF), 4..4), Arb.int(0..40), ::Triple)
+        checkAll(iterations = 60, Arb.list(call, 1..30)) { calls ->
             val air = InfraredAir()
             val bricks = List(2) { Brick(listOf(endlessProgram()), air) }
             calls.forEachIndexed { number, (address, arguments, wait) ->
-                val code = listOf(0x1770, 0x1775, 0x1776, 0x1771)[number % 4]
-                val rest = if (address == RomAddress.SEND_DATA) listOf(code, arguments[1], arguments[2], arguments[3] % 40) else arguments
-                bricks[number % 2].hardware.rom.call(RomCall(address, rest), TEST_LINE)
+                val message =
+                    listOf(if (number % 3 == 0) RomCode.SEND_LONG else RomCode.SEND_SHORT) + arguments.slice(1..2) + arguments[3] % 40
+                val given = if (address == RomAddress.SEND_DATA) message else arguments
+                bricks[number % 2].hardware.rom.call(RomCall(address, given), TEST_LINE)
                 repeat(wait) { bricks.forEach(Brick::tick) }
             }
             repeat(500) { bricks.forEach(Brick::tick) }

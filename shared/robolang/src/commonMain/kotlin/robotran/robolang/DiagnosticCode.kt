@@ -99,6 +99,12 @@ enum class DiagnosticCode(val id: String) {
     /** A word of the language is used as a name. */
     RESERVED_WORD("reserved-word"),
 
+    /** A name with a character that no name has, or that does not begin with a letter. */
+    MALFORMED_NAME("malformed-name"),
+
+    /** Two values with no comma between them. */
+    MISSING_COMMA("missing-comma"),
+
     /** A bracket is never closed. */
     MISSING_BRACKET("missing-bracket"),
 
@@ -141,6 +147,9 @@ enum class DiagnosticCode(val id: String) {
     /** Something in the header that says nothing about the robot. */
     UNKNOWN_SETTING("unknown-setting"),
 
+    /** What belongs into the header stands outside it. */
+    SETTING_OUTSIDE_ROBOT("setting-outside-robot"),
+
     /** More brackets and operators inside each other than [RobolangLimits.NESTED_EXPRESSIONS]. */
     EXPRESSION_TOO_DEEP("expression-too-deep"),
 
@@ -150,7 +159,7 @@ enum class DiagnosticCode(val id: String) {
     /** A name that no procedure or function has. */
     UNKNOWN_ROUTINE("unknown-routine"),
 
-    /** A variable that is declared further down. */
+    /** A variable that is declared further down than where it is, or may be, used. */
     USED_BEFORE_DECLARATION("used-before-declaration"),
 
     /** A name that is taken. */
@@ -170,6 +179,9 @@ enum class DiagnosticCode(val id: String) {
 
     /** A number or a condition where a list belongs. */
     LIST_NEEDED("list-needed"),
+
+    /** A text anywhere but behind `show`. */
+    TEXT_AS_VALUE("text-as-value"),
 
     /** A procedure where a value belongs. */
     VALUE_NEEDED("value-needed"),
@@ -257,4 +269,7 @@ enum class DiagnosticCode(val id: String) {
 
     /** A list that is made again and again. */
     LIST_IN_LOOP("list-in-loop"),
+
+    /** A routine that calls itself whatever happens. */
+    ENDLESS_RECURSION("endless-recursion"),
 }

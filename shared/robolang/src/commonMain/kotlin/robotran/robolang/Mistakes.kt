@@ -6,6 +6,9 @@ internal class Mistakes(val messages: RobolangMessages) {
     private val mistakenLines = mutableSetOf<Int>()
     private val doubtfulLines = mutableSetOf<Int>()
 
+    /** Words of the language, in lower case, that are declared as names, each with the lines of these declarations. */
+    val takenWords = mutableMapOf<String, MutableSet<Int>>()
+
     val isEmpty: Boolean get() = mistakenLines.isEmpty()
 
     /** The lines that have a mistake so far. */
@@ -17,6 +20,11 @@ internal class Mistakes(val messages: RobolangMessages) {
 
     fun warn(code: DiagnosticCode, range: SourceRange, text: String, message: String, fix: SourceFix? = null) {
         if (doubtfulLines.add(range.line)) diagnostics += Diagnostic(code, Severity.WARNING, range, text, message, fix)
+    }
+
+    /** Leaves out the mistakes on [lines], which follow from others; nothing else is told there either. */
+    fun forgive(lines: Set<Int>) {
+        diagnostics.removeAll { it.range.line in lines }
     }
 
     /** What is wrong; what is only doubtful is left for when nothing is. */

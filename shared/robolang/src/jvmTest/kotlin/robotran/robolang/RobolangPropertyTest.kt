@@ -3,67 +3,79 @@ package robotran.robolang
 import io.kotest.common.ExperimentalKotest
 import io.kotest.core.spec.style.StringSpec
 import io.kotest.matchers.collections.shouldBeEmpty
-import io.kotest.matchers.collections.shouldBeSortedWith
-import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
 import io.kotest.property.PropTestConfig
-import io.kotest.property.arbitrary.byte
-import io.kotest.property.arbitrary.byteArray
+import io.kotest.property.arbitrary.Codepoint
+import io.kotest.property.arbitrary.arbitrary
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
-import io.kotest.property.arbitrary.list
-import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.checkFormatting
 import robotran.robolang.format.formatRobolang
+import robotran.robolang.format.treeOf
+import robotran.robolang.fuzz.ProgramWriter
+import robotran.robolang.fuzz.arbitraryBytes
+import robotran.robolang.fuzz.arbitraryText
+import robotran.robolang.fuzz.checkHarmless
+import robotran.robolang.fuzz.piecesOfRobolang
+import robotran.robolang.fuzz.runFor
+import robotran.robolang.fuzz.spoiltProgram
 import robotran.robolang.syntax.NumberReading
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.readNumber
-import robotran.rom.ProgramStatus
+import kotlin.random.Random
 
 @OptIn(ExperimentalKotest::class)
 class RobolangPropertyTest : StringSpec({
-    val config = PropTestConfig(seed = 2005, iterations = 25_000)
+    val config = PropTestConfig(seed = 2005, iterations = 30_000)
+
+    fun texts(text: (Random) -> String): Arb<String> = arbitrary { text(it.random) }
+    val programs = texts { ProgramWriter(it).write() }
 
     "arbitrary text is read without harm" {
-        checkAll(config, Arb.string(0..200)) { checkReading(it) }
+        checkAll(config, texts(::arbitraryText)) { checkHarmless(it) }
     }
 
     "arbitrary bytes are read without harm" {
-        checkAll(config, Arb.byteArray(Arb.int(0..200), Arb.byte())) { checkReading(it.decodeToString()) }
+        checkAll(config, texts(::arbitraryBytes)) { checkHarmless(it) }
     }
 
     "pieces of the language in any order are read without harm" {
-        checkAll(config, Arb.list(Arb.element(PIECES), 0..60).map { it.joinToString("") }) { checkReading(it) }
+        checkAll(config, texts(::piecesOfRobolang)) { checkHarmless(it) }
     }
 
     "a program with something changed is read without harm" {
-        checkAll(config, validProgram(), Arb.int(0..10_000), Arb.int(0..5), Arb.element(PIECES)) { program, place, length, piece ->
-            val start = place % (program.length + 1)
-            checkReading(program.replaceRange(start, minOf(start + length, program.length), piece))
-        }
+        checkAll(PropTestConfig(seed = 2005, iterations = 10_000), texts(::spoiltProgram)) { checkHarmless(it) }
     }
 
-    "a valid program can be formatted" {
-        checkAll(PropTestConfig(seed = 2005, iterations = 2_000), validProgram()) { source ->
+    "a generated program has no mistakes, and formatted it is the same tree" {
+        checkAll(PropTestConfig(seed = 2005, iterations = 2_000), programs) { source ->
+            mistakesOf(source).shouldBeEmpty()
             (formatRobolang(source) is FormatResult.Formatted) shouldBe true
             checkFormatting(source)
         }
     }
 
-    "a valid program has no mistakes and comes to its end" {
-        checkAll(PropTestConfig(seed = 2005, iterations = 500), validProgram()) { source ->
-            mistakesOf(source).shouldBeEmpty()
-            val first = runToEnd(programOf(source)).calls
-            runToEnd(programOf(source)).calls shouldBe first
+    "generated programs have everything there is in the language" {
+        val seen = FormsOfTrees()
+        val random = Random(2005)
+        repeat(1_000) { seen.add(treeOf(ProgramWriter(random).write())) }
+        seen.missing().shouldBeEmpty()
+    }
+
+    "a generated program runs as far as it may, twice in the same way" {
+        checkAll(PropTestConfig(seed = 2005, iterations = 1_000), programs) { source ->
+            val program = (read(source) as RobolangResult.Ready).program
+            runFor(program, 2_000) shouldBe runFor(program, 2_000)
         }
     }
 
     "a decimal number is the one that Java reads" {
-        checkAll(config, Arb.int(0..999_999_999), Arb.string(1..6, DIGITS)) { whole, fraction ->
+        val digits = Arb.element(('0'..'9').map { Codepoint(it.code) })
+        checkAll(config, Arb.int(0..999_999_999), Arb.string(1..6, digits)) { whole, fraction ->
             val text = "$whole.$fraction"
             readNumber(text, negative = false) shouldBe NumberReading.Read(NumberValue.Decimal(text.toFloat()))
         }
@@ -75,63 +87,6 @@ class RobolangPropertyTest : StringSpec({
     }
 
     "the longest programs are read without harm" {
-        val half = RobolangLimits.SOURCE_CHARACTERS / 2
-        val worst = listOf(
-            " repeat 1 time\n".repeat(half / 15) + "end\n".repeat(half / 4),
-            "repeat 1 time\n".repeat(half / 14) + " end\n".repeat(half / 14 - 1),
-            "end\n".repeat(half / 4),
-            "9".repeat(half),
-            "x".repeat(half),
-            "# ".repeat(half),
-            "beep ".repeat(half / 5),
-            "\r".repeat(half),
-            "show " + "(".repeat(half),
-            "show " + "1 + ".repeat(half / 4),
-            "show " + "not ".repeat(half / 4),
-            "show " + "- ".repeat(half / 2),
-            "show x" + "[0]".repeat(half / 3),
-            "if true\n".repeat(half / 8) + "else\n".repeat(half / 5),
-            "repeat 1 time\nif true\nelse\n".repeat(half / 27),
-            "procedure p()\n".repeat(half / 14),
-            "show " + "x".repeat(20) + "\nshow y".repeat(half / 7),
-            "var x = [" + "1,".repeat(half / 2),
-        )
-        for (source in worst) {
-            checkReading(source)
-        }
+        longestPrograms().forEach(::checkHarmless)
     }
 })
-
-private fun checkReading(source: String) {
-    checkFormatting(source)
-    val result = read(source)
-    read(source).let { again ->
-        if (result is RobolangResult.Mistaken) again shouldBe result
-    }
-    when (result) {
-        is RobolangResult.Ready -> {
-            val status = result.program.start(RecordingRom()).resume(100)
-            (status is ProgramStatus.Failed) shouldBe false
-        }
-
-        is RobolangResult.Mistaken -> {
-            checkDiagnostics(result.diagnostics, source.removePrefix("\uFEFF").lines())
-        }
-    }
-}
-
-private fun checkDiagnostics(diagnostics: List<Diagnostic>, lines: List<String>) {
-    diagnostics.isEmpty() shouldBe false
-    diagnostics.shouldBeSortedWith(compareBy({ it.range.line }, { it.range.column }))
-    for (diagnostic in diagnostics) {
-        checkRange(diagnostic.range, lines)
-        diagnostic.text shouldBe lines[diagnostic.range.line - 1].substring(diagnostic.range.column - 1, diagnostic.range.endColumn - 1)
-        diagnostic.fix?.let { checkRange(it.range, lines) }
-    }
-}
-
-private fun checkRange(range: SourceRange, lines: List<String>) {
-    range.line shouldBeInRange 1..lines.size
-    range.column shouldBeInRange 1..lines[range.line - 1].length + 1
-    range.endColumn shouldBeInRange range.column..lines[range.line - 1].length + 1
-}

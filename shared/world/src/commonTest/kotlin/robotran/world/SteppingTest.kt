@@ -6,7 +6,6 @@ import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.rom.BrickButton
 import robotran.rom.CallFrame
-import robotran.rom.RunState
 import robotran.rom.StepKind
 import robotran.rom.VariableScope
 import robotran.rom.VariableView
@@ -17,22 +16,7 @@ import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
 class SteppingTest {
-    private suspend fun started(source: String): Session {
-        val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-        val program = assertIs<RobolangResult.Ready>(readRobolang("test", source, calibration)).program
-        return Session(BuiltInWorlds.plain, listOf(program), loadPhysicsEngine()).apply {
-            apply(SessionInput.Press(BrickButton.RUN))
-            apply(SessionInput.Release(BrickButton.RUN))
-        }
-    }
-
-    private fun Session.line(): Int = assertIs<RunState.Running>(state.brick.run).sourceLine
-
-    /** The lines before which [steps] stop, one after the other. */
-    private fun Session.lines(vararg steps: StepKind): List<Int> = steps.map { step ->
-        assertEquals(StopReason.StepDone, stepStatement(step))
-        line()
-    }
+    private suspend fun started(source: String): Session = startedForDebugging(source)
 
     @Test
     fun `a step does one statement and stops before the next`() = runTest {

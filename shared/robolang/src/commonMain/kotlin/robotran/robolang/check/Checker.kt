@@ -18,7 +18,10 @@ internal class Checker(
         if (mistakes.isEmpty) settleUnusedTypes(context)
         ExpressionChecker(context).let { StatementChecker(context, it, calibration).check() }
         WayChecker(context).check()
-        LimitChecker(context).check()
+        val graph = CallGraph(context)
+        DeclarationOrder(context, graph).check()
+        LimitChecker(context, graph).check()
+        EndlessRecursion(context).check()
         warnOfUnusedVariables(context)
         return CheckedProgram(
             parsed.tree,
@@ -28,8 +31,9 @@ internal class Checker(
         )
     }
 
-    /** What no call gives a value and what only calls itself is taken for whole. */
+    /** What no call gives a value has the type that it is used as; that and what only calls itself is otherwise taken for whole. */
     private fun settleUnusedTypes(context: CheckContext) {
+        NeededTypes(context).settle()
         val open = context.drafts.filter { it.kind == SymbolKind.PARAMETER || it.kind == SymbolKind.FUNCTION }
         open.filter { it.type.type == ValueType.NOTHING }.forEach { it.type.raise(ValueType.WHOLE) }
     }

@@ -135,9 +135,20 @@ internal class ExpressionChecker(private val context: CheckContext) {
         when (expression.operator) {
             BinaryOperator.OR, BinaryOperator.AND -> operands.forEach(::needCondition)
             BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> equality(expression)
-            else -> operands.forEach(::needNumber)
+            else -> if (!isChained(expression)) operands.forEach(::needNumber)
         }
         if (expression.operator == BinaryOperator.DIVIDE || expression.operator == BinaryOperator.MOD) division(expression)
+    }
+
+    /** Reports `3 < x < 5`, which is no condition in Robolang or Java. */
+    private fun isChained(expression: Expression.Binary): Boolean {
+        val first = expression.left as? Expression.Binary ?: return false
+        if (!first.operator.isComparison || !expression.operator.isComparison) return false
+        val right = "${context.textOf(first.range)} and ${context.textOf(first.right.range)} ${expression.operator.text} " +
+            context.textOf(expression.right.range)
+        val message = messages.chainedComparison(shortened(right))
+        context.report(DiagnosticCode.NUMBER_NEEDED, expression.range, message, SourceFix(expression.range, right))
+        return true
     }
 
     private fun equality(expression: Expression.Binary) {
@@ -153,13 +164,20 @@ internal class ExpressionChecker(private val context: CheckContext) {
         if (divisor !is NumberValue.Whole || context.typeOf(expression) != ValueType.WHOLE) return
         if (divisor.value == 0) return context.report(DiagnosticCode.DIVISION_BY_ZERO, expression.right.range, messages.divisionByZero())
         val isTooLarge = divisor.value !in Short.MIN_VALUE..Short.MAX_VALUE
-        if (isTooLarge) context.warn(DiagnosticCode.DIVISOR_TOO_LARGE, expression.right.range, messages.divisorTooLarge(divisor.value))
+        if (isTooLarge) warnOfDivisor(expression.right, divisor.value)
         val dividend = (context.constantOf(expression.left) as? NumberValue.Whole)?.value ?: return
         if (expression.operator == BinaryOperator.MOD || dividend % divisor.value == 0) return
         val message = messages.fractionLost(context.quotable(expression), dividend / divisor.value)
         val left = expression.left
         val fix = if (left is Expression.Number) SourceFix(left.range, left.text + ".0") else null
         context.warn(DiagnosticCode.FRACTION_LOST, expression.range, message, fix)
+    }
+
+    /** The brick keeps the lower 16 bits of a divisor. */
+    private fun warnOfDivisor(expression: Expression, divisor: Int) {
+        val kept = divisor.toShort().toInt()
+        val message = if (kept == 0) messages.divisorTakenForZero(divisor) else messages.divisorTooLarge(divisor, kept)
+        context.warn(DiagnosticCode.DIVISOR_TOO_LARGE, expression.range, message)
     }
 
     private fun call(expression: Expression.Call) {

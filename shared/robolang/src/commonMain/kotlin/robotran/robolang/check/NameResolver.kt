@@ -71,7 +71,7 @@ internal class NameResolver(private val context: CheckContext) {
     private fun routine(routine: Routine) {
         owner = routine
         for (parameter in routine.parameters) {
-            val earlier = scopes[parameter.key]?.takeIf { it.owner == routine }
+            val earlier = scopes[parameter.key]?.takeIf { it.owner?.range == routine.range }
             if (earlier != null) reportTaken(parameter, messages.declaredTwice(shortened(parameter.text), earlier.name.range.line))
             declare(parameter, SymbolKind.PARAMETER)
         }
@@ -135,8 +135,13 @@ internal class NameResolver(private val context: CheckContext) {
     }
 
     private fun declareNew(name: Name, kind: SymbolKind): Draft {
-        val earlier = scopes[name.key]?.takeIf { it.owner == owner && !context.isExcused(name) }
-        if (earlier != null) reportTaken(name, messages.declaredTwice(shortened(name.text), earlier.name.range.line))
+        val earlier = scopes[name.key]?.takeIf { it.owner?.range == owner?.range && !context.isExcused(name) }
+        if (earlier != null) {
+            val isBoth = kind == SymbolKind.VARIABLE && earlier.kind == SymbolKind.VARIABLE
+            val line = earlier.name.range.line
+            val text = shortened(name.text)
+            reportTaken(name, if (isBoth) messages.redeclared(text, line) else messages.declaredTwice(text, line))
+        }
         return declare(name, kind)
     }
 
@@ -156,14 +161,14 @@ internal class NameResolver(private val context: CheckContext) {
 
     private fun assign(statement: Statement.Assign) {
         when (val target = statement.target) {
-            is AssignTarget.Variable -> resolve(target.name)?.let { it.isAssigned = true }
+            is AssignTarget.Variable -> resolve(target.name, isAssigned = true)?.let { it.isAssigned = true }
             is AssignTarget.Element -> resolveRead(target.list)
         }
     }
 
     private fun resolveRead(name: Name): Draft? = resolve(name)?.also { it.isRead = true }
 
-    private fun resolve(name: Name): Draft? {
+    private fun resolve(name: Name, isAssigned: Boolean = false): Draft? {
         val draft = scopes[name.key]
         val isBelow = draft != null && draft.isGlobal && draft.name.range.line > name.range.line
         if (draft != null && !isBelow) {
@@ -176,9 +181,20 @@ internal class NameResolver(private val context: CheckContext) {
             val message = messages.usedBeforeDeclaration(shortened(name.text), later.name.range.line)
             context.report(DiagnosticCode.USED_BEFORE_DECLARATION, name.range, message)
         } else {
-            reportUnknown(name)
+            reportUnknown(name, isAssigned)
         }
         return null
+    }
+
+    private fun reportMissingBrackets(name: Name) {
+        context.report(DiagnosticCode.MISSING_BRACKETS, name.range, messages.missingBracketsOfCall(shortened(name.text)))
+    }
+
+    /** Who knows other languages may think that this declares a variable. */
+    private fun reportUndeclared(name: Name) {
+        val start = name.range.copy(endColumn = name.range.column)
+        val message = messages.undeclaredVariable(shortened(name.text))
+        context.report(DiagnosticCode.UNKNOWN_VARIABLE, name.range, message, SourceFix(start, "var "))
     }
 
     private fun declaredBelow(name: Name): Draft? = globals[name.key] ?: declaredGlobally[name.key]
@@ -189,8 +205,10 @@ internal class NameResolver(private val context: CheckContext) {
         }
     }
 
-    private fun reportUnknown(name: Name) {
+    private fun reportUnknown(name: Name, isAssigned: Boolean) {
+        if (name.key in context.routines || BuiltIn.of(name.key) != null) return reportMissingBrackets(name)
         val meant = context.nearestName(name, scopes)
+        if (meant == null && isAssigned) return reportUndeclared(name)
         val message = messages.unknownVariable(shortened(name.text), meant)
         context.report(DiagnosticCode.UNKNOWN_VARIABLE, name.range, message, meant?.let { SourceFix(name.range, it) })
     }

@@ -1,5 +1,7 @@
 package robotran.robolang.run
 
+import robotran.robolang.check.Symbol
+
 /**
  * One thread of execution: the main program, the action of a behaviour, or a condition being looked at. All it is in the middle of lies on
  * its own stack: operands, the frames of routines, and the counters of loops between them. A value is 32 bits: a whole number,
@@ -7,7 +9,7 @@ package robotran.robolang.run
  */
 internal class Activity(
     val machine: Machine,
-    private val name: String,
+    val name: String,
     start: Int,
     private var line: Int,
 ) {
@@ -17,6 +19,7 @@ internal class Activity(
     private var top = 0
     private var base = 0
     private var waits = false
+    private var knownInside: KnownVariables? = null
 
     /** The instruction to be executed next. */
     var next = start
@@ -41,12 +44,26 @@ internal class Activity(
     /** The line of the statement it is in the middle of. */
     val currentLine: Int get() = line
 
+    /** Whether it is in the middle of a statement that can go on. */
+    val isInsideStatement: Boolean get() = !isWaiting && instructions[next] !is Boundary
+
+    /** The variables that it knows at the place where it is, those of the main program left aside inside a routine. */
+    val known: List<Symbol>
+        get() {
+            val upcoming = statement
+            return (if (upcoming == null || isWaiting) knownInside else upcoming.known)?.all.orEmpty()
+        }
+
+    /** The variables that it knows outside all routines it is inside of. */
+    val knownOutside: List<Symbol> get() = if (calls.isEmpty()) known else calls.first().known?.all.orEmpty()
+
     /** The routine it is in, null for none. */
     val routine: RoutineCode? get() = calls.lastOrNull()?.routine
 
     /** Begins the statement it stands before. */
     fun begin(statement: Boundary.Statement) {
         line = statement.line
+        knownInside = statement.known
         next++
     }
 
@@ -108,7 +125,7 @@ internal class Activity(
     /** Enters [routine], whose arguments are on the stack. */
     fun call(routine: RoutineCode) {
         if (calls.size == RobotConstants.DEEPEST_CALLS) fail(machine.messages.tooManyCalls(routine.name, RobotConstants.DEEPEST_CALLS))
-        calls += Call(routine, next, base, line)
+        calls += Call(routine, next, base, line, knownInside)
         base = top - routine.parameters
         repeat(routine.slots - routine.parameters) { push(0) }
         next = routine.entry
@@ -121,6 +138,7 @@ internal class Activity(
         base = call.base
         next = call.returnTo
         line = call.line
+        knownInside = call.known
     }
 
     /** What it is in the middle of as names and lines, the innermost first. */
@@ -130,7 +148,7 @@ internal class Activity(
         return names.zip(lines, ::FrameView).asReversed()
     }
 
-    private class Call(val routine: RoutineCode, val returnTo: Int, val base: Int, val line: Int)
+    private class Call(val routine: RoutineCode, val returnTo: Int, val base: Int, val line: Int, val known: KnownVariables?)
 
     private companion object {
         const val SMALLEST_STACK = 32

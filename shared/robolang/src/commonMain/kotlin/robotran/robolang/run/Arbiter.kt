@@ -7,7 +7,8 @@ package robotran.robolang.run
  * over. The main program, unlike an action, is not ended but goes on where it was. A drive, turn or move of the pen that is interrupted
  * is cut short.
  *
- * It looks at the conditions before every statement and, while nothing else happens, once every millisecond.
+ * It looks at the conditions before every statement and, while nothing else happens, once every millisecond. What has begun to drive
+ * meanwhile stops in time, however long a look takes.
  */
 internal class Arbiter(private val machine: Machine) {
     private val behaviours = machine.code.behaviours
@@ -16,7 +17,16 @@ internal class Arbiter(private val machine: Machine) {
     private var action: Activity? = null
     private var condition: Activity? = null
     private var lookedAt = 0
+    private var lookTakesSteps = false
     private var decidedAt = NEVER
+
+    /** A look that takes steps of the budget holds for one statement, or the robot would do nothing but look. */
+    private var isStatementDue = false
+
+    private val isWatching: Boolean get() = behaviours.isNotEmpty() && machine.isWatching
+
+    /** What does something, unless it waits; null if the main program has to wait for a condition to change. */
+    private val running: Activity? get() = action ?: main.takeIf { current == NONE }
 
     /** What runs or waits now, the innermost first: a condition, an action, the main program. */
     val activities: List<Activity> get() = listOfNotNull(condition, action, main)
@@ -26,14 +36,22 @@ internal class Arbiter(private val machine: Machine) {
     /** Whether nothing is left to be done, whatever happens. */
     val isOver: Boolean get() = behaviours.isEmpty() && main.isOver
 
-    /** Whether a condition could change while the foremost activity waits. */
-    val looksWhileWaiting: Boolean get() = condition == null && behaviours.lastIndex > current
+    /** When the conditions are looked at again if nothing happens before. */
+    val nextLook: Long get() = machine.rom.milliseconds + RobotConstants.LOOKING_MILLISECONDS
+
+    /** Until when nothing is to be done while [activity], which is to go on, waits. */
+    fun wakesAt(activity: Activity): Long {
+        val looksAgain = isWatching && condition == null && behaviours.lastIndex > current
+        val other = running?.takeIf { it.isWaiting } ?: activity
+        return minOf(activity.waitUntil, other.waitUntil, if (looksAgain) nextLook else Long.MAX_VALUE)
+    }
 
     /** The activity to go on with now, null if there is none until a condition changes. */
     fun choose(): Activity? {
-        if (behaviours.isEmpty()) return main.takeUnless { it.isOver }
+        if (!isWatching) return main.takeUnless { it.isOver }
         if (action?.isOver == true) endAction()
-        while (decidedAt != machine.rom.milliseconds && isAtBoundary()) {
+        if (running?.isInsideStatement == true) return running
+        while (decidedAt != machine.rom.milliseconds && !isStatementDue) {
             val looking = condition ?: look(behaviours.lastIndex)
             when {
                 looking == null -> decide(NONE)
@@ -42,12 +60,17 @@ internal class Arbiter(private val machine: Machine) {
                 else -> if (look(lookedAt - 1) == null) decide(NONE)
             }
         }
-        return condition ?: action ?: main.takeIf { current == NONE && !it.isOver }
+        return condition ?: running?.takeUnless { it.isOver }
     }
 
     /** The conditions count as looked at until the next statement. */
     fun statementBegins() {
-        if (condition == null) decidedAt = NEVER
+        if (condition != null) {
+            lookTakesSteps = true
+        } else {
+            decidedAt = NEVER
+            isStatementDue = false
+        }
     }
 
     /** How many routines and behaviours [activity] is inside of. */
@@ -65,25 +88,21 @@ internal class Arbiter(private val machine: Machine) {
     private fun decide(behaviour: Int) {
         condition = null
         decidedAt = machine.rom.milliseconds
-        val isRunning = action != null
         if (behaviour == NONE) {
-            if (!isRunning) current = NONE
+            if (action == null) current = NONE
         } else if (behaviour != current) {
             (action ?: main).cutShort()
             current = behaviour
             action = behaviours[behaviour].let { Activity(machine, BEHAVIOUR_NAME, it.action, it.line) }
         }
+        isStatementDue = lookTakesSteps && running?.statement != null && running?.isWaiting == false
+        lookTakesSteps = false
     }
 
     private fun endAction() {
         action = null
         decidedAt = NEVER
-    }
-
-    /** Whether nothing is in the middle of a statement, a main program that has to wait its turn left aside. */
-    private fun isAtBoundary(): Boolean {
-        val running = action ?: main.takeIf { current == NONE }
-        return condition != null || running == null || running.isWaiting || running.statement != null || running.isOver
+        isStatementDue = false
     }
 
     private companion object {

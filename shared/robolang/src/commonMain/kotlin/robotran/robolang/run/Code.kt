@@ -1,6 +1,5 @@
 package robotran.robolang.run
 
-import robotran.robolang.check.Symbol
 import robotran.robolang.syntax.Routine
 
 /**
@@ -8,30 +7,20 @@ import robotran.robolang.syntax.Routine
  *
  * @property name the program's.
  * @property main where the main program begins.
- * @property symbols the variables of the main program and the behaviours.
- * @property globals how many slots they take.
+ * @property globals how many slots the variables of the main program and the behaviours take.
  * @property firstLine the line of the first statement, 0 if there is none.
  */
 internal class Code(
     val name: String,
     val instructions: List<Instruction>,
     val main: Int,
-    val symbols: List<Symbol>,
     val globals: Int,
     val behaviours: List<BehaviourCode>,
     val firstLine: Int,
 )
 
-/**
- * A routine as instructions; its frame has a slot for each variable, the parameters being first.
- *
- * @property symbols its parameters and variables.
- */
-internal class RoutineCode(
-    routine: Routine,
-    val symbols: List<Symbol>,
-    val slots: Int,
-) {
+/** A routine as instructions; its frame has [slots], one for each variable, the parameters being first. */
+internal class RoutineCode(routine: Routine, val slots: Int) {
     val name = routine.name.text
     val parameters = routine.parameters.size
 

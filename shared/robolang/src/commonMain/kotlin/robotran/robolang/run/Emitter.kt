@@ -1,8 +1,13 @@
 package robotran.robolang.run
 
+import robotran.robolang.check.Symbol
+
 /** Collects instructions while a program is lowered. */
 internal class Emitter {
     private val collected = ArrayList<Instruction>()
+
+    /** The variables that are declared where the next instruction will be. */
+    var known: KnownVariables? = null
 
     val instructions: List<Instruction> get() = collected
 
@@ -13,7 +18,18 @@ internal class Emitter {
         collected += instruction
     }
 
-    fun statement(line: Int) = emit(Boundary.Statement(line))
+    fun statement(line: Int) = emit(Boundary.Statement(line, known))
+
+    fun declare(symbol: Symbol) {
+        known = KnownVariables(symbol, known)
+    }
+
+    /** What [lower] declares is known only to what it lowers. */
+    inline fun inBlock(lower: () -> Unit) {
+        val outside = known
+        lower()
+        known = outside
+    }
 
     /** Puts [label] before the next instruction. */
     fun put(label: Label) {

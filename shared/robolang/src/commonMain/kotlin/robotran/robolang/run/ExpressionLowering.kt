@@ -73,6 +73,9 @@ internal class ExpressionLowering(
         if (symbol.owner == null) emitter.emit { it.push(it.machine.globals[slot]) } else emitter.emit { it.push(it.local(slot)) }
     }
 
+    /** From here on, to the end of its block, [name] has a value. */
+    fun declare(name: Name) = emitter.declare(scope.symbolOf(name))
+
     fun store(name: Name) {
         val symbol = scope.symbolOf(name)
         val slot = symbol.index

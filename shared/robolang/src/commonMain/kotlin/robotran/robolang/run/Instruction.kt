@@ -12,8 +12,8 @@ internal fun interface Instruction {
 internal sealed interface Boundary : Instruction {
     override fun execute(activity: Activity) = Unit
 
-    /** A statement of this line begins, or the next round of a loop. It is one step of the budget. */
-    class Statement(val line: Int) : Boundary
+    /** A statement of this line begins, or the next round of a loop; [known] are the variables there. It is one step of the budget. */
+    class Statement(val line: Int, val known: KnownVariables?) : Boundary
 
     /** The activity is over. */
     data object End : Boundary

@@ -12,7 +12,7 @@ internal class LoopLowering(
 ) {
     private val open = ArrayDeque<OpenLoop>()
 
-    fun lower(statement: Statement.Loop) {
+    fun lower(statement: Statement.Loop) = emitter.inBlock {
         val line = statement.range.line
         when (statement) {
             is Statement.Repeat -> lowerRepeat(statement, line)
@@ -79,6 +79,7 @@ internal class LoopLowering(
         lowerStep(statement.step, type)
         emitter.emit { if (arithmetic.sign(it.peek()) == 0) fail(it.machine.messages.stepOfNothing()) }
         emitter.jump(first)
+        expressions.declare(statement.variable)
         emitter.put(loop.round)
         emitter.statement(line)
         expressions.load(statement.variable)
@@ -108,6 +109,7 @@ internal class LoopLowering(
         expressions.lower(statement.list)
         emitter.emit { it.push(-1) }
         emitter.jump(first)
+        expressions.declare(statement.variable)
         emitter.put(loop.round)
         emitter.statement(line)
         emitter.put(first)

@@ -1,7 +1,6 @@
 package robotran.robolang.run
 
 import robotran.robolang.check.CheckedProgram
-import robotran.robolang.check.SymbolKind
 import robotran.robolang.syntax.Behaviour
 import robotran.robolang.syntax.Routine
 
@@ -18,7 +17,7 @@ internal fun lower(program: CheckedProgram, name: String): Code {
     val statements = StatementLowering(emitter, scope)
     val main = emitter.place
     emitter.emit(scope.sensors)
-    statements.lowerAll(program.tree.statements)
+    statements.lowerMain(program.tree)
     emitter.emit(Boundary.End)
     program.tree.routines.forEach { lowerRoutine(it, scope.codeOf(it.name), emitter, statements) }
     val behaviours = program.tree.behaviours.map { lowerBehaviour(it, emitter, statements) }
@@ -26,7 +25,6 @@ internal fun lower(program: CheckedProgram, name: String): Code {
         name = name,
         instructions = emitter.instructions,
         main = main,
-        symbols = program.symbols.filter { it.owner == null && it.kind in VARIABLES },
         globals = program.slotsOf(null),
         behaviours = behaviours,
         firstLine = program.tree.statements.firstOrNull()?.range?.line ?: 0,
@@ -35,7 +33,7 @@ internal fun lower(program: CheckedProgram, name: String): Code {
 
 private fun lowerRoutine(routine: Routine, code: RoutineCode, emitter: Emitter, statements: StatementLowering) {
     code.entry = emitter.place
-    statements.lowerAll(routine.body, of = routine)
+    statements.lowerRoutine(routine)
     if (routine.isFunction) {
         emitter.emit { fail(it.machine.messages.nothingReturned(code.name)) }
     } else {
@@ -49,10 +47,7 @@ private fun lowerBehaviour(behaviour: Behaviour, emitter: Emitter, statements: S
     emitter.emit(Boundary.End)
     val action = emitter.place
     emitter.statement(behaviour.range.line)
-    statements.lowerAll(behaviour.body)
+    statements.lowerBody(behaviour.body)
     emitter.emit(Boundary.End)
     return BehaviourCode(condition, action, behaviour.range.line)
 }
-
-/** What has a value. */
-internal val VARIABLES = setOf(SymbolKind.CONSTANT, SymbolKind.VARIABLE, SymbolKind.PARAMETER, SymbolKind.LOOP_VARIABLE)

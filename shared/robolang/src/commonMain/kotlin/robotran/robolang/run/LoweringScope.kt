@@ -9,10 +9,7 @@ import robotran.robolang.syntax.NumberValue
 
 /** What the names and expressions of a program are, as lowering needs to know it. */
 internal class LoweringScope(private val program: CheckedProgram) {
-    private val routines: List<RoutineCode> = program.tree.routines.map { routine ->
-        val symbols = program.symbols.filter { it.owner === routine && it.kind in VARIABLES }
-        RoutineCode(routine, symbols, program.slotsOf(routine))
-    }
+    private val routines: List<RoutineCode> = program.tree.routines.map { RoutineCode(it, program.slotsOf(it)) }
 
     /** Hears of every sense that is lowered. */
     val sensors = SensorSetup(program.tree)

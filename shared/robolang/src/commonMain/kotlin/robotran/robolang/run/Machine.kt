@@ -20,6 +20,9 @@ internal class Machine(
     /** Seeded as `new Random()` is on a brick: with the clock at the program's start. */
     val random = LejosRandom(rom.milliseconds.toInt())
 
+    /** Whether the conditions of the behaviours are looked at: from when the variables that they can know are declared. */
+    var isWatching = false
+
     /** Whether a `halt` has been executed. */
     var isHalted = false
 }

@@ -17,12 +17,15 @@ import robotran.rom.VariableScope
 internal class RobolangRun(
     code: Code,
     calibration: Calibration,
-    private val rom: Rom,
+    rom: Rom,
     messages: RunMessages,
 ) : DebuggableRun {
     private val machine = Machine(code, rom, calibration, messages)
     private val arbiter = Arbiter(machine)
     private var isPassed = false
+
+    /** Whose instructions are being executed. */
+    private var active = arbiter.foremost
 
     override var watch: StatementWatch? = null
 
@@ -36,25 +39,26 @@ internal class RobolangRun(
     override val callStack: List<CallFrame>
         get() = arbiter.activities.flatMap { it.frames() }.map { CallFrame(it.name, it.line) }
 
-    override val variables: List<VariableScope> get() = variableScopes(arbiter.foremost)
+    override val variables: List<VariableScope> get() = variableScopes(arbiter.activities)
 
     override fun resume(steps: Int): ProgramStatus = try {
         proceed(steps)
     } catch (failure: RunFailure) {
-        ProgramStatus.Failed(ProgramFailure(failure.message, arbiter.foremost.currentLine))
+        ProgramStatus.Failed(ProgramFailure(failure.message, active.currentLine))
     }
 
     private fun proceed(steps: Int): ProgramStatus {
         var budget = steps
         while (!machine.isHalted) {
-            val activity = arbiter.choose() ?: return if (arbiter.isOver) ProgramStatus.Ended else nextLook()
+            val activity = arbiter.choose() ?: return if (arbiter.isOver) ProgramStatus.Ended else ProgramStatus.Waiting(arbiter.nextLook)
             val statement = activity.statement
             when {
                 activity.isWaiting -> {
-                    return waiting(activity)
+                    return ProgramStatus.Waiting(arbiter.wakesAt(activity))
                 }
 
                 statement == null -> {
+                    active = activity
                     activity.proceed()
                 }
 
@@ -79,6 +83,7 @@ internal class RobolangRun(
         isPassed = false
         statementsBegun++
         arbiter.statementBegins()
+        active = activity
         activity.begin(statement)
         activity.proceed()
     }
@@ -89,10 +94,4 @@ internal class RobolangRun(
         isPassed = true
         return watch.pausesBefore(statement.line, arbiter.depthOf(activity))
     }
-
-    private fun waiting(activity: Activity): ProgramStatus =
-        if (arbiter.looksWhileWaiting) nextLook(activity.waitUntil) else ProgramStatus.Waiting(activity.waitUntil)
-
-    private fun nextLook(latest: Long = Long.MAX_VALUE) =
-        ProgramStatus.Waiting(minOf(latest, rom.milliseconds + RobotConstants.LOOKING_MILLISECONDS))
 }

@@ -5,6 +5,8 @@ import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
+import robotran.robolang.syntax.SyntaxTree
+import robotran.robolang.syntax.leadingDeclarations
 
 /** Lowers statements; those of loops and of the robot it leaves to [LoopLowering] and [CommandLowering]. */
 internal class StatementLowering(
@@ -16,13 +18,22 @@ internal class StatementLowering(
     private val loops = LoopLowering(emitter, expressions, ::lowerBody)
     private var returned = ValueType.NOTHING
 
-    /** The statements of a block; [of] is the routine whose body they are. */
-    fun lowerAll(statements: List<Statement>, of: Routine? = null) {
-        returned = of?.let { scope.symbolOf(it.name).type } ?: ValueType.NOTHING
-        lowerBody(statements)
+    /** The main program. Its behaviours are looked at once the declarations at its beginning are done. */
+    fun lowerMain(tree: SyntaxTree) = emitter.inBlock {
+        val declarations = tree.leadingDeclarations
+        declarations.forEach(::lower)
+        emitter.emit { it.machine.isWatching = true }
+        tree.statements.drop(declarations.size).forEach(::lower)
     }
 
-    private fun lowerBody(statements: List<Statement>) = statements.forEach(::lower)
+    fun lowerRoutine(routine: Routine) = emitter.inBlock {
+        returned = scope.symbolOf(routine.name).type
+        routine.parameters.forEach { emitter.declare(scope.symbolOf(it)) }
+        lowerBody(routine.body)
+    }
+
+    /** The statements of a block. */
+    fun lowerBody(statements: List<Statement>) = emitter.inBlock { statements.forEach(::lower) }
 
     private fun lower(statement: Statement) {
         if (statement is Statement.Loop) return loops.lower(statement)
@@ -35,6 +46,7 @@ internal class StatementLowering(
             is Statement.Declare -> {
                 expressions.lower(statement.value, scope.symbolOf(statement.name).type)
                 expressions.store(statement.name)
+                emitter.declare(scope.symbolOf(statement.name))
             }
 
             is Statement.Assign -> {

@@ -5,15 +5,23 @@ import robotran.robolang.check.ValueType
 import robotran.rom.VariableScope
 import robotran.rom.VariableView
 
-/** The variables that [activity] knows now: those of the routine it is in, then those of the main program and the behaviours. */
-internal fun variableScopes(activity: Activity): List<VariableScope> {
-    val machine = activity.machine
-    val main = VariableScope(machine.code.name, machine.code.symbols.map { view(it, machine.globals[it.index], machine) })
-    val routine = activity.routine ?: return listOf(main)
-    return listOf(VariableScope(routine.name, routine.symbols.map { view(it, activity.local(it.index), machine) }), main)
+/**
+ * The variables that the first of [activities] knows now: its own or those of the routine it is in, then those that the last one,
+ * the main program, has declared outside all blocks.
+ */
+internal fun variableScopes(activities: List<Activity>): List<VariableScope> {
+    val foremost = activities.first()
+    val main = activities.last()
+    val own = VariableScope(foremost.routine?.name ?: foremost.name, foremost.known.map { view(it, foremost) })
+    if (foremost === main && main.routine == null) return listOf(own)
+    return listOf(own, VariableScope(main.name, main.knownOutside.filter { it.isGlobal }.map { view(it, main) }))
 }
 
-private fun view(symbol: Symbol, value: Int, machine: Machine) = VariableView(symbol.name, text(symbol.type, value, machine))
+private fun view(symbol: Symbol, activity: Activity): VariableView {
+    val machine = activity.machine
+    val value = if (symbol.owner == null) machine.globals[symbol.index] else activity.local(symbol.index)
+    return VariableView(symbol.name, text(symbol.type, value, machine))
+}
 
 private fun text(type: ValueType, value: Int, machine: Machine): String = when (type) {
     ValueType.WHOLE, ValueType.NOTHING -> {

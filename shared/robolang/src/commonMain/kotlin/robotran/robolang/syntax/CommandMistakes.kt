@@ -23,6 +23,10 @@ private val BEGINNINGS_OF: Map<Keyword, String> = mapOf(
     Keyword.UNTIL to "repeat until",
 )
 
+/** Words that begin a value and no line. */
+private val VALUES =
+    setOf(Keyword.LIGHT, Keyword.SENSOR, Keyword.BUTTON, Keyword.TIMER, Keyword.BATTERY, Keyword.TRUE, Keyword.FALSE, Keyword.NOT)
+
 /** Words that other languages begin a line with. */
 private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
     "int" to "var",
@@ -32,6 +36,12 @@ private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
     "void" to "procedure",
     "def" to "procedure",
     "elif" to "else if",
+    "endif" to "end",
+    "endwhile" to "end",
+    "endfor" to "end",
+    "endrepeat" to "end",
+    "fi" to "end",
+    "done" to "end",
     "loop" to "repeat forever",
     "sleep" to "wait",
     "print" to "show",
@@ -40,34 +50,60 @@ private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
     "move" to "forward",
 )
 
-/**
- * Reports that the line does not begin with a command.
- *
- * @return whether the line may be meant as the beginning of a block, so that an `end` further down may belong to it.
- */
-internal fun Mistakes.reportNoCommand(reader: LineReader, routineNames: Set<String>): Boolean {
+/** What a line that is not understood does to the blocks around it. */
+internal enum class BlockEffect { NONE, MAY_OPEN, CLOSES }
+
+/** Reports that the line does not begin with a command, and tells what it may be meant for. */
+internal fun Mistakes.reportNoCommand(reader: LineReader, routineNames: Set<String>): BlockEffect {
     val word = reader.first
-    if (word.kind != TokenKind.WORD) {
-        reportNoWord(reader)
-        return false
-    }
-    if (lowercaseKeyword(word.text) in routineNames) {
-        reportMissingBrackets(reader)
-        return false
-    }
     val letters = lettersOfCommandWithNumber(word)
-    if (letters != null) {
-        reportMissingSpace(reader, word, letters)
-        return Keyword.of(letters) in Keyword.OPENERS
+    when {
+        word.kind != TokenKind.WORD -> {
+            reportNoWord(reader)
+        }
+
+        lowercaseKeyword(word.text) in routineNames -> {
+            reportMissingBrackets(reader)
+        }
+
+        letters != null -> {
+            reportMissingSpace(reader, word, letters)
+            if (Keyword.of(letters) in Keyword.OPENERS) return BlockEffect.MAY_OPEN
+        }
+
+        word.keyword == Keyword.LIGHT && reader.peek(1)?.keyword == Keyword.SENSOR -> {
+            report(reader, DiagnosticCode.SETTING_OUTSIDE_ROBOT, reader.restRange, messages.settingOutsideRobot())
+        }
+
+        word.keyword in VALUES -> {
+            reportValueAsCommand(reader, word.range)
+        }
+
+        reader.peek(1)?.keyword == Keyword.BUMPER -> {
+            reportValueAsCommand(reader, word.range.copy(endColumn = checkNotNull(reader.peek(1)).range.endColumn))
+        }
+
+        else -> {
+            return reportUnknownCommand(reader, word)
+        }
     }
-    val meant = meantBeginning(word)
-    val fix = meant?.let { SourceFix(word.range, it) }
-    report(reader, DiagnosticCode.UNKNOWN_COMMAND, word.range, messages.unknownCommand(shortened(word.text), meant), fix)
-    return meant == null || Keyword.of(meant.substringBefore(' ')) in Keyword.OPENERS
+    return BlockEffect.NONE
 }
 
-private fun meantBeginning(word: Token): String? =
-    BEGINNINGS_OF[word.keyword] ?: BEGINNINGS_ELSEWHERE[lowercaseKeyword(word.text)] ?: suggestion(word.text, BEGINNINGS)
+private fun Mistakes.reportValueAsCommand(reader: LineReader, range: SourceRange) {
+    report(reader, DiagnosticCode.UNKNOWN_COMMAND, range, messages.valueAsCommand(reader.quotable(range)))
+}
+
+private fun Mistakes.reportUnknownCommand(reader: LineReader, word: Token): BlockEffect {
+    val meant = BEGINNINGS_OF[word.keyword] ?: BEGINNINGS_ELSEWHERE[lowercaseKeyword(word.text)] ?: suggestion(word.text, BEGINNINGS)
+    val fix = meant?.let { SourceFix(word.range, it) }
+    report(reader, DiagnosticCode.UNKNOWN_COMMAND, word.range, messages.unknownCommand(shortened(word.text), meant), fix)
+    return when {
+        meant == Keyword.END.text -> BlockEffect.CLOSES
+        meant == null || Keyword.of(meant.substringBefore(' ')) in Keyword.OPENERS -> BlockEffect.MAY_OPEN
+        else -> BlockEffect.NONE
+    }
+}
 
 private fun Mistakes.reportNoWord(reader: LineReader) {
     val first = reader.first
@@ -78,11 +114,11 @@ private fun Mistakes.reportNoWord(reader: LineReader) {
     }
 }
 
-/** A routine is called without brackets; a fix needs to know that nothing else stands on the line. */
+/** A routine is called without brackets; what stands behind its name belongs between them. */
 private fun Mistakes.reportMissingBrackets(reader: LineReader) {
     val word = reader.first
-    val end = SourceRange(word.range.line, word.range.endColumn, word.range.endColumn)
-    val fix = if (reader.peek(1) == null) SourceFix(end, "()") else null
+    val rest = reader.restRange.copy(column = word.range.endColumn)
+    val fix = SourceFix(rest, "(${reader.textOf(rest).trim()})")
     report(reader, DiagnosticCode.MISSING_BRACKETS, word.range, messages.missingBracketsOfCall(shortened(word.text)), fix)
 }
 

@@ -2,6 +2,7 @@ package robotran.robolang.syntax
 
 import robotran.robolang.DiagnosticCode
 import robotran.robolang.Mistakes
+import robotran.robolang.SourceFix
 import robotran.robolang.SourceRange
 import robotran.rom.MotorPort
 
@@ -63,7 +64,17 @@ internal class CommandParser(reader: LineReader, mistakes: Mistakes) : LineParse
     private fun turnDirection(): TurnDirection? = when (reader.take(Keyword.LEFT, Keyword.RIGHT)) {
         Keyword.LEFT -> TurnDirection.LEFT
         Keyword.RIGHT -> TurnDirection.RIGHT
-        else -> missing(DiagnosticCode.MISSING_TURN_DIRECTION, SIDES, messages::missingTurnDirection)
+        else -> if (isTurnedRound()) null else missing(DiagnosticCode.MISSING_TURN_DIRECTION, SIDES, messages::missingTurnDirection)
+    }
+
+    /** Reports `turn 90 left`, whose fix is plain. */
+    private fun isTurnedRound(): Boolean {
+        val angle = reader.next?.takeIf { it.kind == TokenKind.NUMBER } ?: return false
+        val side = reader.peek(1)?.takeIf { it.keyword in SIDES } ?: return false
+        val range = angle.range.copy(endColumn = side.range.endColumn)
+        val fix = SourceFix(range, "${lowercaseKeyword(side.text)} ${angle.text}")
+        mistakes.report(reader, DiagnosticCode.MISSING_TURN_DIRECTION, angle.range, messages.missingTurnDirection(null), fix)
+        return true
     }
 
     private fun unit(unit: Keyword) {

@@ -77,6 +77,16 @@ internal class DataParser(reader: LineReader, mistakes: Mistakes) : LineParser(r
                 mistakes.report(reader, DiagnosticCode.COMPARISON_AS_COMMAND, sign.range, messages.useOneEqualsSign(), fix)
             }
 
+            sign != null && sign.kind in STEPS && reader.peek(1)?.kind == sign.kind && reader.peek(2) == null -> {
+                val range = sign.range.copy(endColumn = checkNotNull(reader.peek(1)).range.endColumn)
+                val message = messages.characterInsteadOf(before + sign.text + sign.text, "$before = $before ${sign.text} 1")
+                mistakes.report(reader, DiagnosticCode.COMBINED_ASSIGNMENT, range, message, SourceFix(range, " = $before ${sign.text} 1"))
+            }
+
+            isBrokenName(sign) -> {
+                mistakes.reportMalformedName(reader, reader.readRange.copy(column = checkNotNull(reader.peek(-1)).range.column))
+            }
+
             sign != null && reader.peek(1)?.kind == TokenKind.ASSIGN -> {
                 val range = sign.range.copy(endColumn = checkNotNull(reader.peek(1)).range.endColumn)
                 val message = messages.combinedAssignment(before, shortened(sign.text))
@@ -91,7 +101,16 @@ internal class DataParser(reader: LineReader, mistakes: Mistakes) : LineParser(r
         return false
     }
 
+    /** Whether a minus stands in the middle of a name, as in `my-name`. */
+    private fun isBrokenName(sign: Token?): Boolean {
+        val rest = reader.peek(1)
+        return sign?.kind == TokenKind.MINUS && rest?.kind == TokenKind.WORD &&
+            sign.range.column == reader.gap.column && rest.range.column == sign.range.endColumn
+    }
+
     companion object {
+        private val STEPS = setOf(TokenKind.PLUS, TokenKind.MINUS)
+
         /** What these lines begin with, if not with a name. */
         val COMMANDS = setOf(Keyword.VAR, Keyword.CONST, Keyword.BREAK, Keyword.CONTINUE, Keyword.HALT, Keyword.RETURN)
     }

@@ -7,6 +7,7 @@ import robotran.robolang.SourceFix
 
 /** A command lacks its value; [example] completes what has been read of the line so far. */
 internal fun Mistakes.reportMissingValue(reader: LineReader, expected: Expected, example: String): Nothing? {
+    reader.next?.takeIf { it.kind == TokenKind.TEXT }?.let { return reportText(reader, it) }
     val command = reader.quotable(reader.readRange)
     val instead = reader.next?.takeUnless { it.keyword == Keyword.TIMES || isUnit(it) }
     val range = instead?.range ?: reader.gap
@@ -21,14 +22,39 @@ internal fun Mistakes.reportMissingValue(reader: LineReader, expected: Expected,
 
 /** Nothing that has a value stands behind [before], an operator, a bracket or a comma. */
 internal fun Mistakes.reportMissingOperand(reader: LineReader, before: String): Nothing? {
+    reader.next?.takeIf { it.kind == TokenKind.TEXT }?.let { return reportText(reader, it) }
     val range = reader.next?.range ?: reader.gap
     report(reader, DiagnosticCode.MISSING_VALUE, range, messages.missingOperand(before))
+    return null
+}
+
+/** `bumper left` for `left bumper`. */
+internal fun Mistakes.reportTurnedBumper(reader: LineReader): Nothing? {
+    val side = checkNotNull(reader.peek(1))
+    val range = checkNotNull(reader.next).range.copy(endColumn = side.range.endColumn)
+    val right = "${lowercaseKeyword(side.text)} ${Keyword.BUMPER.text}"
+    val message = messages.characterInsteadOf(reader.quotable(range), right)
+    report(reader, DiagnosticCode.UNKNOWN_VARIABLE, range, message, SourceFix(range, right))
     return null
 }
 
 internal fun Mistakes.reportMissingBracket(reader: LineReader, opening: Token, closing: String): Nothing? {
     val fix = if (reader.next == null) SourceFix(reader.gap, closing) else null
     report(reader, DiagnosticCode.MISSING_BRACKET, opening.range, messages.missingBracket(opening.text, closing), fix)
+    return null
+}
+
+/** Two values, or two names, stand side by side where a comma parts them. */
+internal fun Mistakes.reportMissingComma(reader: LineReader): Nothing? {
+    val second = checkNotNull(reader.next)
+    val message = messages.missingComma(shortened(second.text))
+    report(reader, DiagnosticCode.MISSING_COMMA, second.range, message, SourceFix(reader.gap, ","))
+    return null
+}
+
+/** A text stands where a value should. */
+private fun Mistakes.reportText(reader: LineReader, text: Token): Nothing? {
+    report(reader, DiagnosticCode.TEXT_AS_VALUE, text.range, messages.textAsValue(shortened(text.text)))
     return null
 }
 

@@ -19,10 +19,12 @@ internal class ExpressionParser(
 
     /** Where something with a value should come; [example] completes what has been read of the line so far. */
     fun expression(expected: Expected, example: String): Expression? {
-        val lacksCount = reader.first.keyword == Keyword.REPEAT && reader.next?.keyword == Keyword.TIMES && reader.peek(1) == null
-        if (lacksCount || !canBegin(reader.next)) return mistakes.reportMissingValue(reader, expected, example)
+        if (lacksCount() || !canBegin(reader.next)) return mistakes.reportMissingValue(reader, expected, example)
         return binary(BinaryOperator.OR.strength)
     }
+
+    private fun lacksCount(): Boolean = reader.first.keyword == Keyword.REPEAT && reader.next?.keyword == Keyword.TIMES &&
+        reader.peek(1).let { it == null || it.kind == TokenKind.NUMBER }
 
     /** What stands in the brackets of a call, whose opening one has been read. */
     fun arguments(): List<Expression>? = elements(TokenKind.CLOSE_BRACKET)
@@ -95,6 +97,7 @@ internal class ExpressionParser(
     }
 
     private fun named(token: Token): Expression? {
+        if (token.keyword == Keyword.BUMPER && reader.peek(1)?.keyword in SIDES) return mistakes.reportTurnedBumper(reader)
         val name = checkNotNull(reader.takeName())
         if (reader.take(TokenKind.OPEN_BRACKET) == null) return leaf(Expression.Variable(token.range, name))
         val arguments = elements(TokenKind.CLOSE_BRACKET) ?: return null
@@ -133,8 +136,12 @@ internal class ExpressionParser(
         } while (reader.take(TokenKind.COMMA) != null)
         listDepth--
         height = highest
-        if (reader.take(closing) == null) return mistakes.reportMissingBracket(reader, opening, checkNotNull(closing.text))
-        return elements
+        if (reader.take(closing) != null) return elements
+        return if (canBegin(reader.next)) {
+            mistakes.reportMissingComma(reader)
+        } else {
+            mistakes.reportMissingBracket(reader, opening, checkNotNull(closing.text))
+        }
     }
 
     private fun inner(): Expression? {
@@ -143,6 +150,8 @@ internal class ExpressionParser(
         return binary(BinaryOperator.OR.strength)
     }
 }
+
+private val SIDES = setOf(Keyword.LEFT, Keyword.RIGHT)
 
 /** What a command needs next. */
 internal enum class Expected { NUMBER, CONDITION, VALUE }

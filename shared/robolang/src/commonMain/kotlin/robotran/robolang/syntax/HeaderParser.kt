@@ -33,12 +33,33 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
 
     private fun forRange(): ((Block) -> Statement)? {
         val variable = name("i from 1 to 10") ?: return null
-        if (!expect(Keyword.FROM)) return null
+        if (isOtherLoop(variable) || !expect(Keyword.FROM)) return null
         val from = number("1 to 10") ?: return null
         if (!expect(Keyword.TO)) return null
         val to = number("10") ?: return null
         val step = if (reader.take(Keyword.STEP) != null) number("2") ?: return null else null
         return { Statement.ForRange(it.range, it.endRange, variable, from, to, step, it.body) }
+    }
+
+    /** Reports `for i = 1` and `for i in list`, as other languages write them. */
+    private fun isOtherLoop(variable: Name): Boolean {
+        val sign = reader.next
+        val (before, word, fix) = when {
+            sign?.kind == TokenKind.ASSIGN -> {
+                Triple(reader.quotable(reader.readRange), Keyword.FROM, SourceFix(sign.range, Keyword.FROM.text))
+            }
+
+            sign?.keyword == Keyword.IN -> {
+                val start = variable.range.copy(endColumn = variable.range.column)
+                Triple(Keyword.FOR.text, Keyword.EACH, SourceFix(start, Keyword.EACH.text + " "))
+            }
+
+            else -> {
+                return false
+            }
+        }
+        mistakes.report(reader, DiagnosticCode.MISSING_WORD, fix.range, messages.missingWord(before, word.text, null), fix)
+        return true
     }
 
     private fun forEach(): ((Block) -> Statement)? {
@@ -63,7 +84,11 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
             do {
                 parameters += name("length)") ?: break
             } while (reader.take(TokenKind.COMMA) != null)
-            if (reader.take(TokenKind.CLOSE_BRACKET) == null) mistakes.reportMissingBracket(reader, opening, ")")
+            when {
+                reader.take(TokenKind.CLOSE_BRACKET) != null -> Unit
+                reader.next?.canBeName == true -> mistakes.reportMissingComma(reader)
+                else -> mistakes.reportMissingBracket(reader, opening, ")")
+            }
         }
         return RoutineHeader(name, parameters)
     }

@@ -35,8 +35,11 @@ internal abstract class LineParser(
     protected fun name(example: String): Name? {
         reader.takeName()?.let { return it }
         val token = reader.next
-        if (token?.keyword != null) {
+        if (token?.kind == TokenKind.NUMBER && reader.peek(1)?.range?.column == token.range.endColumn) {
+            mistakes.reportMalformedName(reader, token.range)
+        } else if (token?.keyword != null) {
             mistakes.report(reader, DiagnosticCode.RESERVED_WORD, token.range, messages.reservedWord(token.text))
+            mistakes.takenWords.getOrPut(lowercaseKeyword(token.text)) { mutableSetOf() } += token.range.line
         } else {
             val before = reader.quotable(reader.readRange)
             val range = token?.range ?: reader.gap

@@ -72,6 +72,12 @@ internal class OpenBlocks {
         return true
     }
 
+    /** Ends the innermost block with [word], which is probably meant as its `end`. */
+    fun closeUnsurely(word: Token) {
+        close(word.copy(keyword = Keyword.END))
+        isDoubtful = true
+    }
+
     /** Ends the innermost blocks that [lack] an `end`, which belongs before [line]. */
     fun closeLacking(line: Int, lack: (OpenBlock) -> Boolean) {
         while (open.isNotEmpty() && lack(open.last())) {

@@ -26,6 +26,7 @@ internal class Parser(
         for (line in lines) {
             if (line.tokens.isNotEmpty()) line(LineReader(line))
         }
+        forgiveTakenWords(lines, mistakes)
         val lacking = blocks.lackingEnds()
         reportMissingEnds(lacking, lines, mistakes)
         val endColumn = lines.last().text.length + 1
@@ -73,7 +74,11 @@ internal class Parser(
     }
 
     private fun noCommand(reader: LineReader): Nothing? {
-        if (mistakes.reportNoCommand(reader, routineNames)) blocks.openUnknown()
+        when (mistakes.reportNoCommand(reader, routineNames)) {
+            BlockEffect.NONE -> Unit
+            BlockEffect.MAY_OPEN -> blocks.openUnknown()
+            BlockEffect.CLOSES -> blocks.closeUnsurely(reader.first)
+        }
         return null
     }
 
@@ -138,7 +143,11 @@ internal class Parser(
             if (reader.first.keyword in Keyword.OPENERS) blocks.openUnknown()
             return
         }
-        if (lightSensor != null) mistakes.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.secondSetting())
+        if (lightSensor != null &&
+            robot == null
+        ) {
+            mistakes.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.secondSetting())
+        }
         lightSensor = HeaderParser(reader, mistakes).lightSensor() ?: lightSensor
     }
 

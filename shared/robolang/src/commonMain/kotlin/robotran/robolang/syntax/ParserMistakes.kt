@@ -34,6 +34,22 @@ internal fun Mistakes.reportMissingWord(
     report(reader, code, typed?.range ?: reader.gap, message(meant), fix)
 }
 
+/** Reports a name that is broken by a sign or begins with a figure; [start] is where it begins. */
+internal fun Mistakes.reportMalformedName(reader: LineReader, start: SourceRange) {
+    val end = reader.line.text.drop(start.column - 1).indexOfFirst { isBlank(it) || it in "=()," }
+    val range = if (end < 0) reader.restRange.copy(column = start.column) else start.copy(endColumn = start.column + end)
+    report(reader, DiagnosticCode.MALFORMED_NAME, range, messages.malformedName(reader.quotable(range)))
+}
+
+/** Who declares a word of the language as a name is told so there, and not in each line that uses the name. */
+internal fun forgiveTakenWords(lines: List<ScannedLine>, mistakes: Mistakes) {
+    val taken = mistakes.takenWords
+    if (taken.isEmpty()) return
+    val declaring = taken.values.flatten().toSet()
+    val using = lines.filter { line -> line.tokens.any { it.keyword != null && lowercaseKeyword(it.text) in taken } }
+    mistakes.forgive(using.mapTo(mutableSetOf()) { it.number } - declaring)
+}
+
 /** After a number: reports the next word if it is meant as a unit, but is none of [units]. Anything else is for who reads on. */
 internal fun Mistakes.reportWrongUnit(reader: LineReader, units: List<Keyword>) {
     val word = reader.next?.takeIf { it.kind == TokenKind.WORD } ?: return
@@ -46,12 +62,26 @@ internal fun Mistakes.reportWrongUnit(reader: LineReader, units: List<Keyword>) 
 internal fun Mistakes.reportNoTimeUnit(reader: LineReader, duration: Expression) {
     val units = listOf(Keyword.SECONDS, Keyword.MILLISECONDS)
     val word = reader.next?.takeIf { it.kind == TokenKind.WORD }
-    if (word == null) {
+    if (isCondition(duration)) {
+        val gap = reader.first.range.let { it.copy(column = it.endColumn) }
+        val message = messages.missingWord(lowercaseKeyword(reader.first.text), Keyword.UNTIL.text, null)
+        report(reader, DiagnosticCode.MISSING_WORD, gap, message, SourceFix(gap, " " + Keyword.UNTIL.text))
+    } else if (word == null) {
         val fix = SourceFix(reader.gap, " " + Keyword.SECONDS.text)
         report(reader, DiagnosticCode.MISSING_TIME_UNIT, reader.gap, messages.missingTimeUnit(reader.quotable(duration.range)), fix)
     } else {
         reportUnit(reader, word, units, meantUnit(word, units))
     }
+}
+
+/** Whether [expression] is plainly true or false and no number. */
+private fun isCondition(expression: Expression): Boolean = when (expression) {
+    is Expression.Truth -> true
+    is Expression.Sense -> expression.sense is Sense.Button || expression.sense == Sense.LeftBumper || expression.sense == Sense.RightBumper
+    is Expression.Unary -> expression.operator == UnaryOperator.NOT
+    is Expression.Binary -> !expression.operator.isArithmetic
+    is Expression.Brackets -> isCondition(expression.inner)
+    else -> false
 }
 
 /** [word] stands where one of [units] should. */
@@ -65,7 +95,7 @@ internal fun Mistakes.reportUnit(reader: LineReader, word: Token, units: List<Ke
 internal fun Mistakes.expectEndOfLine(reader: LineReader) {
     val extra = reader.next ?: return
     val space = SourceRange(reader.line.number, reader.gap.column, extra.range.column)
-    if (extra.keyword in Keyword.COMMANDS && reader.first.keyword != Keyword.END) {
+    if (extra.keyword in Keyword.COMMANDS && extra.keyword != Keyword.ROBOT && reader.first.keyword != Keyword.END) {
         val indentation = reader.line.text.substring(0, reader.first.range.column - 1)
         val fix = SourceFix(space, "\n" + indentation)
         report(reader, DiagnosticCode.SEVERAL_COMMANDS, extra.range, messages.severalCommands(extra.text), fix)

@@ -6,6 +6,11 @@ import robotran.robolang.SourceRange
 private const val BYTE_ORDER_MARK = "\uFEFF"
 private const val QUOTATION_MARK = '"'
 
+/** The one that Robolang has, and those that word processors and other languages put in its place. */
+private val QUOTATION_MARKS = charArrayOf(
+    QUOTATION_MARK, '\'', '`', '\u201C', '\u201D', '\u201E', '\u00AB', '\u00BB', '\u2018', '\u2019', '\u201A',
+)
+
 /** Takes [source] apart into lines and these into tokens; what is no token is reported, once a line. */
 internal fun scan(source: String, mistakes: Mistakes): List<ScannedLine> =
     source.removePrefix(BYTE_ORDER_MARK).lineSequence()
@@ -36,7 +41,8 @@ private class LineScanner(
             isLetter(character) -> takeWhile(TokenKind.WORD) { isLetter(it) || isDigit(it) }
             beginsNumber() -> takeWhile(TokenKind.NUMBER) { isDigit(it) || it == '.' }
             text.startsWith("//", position) -> takeComment()
-            character == QUOTATION_MARK -> takeText()
+            character in QUOTATION_MARKS && closingMark() > 0 -> takeText(closingMark())
+            character == QUOTATION_MARK -> takeUnclosedText()
             else -> sign()
         }
     }
@@ -51,15 +57,22 @@ private class LineScanner(
         }
     }
 
-    private fun takeText() {
-        val closing = text.indexOf(QUOTATION_MARK, position + 1)
-        if (closing >= 0) {
-            take(TokenKind.TEXT, closing + 1 - position)
-        } else {
-            val end = text.trimEnd { isBlank(it) }.length
-            mistakes.reportUnclosedText(text, SourceRange(number, position + 1, end + 1))
-            take(TokenKind.TEXT, end - position)
-        }
+    /** Where the text that begins here ends: with the same mark if there is one, or else with another; -1 if there is none. */
+    private fun closingMark(): Int {
+        if (text[position] == QUOTATION_MARK) text.indexOf(QUOTATION_MARK, position + 1).let { if (it >= 0) return it }
+        return text.indexOfAny(QUOTATION_MARKS, position + 1)
+    }
+
+    private fun takeText(closing: Int) {
+        val range = SourceRange(number, position + 1, closing + 2)
+        if (text[position] != QUOTATION_MARK || text[closing] != QUOTATION_MARK) mistakes.reportOtherMarks(text, range)
+        take(TokenKind.TEXT, closing + 1 - position)
+    }
+
+    private fun takeUnclosedText() {
+        val end = text.trimEnd { isBlank(it) }.length
+        mistakes.reportUnclosedText(text, SourceRange(number, position + 1, end + 1))
+        take(TokenKind.TEXT, end - position)
     }
 
     private fun beginsNumber(): Boolean =
@@ -92,6 +105,7 @@ private class LineScanner(
 
     private fun unknownCharacter(width: Int) {
         mistakes.reportCharacter(text, SourceRange(number, position + 1, position + 1 + width))
+        if (isOtherEnd(text, position)) tokens += Token(TokenKind.WORD, SourceRange(number, position + 1, position + 2), "}", Keyword.END)
         position += width
     }
 }

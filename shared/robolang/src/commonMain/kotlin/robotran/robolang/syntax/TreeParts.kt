@@ -1,5 +1,9 @@
 package robotran.robolang.syntax
 
+/** What the main program begins with: as long as it only declares, no behaviour is looked at. */
+internal val SyntaxTree.leadingDeclarations: List<Statement>
+    get() = statements.takeWhile { it is Statement.Declare }
+
 /** The expressions directly inside this one, from left to right. */
 internal val Expression.parts: List<Expression>
     get() = when (this) {

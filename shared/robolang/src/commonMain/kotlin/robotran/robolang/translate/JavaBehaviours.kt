@@ -78,7 +78,7 @@ internal class JavaBehaviours(
         writer.commentsAbove(behaviour.endRange.line)
     }
 
-    private fun className(index: Int) = "Whenever${index + 1}"
+    private fun className(index: Int) = "$WHENEVER${index + 1}"
 
     private companion object {
         const val MAIN_PROGRAM = "MainProgram"

@@ -13,8 +13,9 @@ internal class JavaClass(private val program: RobolangProgram, private val class
     private val comments = CommentsOfItems(tree)
     private val throwing = Throwing(checked)
     private val expressions = JavaExpressions(checked, names, helpers)
-    private val body = JavaWriter(depth = 1)
-    private val statements = JavaStatements(checked, names, expressions, helpers, body)
+    private val body = JavaWriter(depth = 1, SourceLines(tree))
+    private val texts = JavaShownTexts(tree, names)
+    private val statements = JavaStatements(checked, names, expressions, helpers, texts, body)
     private val fields = JavaFields(checked, names, expressions, comments)
     private val behaviours = JavaBehaviours(checked, names, expressions, throwing, comments, statements, body)
 
@@ -23,6 +24,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         val globals = tree.statements.filterIsInstance<Statement.Declare>().map { it.name }
         (globals + tree.routines.map { it.name }).map(checked::symbolOf).distinct().forEach(names::declareShared)
         fields.write(body)
+        texts.write(body)
         main()
         tree.routines.forEach(::routine)
         behaviours.writeClasses()
@@ -33,8 +35,11 @@ internal class JavaClass(private val program: RobolangProgram, private val class
     private fun main() {
         body.blank()
         body.open("public static void main(String[] arguments)${throwsClause(throwing.mayWait(tree.statements))}")
-        JavaSensors(tree).setUp().forEach { body.line(it) }
+        tree.robot?.let { body.takeComments(comments.of(it.range)) }
+        JavaSensors(tree).setUp(body)
+        tree.robot?.let { body.commentsAbove(it.endRange.line + 1) }
         if (helpers.isReacting) behaviours.writeStart()
+        body.blank()
         mainStatements()
         body.close()
     }
@@ -81,13 +86,21 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         open("public class $className")
         JavaFigures(program.calibration).write(helpers.all, this)
         append(body)
-        helpers.all.filterNot { it.isFigure }.forEach {
+        val methods = helpers.all.filterNot { it.isField }
+        if (methods.isNotEmpty()) {
+            blank()
+            line(METHODS_BELOW)
+        }
+        methods.forEach {
             blank()
             lines(it.textIn(helpers.isReacting))
         }
         close()
     }
 }
+
+/** Where the pupil's own part ends. */
+internal const val METHODS_BELOW = "// The methods below do what the commands of Robolang do."
 
 /** What stands behind the head of a method that [mayWait] or not. */
 internal fun throwsClause(mayWait: Boolean): String = if (mayWait) " throws InterruptedException" else ""

@@ -16,6 +16,7 @@ internal class JavaCommands(
     private val flow: JavaFlow,
     private val expressions: JavaExpressions,
     private val helpers: UsedHelpers,
+    private val texts: JavaShownTexts,
     private val writer: JavaWriter,
 ) {
     fun write(statement: Statement) {
@@ -66,7 +67,7 @@ internal class JavaCommands(
 
         is Statement.Show -> listOf(show(statement.value))
 
-        is Statement.ShowText -> listOf("TextLCD.print(${javaString(statement.text)});")
+        is Statement.ShowText -> listOf("TextLCD.print(${texts.of(statement.text)});")
 
         is Statement.ClearScreen -> listOf("LCD.clear();", "LCD.refresh();")
 
@@ -136,7 +137,7 @@ internal class JavaCommands(
         return if (flow.isConstant(statement.condition)) {
             "while (true) { if (${expressions.text(statement.condition)}) break; $sleep }"
         } else {
-            "while (${expressions.negated(statement.condition)}) $sleep"
+            "while (${expressions.opposite(statement.condition)}) $sleep"
         }
     }
 
@@ -147,17 +148,4 @@ internal class JavaCommands(
 
     private fun call(helper: JavaHelper, vararg values: Expression): String =
         "${helpers.use(helper)}(${expressions.arguments(values.toList())});"
-}
-
-/** [text] as a string of Java, in plain characters only. */
-internal fun javaString(text: String): String = buildString {
-    append('"')
-    for (character in text) {
-        when (character) {
-            '"', '\\' -> append('\\').append(character)
-            in ' '..'~' -> append(character)
-            else -> append("\\u").append(character.code.toString(radix = 16).padStart(4, '0'))
-        }
-    }
-    append('"')
 }

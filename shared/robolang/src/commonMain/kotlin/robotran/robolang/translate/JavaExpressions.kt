@@ -21,14 +21,36 @@ internal class JavaExpressions(
         else -> program.typeOf(expression)
     }
 
-    /** [expression] where Java takes any. */
-    fun text(expression: Expression): String = written(expression).text
+    /** [expression] where Java takes any, so that brackets around all of it are not needed. */
+    fun text(expression: Expression): String = written(withoutBrackets(expression)).text
 
     /** [expression] where something that binds as tightly as [strength] is wanted. */
     fun text(expression: Expression, strength: Int): String = written(expression).atLeast(strength)
 
+    /** Java for what holds when [condition] does not, the way a person would say it. */
+    fun opposite(condition: Expression): String {
+        val bare = withoutBrackets(condition)
+        if (bare is Expression.Unary && bare.operator == UnaryOperator.NOT) return text(bare.operand)
+        val operator = (bare as? Expression.Binary)?.let(::oppositeOf) ?: return negated(bare)
+        return binary(bare, operator).text
+    }
+
     /** Java for `not` [condition]. */
-    fun negated(condition: Expression): String = "!" + text(condition, JavaStrength.UNARY)
+    private fun negated(condition: Expression): String = "!" + text(condition, JavaStrength.UNARY)
+
+    /** Decimal numbers are compared as they are: of two of which one is no number, neither is smaller. */
+    private fun oppositeOf(comparison: Expression.Binary): BinaryOperator? {
+        val areWhole = typeOf(comparison.left) == ValueType.WHOLE && typeOf(comparison.right) == ValueType.WHOLE
+        return when (comparison.operator) {
+            BinaryOperator.EQUAL -> BinaryOperator.NOT_EQUAL
+            BinaryOperator.NOT_EQUAL -> BinaryOperator.EQUAL
+            BinaryOperator.LESS -> BinaryOperator.GREATER_OR_EQUAL.takeIf { areWhole }
+            BinaryOperator.LESS_OR_EQUAL -> BinaryOperator.GREATER.takeIf { areWhole }
+            BinaryOperator.GREATER -> BinaryOperator.LESS_OR_EQUAL.takeIf { areWhole }
+            BinaryOperator.GREATER_OR_EQUAL -> BinaryOperator.LESS.takeIf { areWhole }
+            else -> null
+        }
+    }
 
     /** The values of a call, separated by commas. */
     fun arguments(values: List<Expression>): String = values.joinToString(", ") { text(it) }
@@ -43,7 +65,7 @@ internal class JavaExpressions(
         is Expression.Binary -> binary(expression)
         is Expression.Call -> call(expression)
         is Expression.Sense -> sense(expression.sense)
-        is Expression.Brackets -> primary("(${text(expression.inner)})")
+        is Expression.Brackets -> inBrackets(expression)
     }
 
     private fun list(expression: Expression.ListOf): String =
@@ -64,11 +86,13 @@ internal class JavaExpressions(
     }
 
     private fun binary(expression: Expression.Binary): JavaText {
-        val operator = expression.operator
-        if (operator == BinaryOperator.MOD && typeOf(expression) == ValueType.DECIMAL) {
-            helpers.use(JavaHelper.REMAINDER)
-            return primary("remainder(${text(expression.left)}, ${text(expression.right)})")
+        if (expression.operator == BinaryOperator.MOD && typeOf(expression) == ValueType.DECIMAL) {
+            return primary("${helpers.use(JavaHelper.REMAINDER)}(${text(expression.left)}, ${text(expression.right)})")
         }
+        return binary(expression, expression.operator)
+    }
+
+    private fun binary(expression: Expression.Binary, operator: BinaryOperator): JavaText {
         val strength = JavaStrength.of(operator)
         val left = text(expression.left, strength)
         val right = text(expression.right, strength + 1)
@@ -95,7 +119,7 @@ internal class JavaExpressions(
             // A whole number is its own.
             BuiltIn.ROUND, BuiltIn.FLOOR, BuiltIn.CEIL -> {
                 if (typeOf(expression.arguments.single()) == ValueType.WHOLE) {
-                    primary("($values)")
+                    written(withoutBrackets(expression.arguments.single()))
                 } else {
                     primary("${helpers.use(JavaHelper.of(builtIn))}($values)")
                 }
@@ -121,11 +145,20 @@ internal class JavaExpressions(
         Sense.Battery -> primary("Battery.getVoltage()")
     }
 
+    /** The pupil's own brackets, unless nothing in them could be torn apart. */
+    private fun inBrackets(expression: Expression.Brackets): JavaText {
+        val inner = written(withoutBrackets(expression))
+        return if (inner.strength == JavaStrength.PRIMARY) inner else primary("(${inner.text})")
+    }
+
+    private fun withoutBrackets(expression: Expression): Expression =
+        if (expression is Expression.Brackets) withoutBrackets(expression.inner) else expression
+
     private fun primary(text: String) = JavaText(text, JavaStrength.PRIMARY)
 }
 
 /** A piece of Java and how tightly its outermost operator binds. */
-private class JavaText(val text: String, private val strength: Int) {
+private class JavaText(val text: String, val strength: Int) {
     fun atLeast(wanted: Int): String = if (strength < wanted) "($text)" else text
 }
 

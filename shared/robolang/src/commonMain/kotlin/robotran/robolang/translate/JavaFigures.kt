@@ -2,36 +2,43 @@ package robotran.robolang.translate
 
 import robotran.robolang.Calibration
 import robotran.robolang.run.RobotConstants
+import robotran.robolang.run.decimalText
 
-/** Writes the figures of the robot, each with how to correct it, at the top of the class. */
+/** Writes the fields that the translation itself needs at the top of the class: first the figures of the robot, each with how to correct it. */
 internal class JavaFigures(private val calibration: Calibration) {
     fun write(used: List<JavaHelper>, writer: JavaWriter) {
-        for (figure in used.filter { it.isFigure }) {
+        for (field in used.filter { it.isField }) {
             writer.blank()
-            writer.lines(textOf(figure))
+            writer.lines(textOf(field))
         }
     }
 
-    private fun textOf(figure: JavaHelper): String = when (figure) {
+    private fun textOf(field: JavaHelper): String = when (field) {
         JavaHelper.CENTIMETRE -> {
             """
             /** How many milliseconds the wheels turn for one centimetre. Let the robot draw 100 cm and correct it. */
-            static final float ${figure.method} = ${calibration.millisecondsPerCentimetre.toFloat()}f;
+            static final float ${field.called} = ${decimal(calibration.millisecondsPerCentimetre)};
             """.trimIndent()
         }
 
         JavaHelper.DEGREE -> {
             """
             /** How many milliseconds the wheels turn for one degree. Let the robot turn ten times round and correct it. */
-            static final float ${figure.method} = ${calibration.millisecondsPerDegree.toFloat()}f;
+            static final float ${field.called} = ${decimal(calibration.millisecondsPerDegree)};
+            """.trimIndent()
+        }
+
+        JavaHelper.PEN_TIME -> {
+            """
+            /** How many milliseconds the pen's motor turns to lower or to lift the pen. */
+            static final int ${field.called} = ${RobotConstants.PEN_MILLISECONDS};
             """.trimIndent()
         }
 
         else -> {
-            """
-            /** How many milliseconds the pen's motor turns to lower or to lift the pen. */
-            static final int ${figure.method} = ${RobotConstants.PEN_MILLISECONDS};
-            """.trimIndent()
+            field.text
         }
     }
+
+    private fun decimal(figure: Double): String = decimalText(figure.toFloat()) + "f"
 }

@@ -8,25 +8,28 @@ import robotran.robolang.translate.JavaOtherTexts as Others
 import robotran.robolang.translate.JavaReactingTexts as Reacting
 
 /**
- * A method, or a figure, that a translation has only if it is used.
+ * A method, or a field, that a translation has only if it is used.
  *
- * @property method what it is called.
- * @property text its Java, at the depth of a class's members, in a program without behaviours.
+ * @property called its name.
+ * @property text its Java, at the depth of a class's members, in a program without behaviours; empty for the figures of the robot.
  * @property needs the helpers that it uses itself; they are declared above it, so that this list can name them.
  */
 internal enum class JavaHelper(
-    val method: String,
+    val called: String,
     val text: String,
     val needs: List<JavaHelper> = emptyList(),
-    val isFigure: Boolean = false,
+    val isField: Boolean = false,
     private val reactingText: String? = null,
 ) {
-    GIVE_WAY("giveWay", Reacting.GIVE_WAY),
+    CENTIMETRE("MILLISECONDS_PER_CENTIMETRE", "", isField = true),
+    DEGREE("MILLISECONDS_PER_DEGREE", "", isField = true),
+    PEN_TIME("PEN_MILLISECONDS", "", isField = true),
+    DICE("dice", Numbers.DICE, isField = true),
+    TIMER_START("timerStart", Others.TIMER_START, isField = true),
+    CONTROL("mainIsPaused", Reacting.CONTROL, isField = true),
+    GIVE_WAY("giveWay", Reacting.GIVE_WAY, listOf(CONTROL)),
     PAUSE("pause", Reacting.PAUSE, listOf(GIVE_WAY)),
     PAUSE_IN_CONTROL("pauseInControl", Reacting.PAUSE_IN_CONTROL, listOf(GIVE_WAY)),
-    CENTIMETRE("MILLISECONDS_PER_CENTIMETRE", "", isFigure = true),
-    DEGREE("MILLISECONDS_PER_DEGREE", "", isFigure = true),
-    PEN_TIME("PEN_MILLISECONDS", "", isFigure = true),
     ROUND_HALF_UP("roundHalfUp", Numbers.ROUND_HALF_UP),
     WAIT_SECONDS("waitSeconds", Moves.WAIT_SECONDS, listOf(ROUND_HALF_UP)),
     WAIT_MILLISECONDS("waitMilliseconds", Moves.WAIT_MILLISECONDS, listOf(ROUND_HALF_UP)),
@@ -45,10 +48,9 @@ internal enum class JavaHelper(
     PLAY("play", Others.PLAY, listOf(ROUND_HALF_UP)),
     SHOW_WHOLE("show", Others.SHOW_WHOLE),
     SHOW_DECIMAL("show", Others.SHOW_DECIMAL, listOf(ROUND_HALF_UP)),
-    TIMER("timer", Others.TIMER),
-    RESET_TIMER("resetTimer", Others.RESET_TIMER, listOf(TIMER)),
+    TIMER("timer", Others.TIMER, listOf(TIMER_START)),
+    RESET_TIMER("resetTimer", Others.RESET_TIMER, listOf(TIMER_START)),
     REMAINDER("remainder", Numbers.REMAINDER),
-    DICE("dice", Numbers.DICE),
     RANDOM("random", Numbers.RANDOM, listOf(DICE)),
     RANDOM_DECIMAL("random", Numbers.RANDOM_DECIMAL, listOf(DICE)),
     FLOOR("floor", Numbers.FLOOR),
@@ -70,10 +72,13 @@ internal enum class JavaHelper(
     }
 
     companion object {
-        /** No name of a program may be one of these. */
-        val NAMES: Set<String> = entries.map { it.method }.toSet() +
-            setOf("cosineOfSmall", "arcOf", "smallArcOf", "wholePower", "logarithmToBase2", "powerOfTwo", "timerStart") +
-            setOf("mainThread", "mainIsPaused", "actionIsSuppressed", "mustGiveWay")
+        /** No variable of a program may be called like one of these. */
+        val FIELDS: Set<String> = entries.filter { it.isField }.map { it.called }.toSet() +
+            setOf("mainThread", "actionIsSuppressed", "takenOver")
+
+        /** No routine of a program may be called like one of these. */
+        val METHODS: Set<String> = entries.filterNot { it.isField }.map { it.called }.toSet() +
+            setOf("cosineOfSmall", "arcOf", "smallArcOf", "wholePower", "logarithmToBase2", "powerOfTwo", "mustGiveWay")
 
         /** The helper that does what [builtIn] does. */
         fun of(builtIn: BuiltIn): JavaHelper = entries.first { it.name == builtIn.name }

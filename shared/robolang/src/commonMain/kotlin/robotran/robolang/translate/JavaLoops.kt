@@ -1,7 +1,7 @@
 package robotran.robolang.translate
 
 import robotran.robolang.check.CheckedProgram
-import robotran.robolang.check.SymbolKind
+import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement
@@ -15,6 +15,7 @@ internal class JavaLoops(
     private val block: (List<Statement>) -> Unit,
 ) {
     private val flow = JavaFlow(program)
+    private val steady = SteadyValues(program)
 
     fun write(loop: Statement.Loop) {
         // A list that may change while the loop goes through it gets a second name, in the block around the loop.
@@ -23,8 +24,8 @@ internal class JavaLoops(
             when (loop) {
                 is Statement.Repeat -> repeat(loop)
                 is Statement.RepeatForever -> around(loop, "while (true)")
-                is Statement.RepeatWhile -> whileTrue(loop, loop.condition, expressions.text(loop.condition))
-                is Statement.RepeatUntil -> whileTrue(loop, loop.condition, expressions.negated(loop.condition))
+                is Statement.RepeatWhile -> asLongAs(loop, loop.condition, isOpposite = false)
+                is Statement.RepeatUntil -> asLongAs(loop, loop.condition, isOpposite = true)
                 is Statement.ForRange -> forRange(loop)
                 is Statement.ForEach -> forEach(loop, list.orEmpty())
             }
@@ -33,27 +34,30 @@ internal class JavaLoops(
 
     private fun repeat(loop: Statement.Repeat) {
         val count = expressions.text(loop.count)
-        if (flow.isConstant(loop.count)) {
+        if (steady.isSteady(loop.count)) {
             val round = names.local("lap")
-            val last = expressions.text(loop.count, JavaStrength.PRIMARY)
-            around(loop, "for (int $round = 0; $round < $last; $round++)")
+            around(loop, "for (int $round = 0; $round < ${operand(loop.count)}; $round++)")
         } else {
             val rounds = names.local("laps")
             around(loop, "for (int $rounds = $count; $rounds > 0; $rounds--)")
         }
     }
 
-    private fun whileTrue(loop: Statement.Loop, condition: Expression, text: String) {
+    /** A loop that is done as long as [condition] holds or, if [isOpposite], does not. */
+    private fun asLongAs(loop: Statement.Loop, condition: Expression, isOpposite: Boolean) {
         if (flow.isEndless(loop)) {
             around(loop, "while (true)")
         } else if (flow.isConstant(condition)) {
             writer.open("while (true)", loop.range.line)
-            writer.line("if (!($text)) break;", loop.range.line)
+            writer.line("if (${text(condition, !isOpposite)}) break;", loop.range.line)
             finish(loop)
         } else {
-            around(loop, "while ($text)")
+            around(loop, "while (${text(condition, isOpposite)})")
         }
     }
+
+    private fun text(condition: Expression, isOpposite: Boolean): String =
+        if (isOpposite) expressions.opposite(condition) else expressions.text(condition)
 
     private fun forRange(loop: Statement.ForRange) {
         val symbol = program.symbolOf(loop.variable)
@@ -62,17 +66,25 @@ internal class JavaLoops(
         val stepText = loop.step?.let { expressions.text(it) }
         val variable = names.declareLocal(symbol)
         val start = StringBuilder("${javaType(symbol.type)} $variable = $from")
-        val last = if (loop.to is Expression.Number) to else names.local("last").also { start.append(", $it = $to") }
+        val last = if (steady.isSteady(loop.to)) operand(loop.to) else names.local("last").also { start.append(", $it = $to") }
         val step = valueOfStep(loop.step)
         if (step != null) {
-            val comparison = if (step.isNegative) ">=" else "<="
-            around(loop, "for ($start; $variable $comparison $last; ${advance(variable, stepText)})", names.noteOn(symbol))
+            val count = steady.countBehind(loop.to).takeIf { loop.step == null }
+            val condition = when {
+                count != null -> "$variable < ${operand(count)}"
+                step.isNegative -> "$variable >= $last"
+                else -> "$variable <= $last"
+            }
+            around(loop, "for ($start; $condition; ${advance(variable, stepText)})", names.noteOn(symbol))
         } else {
             val by = names.local("step").also { start.append(", $it = $stepText") }
             val condition = "$by > 0 ? $variable <= $last : $variable >= $last"
             around(loop, "for ($start; $condition; $variable += $by)", names.noteOn(symbol))
         }
     }
+
+    /** [expression] as it stands beside `<`. */
+    private fun operand(expression: Expression): String = expressions.text(expression, JavaStrength.of(BinaryOperator.LESS) + 1)
 
     /** The step if it is written as a number, which says whether it goes up or down. */
     private fun valueOfStep(step: Expression?): NumberValue? = when (step) {
@@ -101,7 +113,7 @@ internal class JavaLoops(
     private fun fixedList(loop: Statement.ForEach): String {
         val list = loop.list
         val symbol = (list as? Expression.Variable)?.let { program.symbolOf(it.name) }
-        if (symbol?.kind == SymbolKind.CONSTANT) return names.of(symbol)
+        if (symbol != null && steady.isSteady(list)) return names.of(symbol)
         val value = if (list is Expression.ListOf) expressions.elements(list) else expressions.text(list)
         val name = names.local("elements")
         writer.line("${javaType(expressions.typeOf(list))} $name = $value;", loop.range.line)

@@ -99,11 +99,13 @@ static void penUp() throws InterruptedException {
     Motor.B.stop();
 }"""
 
-    const val WAIT_SECONDS = """static void waitSeconds(float seconds) throws InterruptedException {
+    const val WAIT_SECONDS = """/** Waits so many seconds. */
+static void waitSeconds(float seconds) throws InterruptedException {
     Thread.sleep(roundHalfUp(seconds * 1000));
 }"""
 
-    const val WAIT_MILLISECONDS = """static void waitMilliseconds(float milliseconds) throws InterruptedException {
+    const val WAIT_MILLISECONDS = """/** Waits so many milliseconds. */
+static void waitMilliseconds(float milliseconds) throws InterruptedException {
     Thread.sleep(roundHalfUp(milliseconds));
 }"""
 

@@ -51,7 +51,8 @@ static int round(float value) {
     return value - below >= 0.5f && below < 2147483647 ? below + 1 : below;
 }"""
 
-    const val SQRT = """static float sqrt(float value) {
+    const val SQRT = """/** The square root. */
+static float sqrt(float value) {
     return (float) Math.sqrt(value);
 }"""
 }

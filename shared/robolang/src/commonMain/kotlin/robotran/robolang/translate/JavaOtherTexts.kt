@@ -40,14 +40,16 @@ static void show(float number) {
     LCD.refresh();
 }"""
 
-    const val TIMER = """static int timerStart = (int) System.currentTimeMillis();
+    const val TIMER_START = """/** When the timer began, on the brick's clock. */
+static int timerStart = (int) System.currentTimeMillis();"""
 
-/** The seconds since the start or the last resetTimer. */
+    const val TIMER = """/** The seconds since the start or the last resetTimer. */
 static float timer() {
     return ((int) System.currentTimeMillis() - timerStart) / 1000f;
 }"""
 
-    const val RESET_TIMER = """static void resetTimer() {
+    const val RESET_TIMER = """/** Lets the timer begin again. */
+static void resetTimer() {
     timerStart = (int) System.currentTimeMillis();
 }"""
 }

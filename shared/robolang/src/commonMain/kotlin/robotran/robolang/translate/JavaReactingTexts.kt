@@ -5,11 +5,15 @@ package robotran.robolang.translate
  * then stands still and goes on where it was; the action of a behaviour ends; what drives or moves the pen is cut short.
  */
 internal object JavaReactingTexts {
-    const val GIVE_WAY = """static Thread mainThread;
+    const val CONTROL = """/** Who has the robot: the main program and a behaviour each look here whether they have to give way. */
+static Thread mainThread;
 static boolean mainIsPaused = false;
 static boolean actionIsSuppressed = false;
 
-/** Whether a behaviour wants to take over from who asks. */
+/** Thrown again and again, for the brick never takes back the memory of a new one. */
+static final InterruptedException takenOver = new InterruptedException();"""
+
+    const val GIVE_WAY = """/** Whether a behaviour wants to take over from who asks. */
 static boolean mustGiveWay() {
     return Thread.currentThread() == mainThread ? mainIsPaused : actionIsSuppressed;
 }
@@ -19,7 +23,7 @@ static void giveWay() throws InterruptedException {
     if (Thread.currentThread() == mainThread) {
         while (mainIsPaused) Thread.sleep(1);
     } else if (actionIsSuppressed) {
-        throw new InterruptedException();
+        throw takenOver;
     }
 }"""
 

@@ -7,15 +7,13 @@ import robotran.robolang.syntax.SyntaxTree
 
 /** Writes how the sensors that a program uses are made ready. */
 internal class JavaSensors(private val tree: SyntaxTree) {
-    fun setUp(): List<String> {
+    fun setUp(writer: JavaWriter) {
         val senses = allExpressions(tree).filterIsInstance<Expression.Sense>().map { it.sense }
         val bumpers = senses.any { it == Sense.LeftBumper || it == Sense.RightBumper }
-        return buildList {
-            val light = lightPort(tree).takeIf { Sense.Light in senses }
-            // A bumper that shares its port with a light sensor can be told from percent, too.
-            if (bumpers) BUMPER_PORTS.filter { it != light }.forEach { add("Sensor.S$it.setTypeAndMode($TOUCH);") }
-            if (light != null) add("Sensor.S$light.activate();")
-        }
+        val light = lightPort(tree).takeIf { Sense.Light in senses }
+        // A bumper that shares its port with a light sensor can be told from percent, too.
+        if (bumpers) BUMPER_PORTS.filter { it != light }.forEach { writer.line("Sensor.S$it.setTypeAndMode($TOUCH);") }
+        if (light != null) writer.line("Sensor.S$light.activate();", tree.robot?.lightSensor?.range?.line ?: LineMap.NO_LINE)
     }
 
     private companion object {

@@ -13,10 +13,11 @@ internal class JavaStatements(
     private val names: JavaNames,
     private val expressions: JavaExpressions,
     helpers: UsedHelpers,
+    texts: JavaShownTexts,
     private val writer: JavaWriter,
 ) {
     private val flow = JavaFlow(program)
-    private val commands = JavaCommands(flow, expressions, helpers, writer)
+    private val commands = JavaCommands(flow, expressions, helpers, texts, writer)
     private val loops = JavaLoops(program, names, expressions, writer, ::block)
 
     /** The statements of one block, which names its own variables. */

@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-/** The words that no name of a program may be in Java. */
+/** The words that names of a program may not be in Java. */
 internal object JavaWords {
     private val LANGUAGE =
         words(
@@ -16,10 +16,15 @@ internal object JavaWords {
             "InterruptedException Random Runtime Class Error Vector Stack Queue Hashtable BitSet",
         )
 
-    /** What every class has from Object, and what the translation itself calls things. */
-    private val OWN = words("main arguments toString equals hashCode getClass wait notify notifyAll clone finalize josx java")
+    /** What every class has from Object, and where Java begins. */
+    private val METHODS = words("main toString equals hashCode getClass wait notify notifyAll clone finalize")
 
-    val RESERVED: Set<String> = LANGUAGE + CLASSES + OWN + JavaHelper.NAMES
+    /** What classes of the translation itself are called, and what no file may be called on Windows. */
+    private val FILES = words("MainProgram Reactions Con Prn Aux Nul")
+
+    val NO_VARIABLES: Set<String> = LANGUAGE + CLASSES + JavaHelper.FIELDS + words("arguments josx java")
+    val NO_METHODS: Set<String> = LANGUAGE + CLASSES + METHODS + JavaHelper.METHODS
+    val NO_CLASSES: Set<String> = LANGUAGE + CLASSES + FILES
 
     private fun words(vararg lines: String): Set<String> = lines.flatMap { it.split(' ') }.toSet()
 }

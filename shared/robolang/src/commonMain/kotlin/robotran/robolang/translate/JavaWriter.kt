@@ -2,11 +2,17 @@ package robotran.robolang.translate
 
 import robotran.robolang.syntax.Token
 
-/** Lines of Java as they come, each with its indentation and the line of the program it came from. */
-internal class JavaWriter(private var depth: Int = 0) {
+/**
+ * Lines of Java as they come, each with its indentation and the line of the program it came from.
+ *
+ * @param depth how deep the first of them stands.
+ * @param sourceLines the lines of the program, whose blank lines are kept; null if none are to be.
+ */
+internal class JavaWriter(private var depth: Int = 0, private val sourceLines: SourceLines? = null) {
     private val texts = mutableListOf<String>()
     private val origins = mutableListOf<Int>()
     private var comments = ArrayDeque<Token>()
+    private var latestSourceLine = LineMap.NO_LINE
 
     /** Whether what follows can never be reached: Java refuses such lines, so they become comments. */
     var isUnreachable = false
@@ -73,7 +79,15 @@ internal class JavaWriter(private var depth: Int = 0) {
 
     private fun comment(comment: Token) = write(javaComment(comment), comment.range.line)
 
+    /** A blank line of the program stays one, but not at the end of a block. */
+    private fun blankAbove(text: String, sourceLine: Int) {
+        if (sourceLine == LineMap.NO_LINE || sourceLine == latestSourceLine) return
+        latestSourceLine = sourceLine
+        if (sourceLines?.isBlankAbove(sourceLine) == true && !text.startsWith("}")) blank()
+    }
+
     private fun write(text: String, sourceLine: Int) {
+        blankAbove(text, sourceLine)
         val shown = if (isUnreachable && text.isNotEmpty() && !text.startsWith("//")) "// $text" else text
         texts += if (shown.isEmpty()) "" else INDENTATION.repeat(depth) + shown
         origins += sourceLine

@@ -5,8 +5,9 @@ package robotran.robolang.translate
  *
  * @property path where it lies in the kit, folders separated by `/`.
  * @property text its content, in UTF-8.
+ * @property isExecutable whether it is a program itself, for systems that ask.
  */
-data class KitFile(val path: String, val text: String)
+data class KitFile(val path: String, val text: String, val isExecutable: Boolean = false)
 
 /**
  * All that is needed to bring a program onto a real RCX with leJOS 2.1 or 3.0 installed: the Java, the Robolang it came from, a page that
@@ -26,7 +27,7 @@ fun kitFiles(
         KitFile("$className/$sourceName", source),
         KitFile("$className/README.txt", KitTexts.readme(className, sourceName)),
         KitFile("$className/build.xml", KitTexts.antFile(className)),
-        KitFile("$className/download.sh", KitTexts.shellScript(className)),
+        KitFile("$className/download.sh", KitTexts.shellScript(className), isExecutable = true),
         KitFile("$className/download.bat", KitTexts.batchFile(className).replace("\n", "\r\n")),
     )
 }

@@ -10,24 +10,25 @@ internal object KitTexts {
         $className FOR A REAL ROBOT
 
         $className.java is your Robolang program $sourceName in Java. It runs on a LEGO Mindstorms RCX
-        with leJOS 2.1 or 3.0: left wheel on motor A, right wheel on C, pen on B,
-        bumpers on 1 (left) and 3 (right), light sensor on 2.
+        with leJOS 2.1 or 3.0: left wheel on motor A, right wheel on C, pen on B, bumpers on 1 (left)
+        and 3 (right), light sensor on 2 unless your program names another.
 
         WHAT YOU NEED, ONCE
-        1. Install a JDK and leJOS, and set LEJOS_HOME to the folder of leJOS.
-        2. Plug in the infrared tower and put the robot before it, about 10 cm away.
-        3. Put the firmware of leJOS on the brick: lejosfirmdl
+        1. Install a JDK that leJOS can use, 1.4 to 8, and leJOS itself.
+        2. Set LEJOS_HOME to the folder of leJOS and RCXTTY to the infrared tower: usb or COM1.
+        3. Put the robot before the tower, about 10 cm away, and switch it on.
+        4. Put the firmware of leJOS on the brick: lejosfirmdl
 
         EACH TIME
         Switch the robot on and type one of these in this folder:
             ant                 (with Ant)
-            sh download.sh      (Linux, macOS)
+            ./download.sh       (Linux, macOS)
             download.bat        (Windows)
-        Then press Run on the brick.
+        Then press Run on the brick. Hold Run and press On-Off to stop a program that does not end.
 
         MAKE IT DRIVE AS FAR AS IT SHOULD
-        No two robots are quite alike, and a fresh battery makes them faster. Two figures at
-        the top of $className.java say how fast yours is. They are there if the program drives or turns.
+        No two robots are quite alike, and a fresh battery makes them faster. Two figures at the top
+        of $className.java say how fast yours is. They are there if the program drives or turns.
 
         MILLISECONDS_PER_CENTIMETRE
         1. Run a program with the two lines  pen down  and  forward 100
@@ -36,12 +37,14 @@ internal object KitTexts {
            Example: 50 and a line of 80 cm make 50 x 100 / 80 = 62.5
 
         MILLISECONDS_PER_DEGREE
-        1. Run a program with the line  turn left 3600  (ten times round).
-        2. Find out how many degrees it really turned.
-        3. New figure = old figure x 3600 / degrees turned.
-           Example: 5 and nine times round (3240 degrees) make 5 x 3600 / 3240 = 5.56
+        1. Run a program with the line  turn left 360  and mark where the robot looks before and after.
+        2. Measure how many degrees it really turned: more than 360 if it went past the first mark.
+           Ten turns in one,  turn left 3600 , tell it better: divide what you measure by ten.
+        3. New figure = old figure x 360 / degrees turned.
+           Example: 5 and 324 degrees make 5 x 360 / 324 = 5.56
 
-        Write each figure with an f behind it, such as 62.5f, and download again.
+        To change a figure, open $className.java in an editor, write the new one in the place of the old
+        with an f behind it, such as 62.5f, save the file and download again.
         """.trimIndent() + "\n"
 
     fun antFile(className: String): String =

@@ -1,55 +1,26 @@
 package robotran.robolang.translate
 
 import robotran.robolang.run.RobotConstants
-import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.Expression
-import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
-
-/** The expressions that [statement] has itself, not those of the statements inside it. */
-internal fun expressionsIn(statement: Statement): List<Expression> = when (statement) {
-    is Statement.Move -> listOfNotNull(statement.distance, statement.duration)
-    is Statement.Turn -> listOfNotNull(statement.angle, statement.duration)
-    is Statement.Power -> listOf(statement.power)
-    is Statement.Motor -> listOfNotNull((statement.command as? MotorCommand.Power)?.power)
-    is Statement.Wait -> listOf(statement.duration)
-    is Statement.WaitUntil -> listOf(statement.condition)
-    is Statement.Play -> listOf(statement.frequency, statement.duration)
-    is Statement.Show -> listOf(statement.value)
-    is Statement.Repeat -> listOf(statement.count)
-    is Statement.RepeatWhile -> listOf(statement.condition)
-    is Statement.RepeatUntil -> listOf(statement.condition)
-    is Statement.ForRange -> listOfNotNull(statement.from, statement.to, statement.step)
-    is Statement.ForEach -> listOf(statement.list)
-    is Statement.If -> statement.branches.map { it.condition }
-    is Statement.Declare -> listOf(statement.value)
-    is Statement.Assign -> listOfNotNull((statement.target as? AssignTarget.Element)?.index, statement.value)
-    is Statement.Call -> statement.arguments
-    is Statement.Return -> listOfNotNull(statement.value)
-    else -> emptyList()
-}
+import robotran.robolang.syntax.bodies
+import robotran.robolang.syntax.expressions
+import robotran.robolang.syntax.parts
 
 /** [expression] and everything in it. */
-internal fun withParts(expression: Expression): List<Expression> = listOf(expression) + when (expression) {
-    is Expression.ListOf -> expression.elements
-    is Expression.Element -> listOf(expression.list, expression.index)
-    is Expression.Unary -> listOf(expression.operand)
-    is Expression.Binary -> listOf(expression.left, expression.right)
-    is Expression.Call -> expression.arguments
-    is Expression.Brackets -> listOf(expression.inner)
-    is Expression.Number, is Expression.Truth, is Expression.Variable, is Expression.Sense -> emptyList()
-}.flatMap(::withParts)
+internal fun withParts(expression: Expression): List<Expression> = listOf(expression) + expression.parts.flatMap(::withParts)
 
 /** Every expression of a program. */
-internal fun allExpressions(tree: SyntaxTree): List<Expression> {
-    val blocks = tree.routines.map { it.body } + tree.behaviours.map { it.body } + listOf(tree.statements)
-    val own = blocks.flatten().flatMap(::withStatements).flatMap(::expressionsIn)
-    return (own + tree.behaviours.map { it.condition }).flatMap(::withParts)
-}
+internal fun allExpressions(tree: SyntaxTree): List<Expression> =
+    (allStatements(tree).flatMap { it.expressions } + tree.behaviours.map { it.condition }).flatMap(::withParts)
+
+/** Every statement of a program, those inside others included. */
+internal fun allStatements(tree: SyntaxTree): List<Statement> =
+    (tree.routines.flatMap { it.body } + tree.behaviours.flatMap { it.body } + tree.statements).flatMap(::withStatements)
 
 /** The port, 1 to 3, that the light sensor is on. */
 internal fun lightPort(tree: SyntaxTree): Int = tree.robot?.lightSensor?.port ?: RobotConstants.LIGHT_PORT
 
 private fun withStatements(statement: Statement): List<Statement> =
-    listOf(statement) + statementsIn(statement).flatten().flatMap(::withStatements)
+    listOf(statement) + statement.bodies.flatten().flatMap(::withStatements)

@@ -5,6 +5,8 @@ import robotran.robolang.check.Symbol
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
+import robotran.robolang.syntax.bodies
+import robotran.robolang.syntax.expressions
 
 /** Which routines of a program may have to wait: in Java they say `throws InterruptedException`, and so does who calls them. */
 internal class Throwing(private val program: CheckedProgram) {
@@ -26,7 +28,7 @@ internal class Throwing(private val program: CheckedProgram) {
     private fun waits(statements: List<Statement>, known: Set<Symbol>): Boolean = statements.any { statement ->
         waitsItself(statement) ||
             called(statement).any { it in known } ||
-            statementsIn(statement).any { waits(it, known) }
+            statement.bodies.any { waits(it, known) }
     }
 
     private fun waitsItself(statement: Statement): Boolean = when (statement) {
@@ -37,13 +39,6 @@ internal class Throwing(private val program: CheckedProgram) {
 
     private fun called(statement: Statement): Set<Symbol> {
         val own = (statement as? Statement.Call)?.let { setOf(program.symbolOf(it.name)) }.orEmpty()
-        return own + expressionsIn(statement).flatMap(::withParts).filterIsInstance<Expression.Call>().map { program.symbolOf(it.name) }
+        return own + statement.expressions.flatMap(::withParts).filterIsInstance<Expression.Call>().map { program.symbolOf(it.name) }
     }
-}
-
-/** The blocks of statements that are inside [statement]. */
-internal fun statementsIn(statement: Statement): List<List<Statement>> = when (statement) {
-    is Statement.Loop -> listOf(statement.body)
-    is Statement.If -> statement.branches.map { it.body } + listOfNotNull(statement.otherwise?.body)
-    else -> emptyList()
 }

@@ -20,9 +20,9 @@ internal class UsedHelpers(calibration: Calibration, val isReacting: Boolean) {
     /** The Java that lets so many milliseconds pass. */
     fun sleep(milliseconds: Int): String = if (isReacting) "pause($milliseconds);" else "Thread.sleep($milliseconds);"
 
-    /** Notes that [helper], and what it needs itself, is wanted; the answer is the name of its method. */
+    /** Notes that [helper], and what it needs itself, is wanted; the answer is its name. */
     fun use(helper: JavaHelper): String {
         if (used.add(helper)) helper.needs.forEach(::use)
-        return helper.method
+        return helper.called
     }
 }

@@ -14,7 +14,7 @@ internal fun checkFormatting(source: String) {
     assertEquals(withoutPlaces(treeOf(source)), withoutPlaces(treeOf(formatted)))
 }
 
-private fun treeOf(source: String): SyntaxTree {
+internal fun treeOf(source: String): SyntaxTree {
     val mistakes = Mistakes(EnglishMessages)
     return Parser(scan(source, mistakes), mistakes).program().tree
 }

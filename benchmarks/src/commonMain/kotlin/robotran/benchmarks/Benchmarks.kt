@@ -1,0 +1,14 @@
+package robotran.benchmarks
+
+/** What can be measured, each by its name. */
+internal val BENCHMARKS: Map<String, suspend () -> Figure> =
+    mapOf(
+        "reading" to ::readingSpeed,
+        "mistakes" to ::mistakesTime,
+        "statements" to ::statementSpeed,
+        "open-sheet" to ::openSheetSpeed,
+        "walls" to ::wallsSpeed,
+    )
+
+/** Measures [name] and tells the result in a line that begins with it. */
+internal suspend fun measured(name: String): String = "$name: ${BENCHMARKS.getValue(name)().text}"

@@ -1,0 +1,56 @@
+package robotran.benchmarks
+
+import robotran.robolang.Calibration
+import robotran.robolang.RobolangLimits
+import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangResult
+import robotran.robolang.readRobolang
+
+/** Any will do: nothing here depends on it. */
+private val CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
+
+/** How fast the longest program there can be is scanned, parsed and checked. */
+internal suspend fun readingSpeed(): Figure {
+    val source = FIRST_LINE + PIECE.repeat((RobolangLimits.SOURCE_CHARACTERS - FIRST_LINE.length) / PIECE.length)
+    val seconds = seconds { programOf(source) }
+    val megabytes = source.length / 1e6
+    return Figure(megabytes / seconds, "MB/s", "${rounded(megabytes)} MB in ${rounded(seconds)} s")
+}
+
+/** How long it takes to tell ten thousand mistakes. */
+internal suspend fun mistakesTime(): Figure {
+    val source = "repaet 4 tmes quikly\n".repeat(WRONG_LINES)
+    var told = 0
+    val seconds = seconds { told = (readRobolang("mistakes", source, CALIBRATION) as RobolangResult.Mistaken).diagnostics.size }
+    check(told == WRONG_LINES) { "Only $told of $WRONG_LINES mistakes were told." }
+    return Figure(seconds, "s", "$told mistakes on as many lines")
+}
+
+/** The program [source], which has no mistakes. */
+internal fun programOf(
+    source: String,
+    calibration: Calibration = CALIBRATION,
+): RobolangProgram =
+    when (val result = readRobolang("benchmark", source, calibration)) {
+        is RobolangResult.Ready -> result.program
+        is RobolangResult.Mistaken -> error(result.diagnostics.first().message)
+    }
+
+/** Declared once: a brick has no room for thousands of variables. */
+private const val FIRST_LINE = "var side = 0.0\n"
+
+/** A bit of everything. */
+private val PIECE =
+    """
+    repeat 4 times // a square
+      side = 2.5 * random(4, 8)
+      forward side cm
+      turn left 90 degrees
+      if light < 40 and not left bumper
+        show abs(side - 3.25)
+      end
+      wait 1.5 seconds
+    end
+    """.trimIndent() + "\n"
+
+private const val WRONG_LINES = 10_000

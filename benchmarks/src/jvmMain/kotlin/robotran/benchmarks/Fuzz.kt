@@ -1,0 +1,34 @@
+package robotran.benchmarks
+
+import robotran.robolang.fuzz.anyText
+import robotran.robolang.fuzz.checkHarmless
+import kotlin.random.Random
+import kotlin.system.exitProcess
+import kotlin.time.DurationUnit
+import kotlin.time.TimeSource
+
+/**
+ * Reads, formats and runs as many arbitrary texts as the first of [arguments] says, made from the seed that is the second: the long form
+ * of what the tests do. Prints the seed, and the text for which something went wrong.
+ */
+internal fun fuzz(arguments: List<String>) {
+    val count = arguments.getOrNull(0)?.toIntOrNull() ?: USUAL_COUNT
+    val seed = arguments.getOrNull(1)?.toLongOrNull() ?: System.nanoTime()
+    println("fuzz: $count texts, seed $seed")
+    val begun = TimeSource.Monotonic.markNow()
+    repeat(count) { number ->
+        val text = anyText(Random(seed + number))
+        try {
+            checkHarmless(text)
+        } catch (
+            @Suppress("TooGenericExceptionCaught") failure: Throwable,
+        ) {
+            System.err.println("Text $number of seed $seed does harm, $failure:\n$text")
+            exitProcess(1)
+        }
+    }
+    val seconds = begun.elapsedNow().toDouble(DurationUnit.SECONDS)
+    println("fuzz: no harm done, %.0f texts a second".format(count / seconds))
+}
+
+private const val USUAL_COUNT = 2_000_000

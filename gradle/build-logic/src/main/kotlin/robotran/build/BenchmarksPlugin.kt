@@ -1,0 +1,49 @@
+package robotran.build
+
+import org.gradle.api.Plugin
+import org.gradle.api.Project
+import org.gradle.api.tasks.JavaExec
+import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
+import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
+
+/** Programs that measure, on the JVM (`run`) and beside it in Chromium (`runInBrowser`), by hand: `check` only compiles them. */
+class BenchmarksPlugin : Plugin<Project> {
+    @OptIn(ExperimentalWasmDsl::class)
+    override fun apply(project: Project) {
+        project.pluginManager.apply("org.jetbrains.kotlin.multiplatform")
+        project.pluginManager.apply("robotran.physics-web")
+        val kotlin = project.extensions.getByType(KotlinMultiplatformExtension::class.java)
+        val jvm = kotlin.jvm().compilations.getByName("main")
+        kotlin.wasmJs {
+            outputModuleName.set("benchmarks")
+            browser {
+                commonWebpackConfig { it.outputFileName = "benchmarks.js" }
+                testTask { it.enabled = false }
+            }
+            binaries.executable()
+        }
+        WebTools.use(project)
+        val jvmClasses = project.files(jvm.output.allOutputs, jvm.runtimeDependencyFiles)
+        project.tasks.register("run", JavaExec::class.java) { task ->
+            task.description = "Measures on the JVM."
+            task.mainClass.set(JVM_MAIN)
+            task.classpath(jvmClasses)
+        }
+        project.tasks.register("runInBrowser", BrowserBenchmark::class.java) { task ->
+            task.description = "Measures on the JVM and in headless Chromium."
+            task.dependsOn(":${WebTools.SET_UP_TASK}", ":${Chromium.SET_UP_TASK}")
+            task.jvmClasses.from(jvmClasses)
+            task.jvmMain.set(JVM_MAIN)
+            task.page.fileProvider(project.tasks.named("wasmJsBrowserDistribution").map { it.outputs.files.singleFile })
+            task.driver.set(project.file("src/browser/measure.mjs"))
+            task.browserFinder.set(project.rootProject.file(Chromium.SCRIPT))
+            task.node.set(WebTools.node(project).path)
+            task.modules.set(WebTools.directory(project).resolve("node_modules").path)
+        }
+        project.tasks.named("check") { it.dependsOn(jvm.compileTaskProvider, "compileKotlinWasmJs") }
+    }
+
+    private companion object {
+        const val JVM_MAIN = "robotran.benchmarks.MainKt"
+    }
+}

@@ -1,0 +1,99 @@
+package robotran.build
+
+import org.gradle.api.DefaultTask
+import org.gradle.api.GradleException
+import org.gradle.api.file.ConfigurableFileCollection
+import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.file.RegularFileProperty
+import org.gradle.api.provider.Property
+import org.gradle.api.tasks.Classpath
+import org.gradle.api.tasks.Input
+import org.gradle.api.tasks.InputDirectory
+import org.gradle.api.tasks.InputFile
+import org.gradle.api.tasks.Internal
+import org.gradle.api.tasks.PathSensitive
+import org.gradle.api.tasks.PathSensitivity
+import org.gradle.api.tasks.TaskAction
+import org.gradle.process.ExecOperations
+import org.gradle.work.DisableCachingByDefault
+import java.io.ByteArrayOutputStream
+import javax.inject.Inject
+
+/** Measures on the JVM and then in Chromium, never both at once, and prints what each said and how the two compare. */
+@DisableCachingByDefault(because = "What is measured is another thing each time")
+abstract class BrowserBenchmark
+    @Inject
+    constructor(
+        private val processes: ExecOperations,
+    ) : DefaultTask() {
+        @get:Classpath
+        abstract val jvmClasses: ConfigurableFileCollection
+
+        @get:Input
+        abstract val jvmMain: Property<String>
+
+        /** The folder of the built page. */
+        @get:InputDirectory
+        @get:PathSensitive(PathSensitivity.RELATIVE)
+        abstract val page: DirectoryProperty
+
+        /** The script that opens the page and prints what it measures. */
+        @get:InputFile
+        @get:PathSensitive(PathSensitivity.RELATIVE)
+        abstract val driver: RegularFileProperty
+
+        /** A script that prints the path of a Chromium. */
+        @get:InputFile
+        @get:PathSensitive(PathSensitivity.NONE)
+        abstract val browserFinder: RegularFileProperty
+
+        @get:Internal
+        abstract val node: Property<String>
+
+        /** The folder that holds Playwright's driver. */
+        @get:Internal
+        abstract val modules: Property<String>
+
+        @TaskAction
+        fun measure() {
+            val onJvm = figures(measureOnJvm())
+            val inBrowser = figures(measureInBrowser())
+            if (onJvm.keys != inBrowser.keys) throw GradleException("The JVM measured ${onJvm.keys}, the browser ${inBrowser.keys}.")
+            for ((name, jvm) in onJvm) {
+                val browser = inBrowser.getValue(name)
+                val ratio = "%.2f".format(browser.substringBefore(' ').toDouble() / jvm.substringBefore(' ').toDouble())
+                println("$name: JVM $jvm, Chromium $browser, Chromium / JVM $ratio")
+            }
+        }
+
+        /** What is behind the name in each line. */
+        private fun figures(output: String): Map<String, String> =
+            output.trim().lines().associate { it.substringBefore(": ") to it.substringAfter(": ") }
+
+        private fun measureOnJvm(): String {
+            val output = ByteArrayOutputStream()
+            processes.javaexec {
+                it.mainClass.set(jvmMain)
+                it.classpath(jvmClasses)
+                it.standardOutput = output
+            }
+            return output.toString()
+        }
+
+        private fun measureInBrowser(): String {
+            val browser = ByteArrayOutputStream()
+            processes.exec {
+                it.commandLine(browserFinder.get().asFile.path)
+                it.standardOutput = browser
+            }
+            val output = ByteArrayOutputStream()
+            processes.exec {
+                it.commandLine(node.get(), driver.get().asFile.path)
+                it.environment("CHROMIUM", browser.toString().trim())
+                it.environment("NODE_PATH", modules.get())
+                it.environment("PAGE", page.get().asFile.path)
+                it.standardOutput = output
+            }
+            return output.toString()
+        }
+    }

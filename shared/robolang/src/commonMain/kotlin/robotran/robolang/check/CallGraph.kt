@@ -1,0 +1,60 @@
+package robotran.robolang.check
+
+import robotran.robolang.SourceRange
+import robotran.robolang.syntax.Name
+import robotran.robolang.syntax.Routine
+
+/** Which routines use and call what, however many calls away. */
+internal class CallGraph(private val context: CheckContext) {
+    private val routines = context.tree.routines
+    private val uses = routines.map { routine -> Uses().apply { add(routine.body) } }
+    private val places = routines.withIndex().associate { (place, routine) -> routine.range to place }
+    private val callees: List<Set<Int>> = uses.map { use -> use.calls.mapNotNullTo(mutableSetOf(), ::placeOf) }
+
+    /** The variable of the main program declared furthest down that a call of [routine] may use, null for none. */
+    fun latestGlobal(routine: Routine): Draft? = latestGlobals[places.getValue(routine.range)]
+
+    /**
+     * Where the routines begin that are done again and again: those that call themselves, directly or by way of others, those that are
+     * called [repeatedly], and all that these call.
+     */
+    fun repeated(repeatedly: List<Routine>): Set<SourceRange> {
+        val recursive = routines.indices.filter { it in reached(callees[it]) }
+        return reached(recursive + repeatedly.map { places.getValue(it.range) }).mapTo(mutableSetOf()) { routines[it].range }
+    }
+
+    private val latestGlobals: Map<Int, Draft> by lazy {
+        val callers = List(routines.size) { mutableSetOf<Int>() }
+        callees.forEachIndexed { caller, called -> called.forEach { callers[it] += caller } }
+        val users = mutableMapOf<Draft, MutableSet<Int>>()
+        uses.forEachIndexed { place, use ->
+            use.variables.mapNotNull(context::globalOf).forEach { users.getOrPut(it) { mutableSetOf() } += place }
+        }
+        val latest = mutableMapOf<Int, Draft>()
+        for ((global, direct) in users.entries.sortedByDescending { it.key.name.range.line }) {
+            val waiting = ArrayDeque(direct)
+            while (waiting.isNotEmpty()) {
+                val place = waiting.removeLast()
+                if (latest.put(place, latest[place] ?: global) == null) waiting += callers[place]
+            }
+        }
+        latest
+    }
+
+    /** The routines [from] and those that they call, however many calls away. */
+    private fun reached(from: Collection<Int>): Set<Int> {
+        val reached = mutableSetOf<Int>()
+        val waiting = ArrayDeque(from)
+        while (waiting.isNotEmpty()) {
+            val place = waiting.removeLast()
+            if (reached.add(place)) waiting += callees[place]
+        }
+        return reached
+    }
+
+    private fun placeOf(call: Name): Int? = context.routineOf(call)?.let { places[it.range] }
+}
+
+/** The variable or constant of the main program, declared outside all blocks, that [name] stands for. */
+internal fun CheckContext.globalOf(name: Name): Draft? =
+    draftsByName[name.range]?.takeIf { it.isGlobal && it.kind != SymbolKind.PROCEDURE && it.kind != SymbolKind.FUNCTION }

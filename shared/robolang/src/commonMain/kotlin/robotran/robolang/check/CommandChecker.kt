@@ -1,0 +1,108 @@
+package robotran.robolang.check
+
+import robotran.robolang.Calibration
+import robotran.robolang.DiagnosticCode
+import robotran.robolang.RobolangLimits
+import robotran.robolang.run.Durations
+import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.MotorCommand
+import robotran.robolang.syntax.NumberValue
+import robotran.robolang.syntax.Statement
+import robotran.robolang.syntax.TimeUnit
+import robotran.robolang.syntax.expressions
+
+/** Finds the commands to the robot and the brick whose values make no sense. */
+internal class CommandChecker(
+    private val context: CheckContext,
+    private val expressions: ExpressionChecker,
+    calibration: Calibration,
+) {
+    private val durations = Durations(calibration)
+    private val messages = context.messages
+
+    fun check(statement: Statement) {
+        when (statement) {
+            is Statement.Move -> move(statement)
+            is Statement.Turn -> turn(statement)
+            is Statement.Power -> power(statement.power)
+            is Statement.Motor -> (statement.command as? MotorCommand.Power)?.let { power(it.power) }
+            is Statement.Wait -> wait(statement)
+            is Statement.WaitUntil -> expressions.needCondition(statement.condition)
+            is Statement.Play -> play(statement)
+            is Statement.Show -> expressions.needNumber(statement.value)
+            is Statement.ShowText -> text(statement)
+            else -> Unit
+        }
+    }
+
+    private fun move(statement: Statement.Move) {
+        statement.distance?.let { distance ->
+            expressions.needNumber(distance)
+            context.constantOf(distance)?.let { checkDuration(distance, durations.ofMove(it)) }
+        }
+        statement.duration?.let(::duration)
+    }
+
+    private fun turn(statement: Statement.Turn) {
+        statement.angle?.let { angle ->
+            expressions.needNumber(angle)
+            context.constantOf(angle)?.let { checkDuration(angle, durations.ofTurn(it)) }
+        }
+        statement.duration?.let(::duration)
+    }
+
+    private fun duration(expression: Expression) {
+        expressions.needNumber(expression)
+        val value = context.constantOf(expression) ?: return
+        if (value.isNegative) {
+            context.report(DiagnosticCode.DURATION_NEGATIVE, expression.range, messages.durationNegative())
+        } else {
+            checkDuration(expression, durations.ofWait(value, TimeUnit.SECONDS))
+        }
+    }
+
+    private fun wait(statement: Statement.Wait) {
+        expressions.needNumber(statement.duration)
+        val duration = context.constantOf(statement.duration) ?: return
+        if (duration.isNegative) {
+            context.report(DiagnosticCode.WAIT_NEGATIVE, statement.duration.range, messages.waitNegative())
+        } else {
+            checkDuration(statement.duration, durations.ofWait(duration, statement.unit))
+        }
+    }
+
+    private fun checkDuration(expression: Expression, milliseconds: Int) {
+        if (milliseconds > RobolangLimits.LONGEST_COMMAND_MILLISECONDS) {
+            context.report(DiagnosticCode.DURATION_TOO_LONG, expression.range, messages.durationTooLong())
+        }
+    }
+
+    private fun power(expression: Expression) {
+        val value = context.constantOf(expression)
+        if (value is NumberValue.Whole && value.value !in RobolangLimits.POWERS) {
+            context.report(DiagnosticCode.POWER_OUT_OF_RANGE, expression.range, messages.powerOutOfRange())
+        }
+        expressions.needWhole(expression)
+    }
+
+    private fun play(statement: Statement.Play) {
+        expressions.needNumber(statement.frequency)
+        duration(statement.duration)
+    }
+
+    private fun text(statement: Statement.ShowText) {
+        val strange = statement.text.firstOrNull { !isShown(it) }
+        when {
+            statement.text.length > RobolangLimits.TEXT_CHARACTERS -> {
+                context.report(DiagnosticCode.TEXT_TOO_LONG, statement.textRange, messages.textTooLong(RobolangLimits.TEXT_CHARACTERS))
+            }
+
+            strange != null -> {
+                context.report(DiagnosticCode.TEXT_NOT_SHOWN, statement.textRange, messages.textNotShown(strange.toString()))
+            }
+        }
+    }
+
+    private fun isShown(character: Char): Boolean =
+        character in 'a'..'z' || character in 'A'..'Z' || character in '0'..'9' || character in " -_"
+}

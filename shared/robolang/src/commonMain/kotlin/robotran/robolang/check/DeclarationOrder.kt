@@ -1,0 +1,61 @@
+package robotran.robolang.check
+
+import robotran.robolang.DiagnosticCode
+import robotran.robolang.SourceRange
+import robotran.robolang.syntax.Name
+import robotran.robolang.syntax.leadingDeclarations
+import robotran.robolang.syntax.shortened
+
+/**
+ * Finds what may use a variable of the main program before it is declared: a call of a routine that uses one declared further down,
+ * and a behaviour, which may be done as soon as the declarations at the beginning are. Every way that a call could go counts.
+ */
+internal class DeclarationOrder(private val context: CheckContext, private val graph: CallGraph) {
+    private val messages = context.messages
+    private val toldOfBehaviours = mutableSetOf<Draft>()
+
+    fun check() {
+        if (context.parsed.isDoubtful) return
+        for (statement in context.tree.statements) {
+            for (call in Uses().apply { add(statement) }.calls) {
+                val routine = context.routineOf(call) ?: continue
+                val global = graph.latestGlobal(routine)?.takeIf { lineOf(it) >= call.range.line } ?: continue
+                report(call.range, global, messageOf(call, global))
+            }
+        }
+        checkBehaviours()
+    }
+
+    private fun messageOf(call: Name, global: Draft): String {
+        val routine = shortened(call.text)
+        val variable = shortened(global.name.text)
+        return if (lineOf(global) == call.range.line) {
+            messages.calledInDeclaration(routine, variable)
+        } else {
+            messages.calledBeforeDeclaration(routine, variable, lineOf(global))
+        }
+    }
+
+    private fun checkBehaviours() {
+        val declared = context.tree.leadingDeclarations.lastOrNull()?.range?.line ?: 0
+        for (behaviour in context.tree.behaviours) {
+            val uses = Uses().apply {
+                add(behaviour.condition)
+                add(behaviour.body)
+            }
+            val direct = uses.variables.map { it to context.globalOf(it) }
+            val called = uses.calls.map { call -> call to context.routineOf(call)?.let(graph::latestGlobal) }
+            for ((name, global) in direct + called) {
+                if (global != null && lineOf(global) > declared && toldOfBehaviours.add(global)) {
+                    report(name.range, global, messages.neededBeforeDeclaration(shortened(global.name.text), lineOf(global)))
+                }
+            }
+        }
+    }
+
+    private fun lineOf(global: Draft): Int = global.name.range.line
+
+    private fun report(range: SourceRange, global: Draft, message: String) {
+        if (!context.isExcused(global.name)) context.report(DiagnosticCode.USED_BEFORE_DECLARATION, range, message)
+    }
+}

@@ -1,0 +1,78 @@
+package robotran.robolang
+
+import robotran.robolang.run.RobotConstants
+import robotran.robolang.syntax.Keyword
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+/** Holds the tables, the lists of words and the grammar of docs/robolang.md against the language; `ProgramsTest` runs its programs. */
+class DocumentTest {
+    private val document = documents.getValue("robolang.md")
+
+    /** Of each mistake and warning: its code, when it is told, and a program that has it. */
+    private val rows = rowsUnder("## Mistakes and warnings").filter { it.first().startsWith("`") }
+
+    @Test
+    fun `the tables have every code of a mistake or a warning and no other`() {
+        assertEquals(DiagnosticCode.entries.map { it.id }, rows.map { it.first().trim('`') })
+    }
+
+    @Test
+    fun `the program beside each code has that mistake or warning and no other`() {
+        val different = rows.filter { it.last() != "-" }.mapNotNull { row ->
+            val code = row.first().trim('`')
+            val told = codesOf(row.last().split("<br>").joinToString("\n") { it.trim('`') })
+            "$code is documented with a program that has $told".takeIf { told != listOf(code) }
+        }
+        assertEquals("", different.joinToString("\n"))
+    }
+
+    @Test
+    fun `only what fills pages has no program beside it`() {
+        val limits = setOf(
+            DiagnosticCode.NESTED_TOO_DEEPLY, DiagnosticCode.SOURCE_TOO_LONG, DiagnosticCode.EXPRESSION_TOO_DEEP,
+            DiagnosticCode.LIST_TOO_LONG, DiagnosticCode.TOO_MANY_VARIABLES, DiagnosticCode.TOO_MANY_CONSTANTS,
+            DiagnosticCode.TOO_MANY_ROUTINES,
+        )
+        assertEquals(limits.map { it.id }.toSet(), rows.filter { it.last() == "-" }.map { it.first().trim('`') }.toSet())
+    }
+
+    @Test
+    fun `the grammar has every word of the language and no other`() {
+        val rules = documentedGrammar.values.single().replace(Regex("""\(\*.*?\*\)"""), "")
+        val words = Regex(""""([a-z]{2,})"""").findAll(rules).map { it.groupValues[1] }.toSet()
+        assertEquals(spellings(Keyword.entries), words)
+    }
+
+    @Test
+    fun `the words that may be names are those the document lists`() {
+        val listed = document.substringAfter("No word of the language can be a name but ").substringBefore(".\n")
+        val words = Regex("`([a-z]+)`").findAll(listed).map { it.groupValues[1] }.toSet()
+        assertEquals(spellings(Keyword.entries.filter { it.isFree }), words)
+    }
+
+    @Test
+    fun `what is said when a run fails is documented in the same words`() {
+        val said = with(EnglishRunMessages) {
+            listOf(
+                divisionByZero("7"), indexOutside(7, 5), tooManyCalls("f", RobotConstants.DEEPEST_CALLS),
+                listsTooLarge(RobotConstants.LIST_WORDS), negativeTime("-1"), negativeCount(-1), powerOutside(9), stepOfNothing(),
+                rootOfNegative("-4.0"), powerOfNegative("-8.0", "0.5"),
+            )
+        }
+        assertEquals(said, rowsUnder("### When a run fails").drop(1).map { it.first() })
+    }
+
+    /** The cells of all tables between [heading] and the next heading of its level. */
+    private fun rowsUnder(heading: String): List<List<String>> =
+        document.substringAfter("\n$heading\n").substringBefore("\n${heading.substringBefore(' ')} ").lines()
+            .filter { it.startsWith("| ") }
+            .map { row -> row.removeSurrounding("| ", " |").split(" | ") }
+
+    private fun spellings(keywords: List<Keyword>): Set<String> = keywords.flatMap { listOfNotNull(it.text, it.singular) }.toSet()
+
+    private fun codesOf(source: String): List<String> = when (val result = read(source)) {
+        is RobolangResult.Mistaken -> result.diagnostics
+        is RobolangResult.Ready -> result.warnings
+    }.map { it.code.id }
+}

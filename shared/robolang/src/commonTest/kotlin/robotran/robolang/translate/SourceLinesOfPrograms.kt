@@ -1,0 +1,18 @@
+package robotran.robolang.translate
+
+import robotran.robolang.syntax.Statement
+import robotran.robolang.syntax.SyntaxTree
+
+/** The lines of a program that Java has something for: all but blank ones and the frame of the header. */
+internal fun linesWithJava(tree: SyntaxTree): List<Int> {
+    val routines = tree.routines.flatMap { listOf(it.range.line, it.endRange.line) }
+    val behaviours = tree.behaviours.flatMap { listOf(it.range.line, it.endRange.line) }
+    val statements = allStatements(tree).flatMap { statement ->
+        listOfNotNull(
+            statement.range.line,
+            (statement as? Statement.Block)?.endRange?.line,
+            (statement as? Statement.If)?.otherwise?.range?.line,
+        ) + (statement as? Statement.If)?.branches.orEmpty().map { it.range.line }
+    }
+    return (routines + behaviours + statements + tree.comments.map { it.range.line }).distinct().sorted()
+}

@@ -1,0 +1,102 @@
+package robotran.robolang.fuzz
+
+import kotlin.random.Random
+
+/** Writes expressions of every form and of a wanted type, out of the variables in [known]. */
+class ExpressionWriter(private val random: Random, private val known: KnownNames) {
+    fun whole(depth: Int = DEEPEST): String {
+        val leaf = random.nextInt(5)
+        val node = if (depth == 0) leaf else random.nextInt(20)
+        return when (node) {
+            0 -> random.nextInt(20).toString()
+            1 -> "-" + random.nextInt(1, 100_000)
+            2 -> "light"
+            3 -> "sensor ${random.nextInt(1, 4)}"
+            4, 5, 6 -> known.oneOf(known.wholes, random) ?: "7"
+            7, 8 -> "${whole(depth - 1)} ${pick("+", "-", "*")} ${whole(depth - 1)}"
+            9 -> "${whole(depth - 1)} ${pick("/", "mod")} ${divisor(depth - 1)}"
+            10 -> "(${whole(depth - 1)})"
+            11 -> "-(${whole(depth - 1)})"
+            12 -> "random(${whole(depth - 1)}, ${whole(depth - 1)})"
+            13 -> "abs(${whole(depth - 1)})"
+            14 -> "${pick("min", "MAX")}(${whole(depth - 1)}, ${whole(depth - 1)})"
+            15 -> "${pick("round", "floor", "ceil")}(${decimal(depth - 1)})"
+            16 -> "length(${list(depth - 1)})"
+            17 -> "[1, ${whole(depth - 1)}, 3][${pick("0", "2", "abs(light) mod 3")}]"
+            18 -> known.oneOf(known.lists, random)?.let { "$it[abs(${whole(depth - 1)}) mod 3]" } ?: "8"
+            else -> known.oneOf(known.functions, random)?.let { "$it(${whole(depth - 1)})" } ?: "9"
+        }
+    }
+
+    fun decimal(depth: Int = DEEPEST): String = when (if (depth == 0) random.nextInt(4) else random.nextInt(12)) {
+        0 -> "${random.nextInt(100)}.${random.nextInt(1000)}"
+        1 -> "timer"
+        2 -> "battery"
+        3 -> known.oneOf(known.decimals, random) ?: "0.5"
+        4, 5 -> "${decimal(depth - 1)} ${pick("+", "-", "*", "/", "mod")} (${decimal(depth - 1)})"
+        6 -> "${whole(depth - 1)} * ${decimal(0)}"
+        7 -> "-(${decimal(depth - 1)})"
+        8 -> "${pick("sqrt", "sin", "cos", "tan")}(${number(depth - 1)})"
+        9 -> "${pick("atan2", "pow")}(${number(depth - 1)}, ${number(depth - 1)})"
+        10 -> "${pick("max", "Min")}(${decimal(depth - 1)}, ${whole(depth - 1)})"
+        else -> "(${decimal(depth - 1)})"
+    }
+
+    fun truth(depth: Int = DEEPEST): String = when (if (depth == 0) random.nextInt(5) else random.nextInt(12)) {
+        0 -> pick("true", "FALSE")
+        1 -> "left bumper"
+        2 -> "Right  bumper"
+        3 -> "button ${pick("run", "view", "prgm")}"
+        4 -> known.oneOf(known.truths, random) ?: "false"
+        5, 6 -> "${number(depth - 1)} ${pick("==", "!=", "<", "<=", ">", ">=")} ${number(depth - 1)}"
+        7 -> "not ${truth(0)}"
+        8 -> "(${truth(depth - 1)})"
+        9 -> "(${truth(depth - 1)}) ${pick("==", "!=")} (${truth(depth - 1)})"
+        10 -> "${truth(depth - 1)} and ${truth(depth - 1)}"
+        else -> "${truth(depth - 1)} OR ${truth(depth - 1)}"
+    }
+
+    fun number(depth: Int = DEEPEST): String = if (random.nextBoolean()) whole(depth) else decimal(depth)
+
+    /** With three elements or more. */
+    fun list(depth: Int = DEEPEST): String =
+        known.oneOf(known.lists, random)?.takeIf { random.nextBoolean() }
+            ?: List(random.nextInt(3, 6)) { whole(minOf(depth, 1)) }.toString()
+
+    /** One that is not plainly less than 0. */
+    fun positive(): String = pick("0", "3", "1.5", "abs(${number(1)})")
+
+    private fun divisor(depth: Int): String = pick("7", "-3", "70000", "(${whole(depth)} + length([1, 2]))")
+
+    fun pick(vararg choices: String): String = choices[random.nextInt(choices.size)]
+
+    private companion object {
+        const val DEEPEST = 3
+    }
+}
+
+/** The names of variables and functions that are known at the place being written. */
+class KnownNames {
+    val wholes = mutableListOf<String>()
+    val decimals = mutableListOf<String>()
+    val truths = mutableListOf<String>()
+    val lists = mutableListOf<String>()
+
+    /** Those that take a whole number and give one. */
+    val functions = mutableListOf<String>()
+
+    /** Those that take a whole number and a condition. */
+    val procedures = mutableListOf<String>()
+
+    /** Whole, decimal and truth variables that may be changed. */
+    val changing = mutableSetOf<String>()
+
+    fun oneOf(names: List<String>, random: Random): String? = names.randomOrNull(random)
+
+    /** What [write] declares is known only to itself. */
+    fun <T> inBlock(write: () -> T): T {
+        val kinds = listOf(wholes, decimals, truths, lists)
+        val sizes = kinds.map { it.size }
+        return write().also { kinds.zip(sizes).forEach { (names, size) -> names.subList(size, names.size).clear() } }
+    }
+}

@@ -1,0 +1,36 @@
+package robotran.world
+
+import robotran.robolang.Calibration
+import robotran.robolang.RobolangResult
+import robotran.robolang.readRobolang
+import robotran.rom.BrickButton
+import robotran.rom.RunState
+import robotran.rom.StepKind
+import robotran.world.physics.loadPhysicsEngine
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+
+/** A session in which the Robolang program [source], called `test`, has just been started. */
+internal suspend fun startedForDebugging(source: String): Session {
+    val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+    val program = assertIs<RobolangResult.Ready>(readRobolang("test", source, calibration)).program
+    return Session(BuiltInWorlds.plain, listOf(program), loadPhysicsEngine()).apply {
+        apply(SessionInput.Press(BrickButton.RUN))
+        apply(SessionInput.Release(BrickButton.RUN))
+    }
+}
+
+/** The line that the program is at. */
+internal fun Session.line(): Int = assertIs<RunState.Running>(state.brick.run).sourceLine
+
+/** The lines before which [steps] stop, one after the other. */
+internal fun Session.lines(vararg steps: StepKind): List<Int> = steps.map { step ->
+    assertEquals(StopReason.StepDone, stepStatement(step))
+    line()
+}
+
+/** Goes on to a breakpoint on [line]. */
+internal fun Session.runTo(line: Int) {
+    breakpoints = setOf(line)
+    assertEquals(StopReason.Breakpoint(line), runUntilStop(10_000))
+}
