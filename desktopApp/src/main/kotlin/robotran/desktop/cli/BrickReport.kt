@@ -32,17 +32,11 @@ internal fun brickReport(session: Session): String {
     )
 }
 
-private fun objectOf(vararg fields: Pair<String, String>): String = fields.joinToString(",\n", "{\n", "\n}") { (name, value) ->
-    "    \"$name\": $value"
-}
+private fun objectOf(vararg fields: Pair<String, String>): String =
+    fields.joinToString(",\n", "{\n", "\n}") { (name, value) -> "    \"$name\": $value" }
 
-private fun lines(items: List<String>): String = if (items.isEmpty()) {
-    "[]"
-} else {
-    items.joinToString(",\n", "[\n", "\n    ]") {
-        "        $it"
-    }
-}
+private fun lines(items: List<String>): String =
+    if (items.isEmpty()) "[]" else items.joinToString(",\n", "[\n", "\n    ]") { "        $it" }
 
 private fun stateName(run: RunState): String = when (run) {
     RunState.Idle -> "idle"
@@ -57,8 +51,10 @@ private fun lineOf(run: RunState): Int = when (run) {
     is RunState.Failed -> run.failure.sourceLine
 }
 
-private fun lcd(glass: LcdGlass): String =
-    "{\"text\": ${quoted(glass.text)}, \"icons\": ${(glass.litIcons - PARTS_OF_THE_TEXT).joinToString(", ", "[", "]") { quoted(it.words) }}}"
+private fun lcd(glass: LcdGlass): String {
+    val icons = (glass.litIcons - PARTS_OF_THE_TEXT).map { quoted(it.words) }
+    return "{\"text\": ${quoted(glass.text)}, \"icons\": ${icons.joinToString(", ", "[", "]")}}"
+}
 
 private fun sound(event: SoundEvent): String = when (event) {
     is SoundEvent.Tone -> {

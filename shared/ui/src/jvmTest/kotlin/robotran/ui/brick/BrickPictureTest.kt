@@ -14,10 +14,9 @@ class BrickPictureTest {
         val (width, height) = BrickPlan.WIDTH.toInt() to BrickPlan.HEIGHT.toInt()
         val dark = photograph(width, height) { drawBrickBody(sending = false) }.toPixelMap()
         val sending = photograph(width, height) { drawBrickBody(sending = true) }.toPixelMap()
+        val window = BrickPlan.INFRARED_WINDOW.inflate(1f)
         for (x in 0..<width) {
-            for (y in 0..<height) {
-                if (!BrickPlan.INFRARED_WINDOW.inflate(1f).contains(Offset(x.toFloat(), y.toFloat()))) assertEquals(dark[x, y], sending[x, y])
-            }
+            for (y in 0..<height) if (!window.contains(Offset(x.toFloat(), y.toFloat()))) assertEquals(dark[x, y], sending[x, y])
         }
         for (x in BrickPlan.INFRARED_LAMPS) assertEquals(BrickColours.INFRARED_LAMP, sending[x.toInt(), 38])
     }

@@ -1,10 +1,6 @@
 package robotran.desktop.cli
 
 import robotran.rom.BrickButton
-import robotran.rom.RunState
-import robotran.world.RecordedInput
-import robotran.world.Session
-import robotran.world.SessionInput
 
 /**
  * A finger on a button of the brick.
@@ -48,50 +44,14 @@ internal fun conflictIn(
     presses: List<ButtonPress>,
     runMilliseconds: Int,
 ): String? {
-    presses.find {
-        it.from > runMilliseconds
-    }?.let { return "${it.text} comes after the end of the run, which is ${runMilliseconds / 1000.0} s long." }
-    val pairs = presses.groupBy { it.button }.values.flatMap { sameButton -> sameButton.sortedBy { it.from }.zipWithNext() }
-    return pairs.find { (first, second) ->
-        second.from < first.until
-    }?.let { (first, second) ->
-        "${second.text} comes while ${first.text} still holds the button down."
-    }
-}
-
-/**
- * Presses buttons and lets time pass, until the last button is up, no program runs, and nothing has moved or sounded for
- * [QUIET_MILLISECONDS]; or [milliseconds] have passed. Nothing else is done to the brick.
- */
-internal fun Session.runWithPresses(
-    presses: List<ButtonPress>,
-    milliseconds: Int,
-) {
-    var quiet = 0
-    val waiting = ArrayDeque(inputsOf(presses))
-    while (state.milliseconds < milliseconds && (waiting.isNotEmpty() || quiet < QUIET_MILLISECONDS)) {
-        while (waiting.isNotEmpty() && waiting.first().milliseconds <= state.milliseconds) {
-            apply(waiting.removeFirst().input)
-            quiet = 0
-        }
-        val before = state
-        advance(1)
-        val resting = state.brick.run !is RunState.Running && !state.brick.sounding && state.robot.pose == before.robot.pose
-        quiet = if (resting) quiet + 1 else 0
-    }
-}
-
-/** A button that comes up does so before one that goes down at the same time. */
-private fun inputsOf(presses: List<ButtonPress>): List<RecordedInput> {
-    val ups = presses.map { RecordedInput(it.until.toLong(), SessionInput.Release(it.button)) }
-    val downs = presses.map { RecordedInput(it.from.toLong(), SessionInput.Press(it.button)) }
-    return (ups + downs).sortedBy { it.milliseconds }
+    val late = presses.find { it.from > runMilliseconds }
+    if (late != null) return "${late.text} comes after the end of the run, which is ${runMilliseconds / 1000.0} s long."
+    val neighbours = presses.groupBy { it.button }.values.flatMap { sameButton -> sameButton.sortedBy { it.from }.zipWithNext() }
+    val (first, second) = neighbours.find { (first, second) -> second.from < first.until } ?: return null
+    return "${second.text} comes while ${first.text} still holds the button down."
 }
 
 private fun milliseconds(seconds: Double): Int = Math.round(seconds * 1000).toInt()
 
 /** About as long as a finger taps. */
-internal const val DEFAULT_SECONDS = 0.1
-
-/** Longer than any pause within a sound of the shell. */
-private const val QUIET_MILLISECONDS = 300
+private const val DEFAULT_SECONDS = 0.1
