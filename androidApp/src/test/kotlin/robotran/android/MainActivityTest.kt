@@ -25,12 +25,10 @@ import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.annotation.Config
-import robotran.android.sound.UnknownPlayer
 import robotran.ui.sheet.SheetColours
 import java.io.File
 
 @RunWith(RobolectricTestRunner::class)
-@Config(shadows = [UnknownPlayer::class])
 class MainActivityTest {
     @get:Rule(order = 0)
     val resources = ResourcesOfCompose()

@@ -12,7 +12,7 @@ import robotran.ui.sound.ToneWave
 internal fun audioTrackSpeaker(): LoudSpeaker = SampleFeeder(::openAudioTrack)
 
 /** A track that plays; null if Android gives none, for whatever reason: a tone is never worth ending the app. */
-internal fun openAudioTrack(): SampleLine? =
+private fun openAudioTrack(): SampleLine? =
     try {
         val track = newTrack()
         track.play()
