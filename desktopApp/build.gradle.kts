@@ -8,6 +8,7 @@ dependencies {
     implementation(libs.coroutines.swing)
     implementation(libs.clikt)
     implementation(libs.commons.compress)
+    testImplementation(libs.serialization.json)
 }
 
 application {

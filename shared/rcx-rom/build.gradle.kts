@@ -1,3 +1,10 @@
 plugins {
     id("robotran.core")
+    id("robotran.texts")
+}
+
+texts {
+    constant("commonTest", "robotran.rom.brickScripts", "shared/rcx-rom/src/commonTest/resources/scripts", "**/*.txt")
+    constant("commonTest", "robotran.rom.formulaTables", "shared/rcx-rom/src/commonTest/resources/tables", "*.txt")
+    constant("commonTest", "robotran.rom.documents", "docs", "rcx.md")
 }

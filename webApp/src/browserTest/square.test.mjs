@@ -5,12 +5,8 @@ import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { findColour, startBrowser } from './browser.mjs';
+import { openPage, photograph, report, RUN_GREEN } from './page.mjs';
 import { serve } from './serve.mjs';
-
-const RUN_GREEN = [0x2e, 0x9e, 0x4f];
-
-// Skiko of Compose 1.7.3 reaches its memory the way older Kotlin gave it out; it works, and newer ones mend it.
-const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated/;
 
 let browser;
 let site;
@@ -25,23 +21,7 @@ after(async () => {
   site?.stop();
 });
 
-/** Opens the page and waits until the workshop is there; what goes wrong in the page, or is fetched from elsewhere, is collected. */
-async function open({ width, height, dark = false }) {
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light' });
-  const page = await context.newPage();
-  const troubles = [];
-  page.on('pageerror', (error) => troubles.push(String(error)));
-  page.on('console', (message) => message.type() === 'error' && !KNOWN_COMPLAINT.test(message.text()) && troubles.push(message.text()));
-  page.on('request', (request) => request.url().startsWith(site.address) || /^(data|blob):/.test(request.url()) || troubles.push(`fetched ${request.url()}`));
-  await page.goto(site.address);
-  await page.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
-  await page.waitForLoadState('networkidle'); // words and fonts come after the first picture
-  await page.waitForTimeout(500);
-  return { page, troubles };
-}
-
-const report = async (page) => JSON.parse(await page.evaluate(() => globalThis.robotran.report()));
-const photograph = (page, name) => page.screenshot({ path: path.join(process.env.PICTURES, `${name}.png`) });
+const open = (size) => openPage(browser, site, size);
 
 test('Run on the brick makes the robot draw the square, with about eighty centimetres of ink', async () => {
   const { page, troubles } = await open({ width: 1280, height: 800 });

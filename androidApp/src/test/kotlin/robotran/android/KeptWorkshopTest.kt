@@ -2,6 +2,7 @@ package robotran.android
 
 import androidx.lifecycle.SavedStateHandle
 import org.junit.Assert.assertEquals
+import org.junit.Assert.assertFalse
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
@@ -23,6 +24,13 @@ class KeptWorkshopTest {
         val firstText = opened(first).state.programText
         opened(first).handle(WorkshopEvent.ProgramEdited("beep\n".repeat(100_000)))
         assertEquals(firstText, opened(broughtBack(first)).state.programText)
+    }
+
+    @Test
+    fun `sound that was switched off stays off after Android has ended the process`() {
+        val first = SavedStateHandle()
+        opened(first).handle(WorkshopEvent.SoundSwitched(on = false))
+        assertFalse(opened(broughtBack(first)).state.soundOn)
     }
 
     private fun opened(savedState: SavedStateHandle): Workshop = checkNotNull(KeptWorkshop(savedState).workshop)

@@ -4,6 +4,7 @@ import robotran.rom.ProgramStatus
 import robotran.rom.RcxMemory
 import robotran.rom.Rom
 import robotran.rom.RomCall
+import robotran.rom.SensorField
 import robotran.rom.SensorRequest
 
 /** How many statements a second the interpreter executes in a loop that counts. */
@@ -39,6 +40,12 @@ private class SilentRom : Rom {
         port: Int,
         type: Int,
         mode: Int,
+    ) = Unit
+
+    override fun setSensorValue(
+        port: Int,
+        value: Int,
+        field: SensorField,
     ) = Unit
 }
 

@@ -6,6 +6,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.Window
 import androidx.compose.ui.window.application
 import androidx.compose.ui.window.rememberWindowState
+import robotran.desktop.sound.soundCardSpeaker
 import robotran.ui.RobotranStart
 import robotran.ui.brick.BrickIcon
 import robotran.ui.workshop.ProgramFile
@@ -18,7 +19,7 @@ internal fun showWindow(program: ProgramFile?) {
         val state = rememberWindowState(size = remember { firstSize() })
         Window(onCloseRequest = ::exitApplication, state = state, title = "Robotran", icon = remember { BrickIcon() }) {
             window.minimumSize = Dimension(LEAST_WIDTH, LEAST_HEIGHT)
-            RobotranStart(program)
+            RobotranStart(program, remember { soundCardSpeaker() })
         }
     }
 }

@@ -10,5 +10,6 @@ import robotran.ui.RobotranStart
 fun main() {
     val page = checkNotNull(document.body) { "The page has no body." }
     document.getElementById("loading")?.remove()
-    ComposeViewport(page) { RobotranStart(onOpened = ::openPageInterface) }
+    val speaker = WebSpeaker()
+    ComposeViewport(page) { RobotranStart(speaker = speaker, onOpened = ::openPageInterface) }
 }

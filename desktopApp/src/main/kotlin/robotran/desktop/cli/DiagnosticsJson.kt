@@ -32,16 +32,3 @@ private fun json(diagnostic: Diagnostic): String {
 private fun json(fix: SourceFix): String = "{${json(fix.range)}, \"replacement\": ${quoted(fix.replacement)}}"
 
 private fun json(range: SourceRange): String = "\"line\": ${range.line}, \"column\": ${range.column}, \"endColumn\": ${range.endColumn}"
-
-private fun quoted(text: String): String =
-    buildString {
-        append('"')
-        for (character in text) {
-            when {
-                character == '"' || character == '\\' -> append('\\').append(character)
-                character < ' ' || character.isSurrogate() -> append("\\u%04x".format(character.code))
-                else -> append(character)
-            }
-        }
-        append('"')
-    }

@@ -21,11 +21,13 @@ internal class ProgramRunner(
     /**
      * @param worldName the world's file; the plain sheet if null.
      * @param milliseconds how much virtual time may pass at most.
+     * @param presses what is done to the buttons; if empty, Run is pressed.
      */
     fun run(
         programName: String,
         worldName: String?,
         milliseconds: Int,
+        presses: List<ButtonPress>,
         outputs: RunOutputs,
     ): ExitCode {
         val program = readProgram(programName)
@@ -34,7 +36,7 @@ internal class ProgramRunner(
 
         val session = runBlocking { Session(world, listOf(program), loadPhysicsEngine()) }
         try {
-            session.runUnattended(milliseconds)
+            if (presses.isEmpty()) session.runUnattended(milliseconds) else session.runWithPresses(presses, milliseconds)
             val problems = RunResults(session, console).write(outputs)
             problems.forEach(console::complain)
             val run = session.state.brick.run

@@ -3,10 +3,13 @@ package robotran.desktop.cli
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
+import robotran.rom.RomGroup
 
 /** `robotran run FILE`: runs a program on the brick without a window and writes down what happened. */
 internal class RunCommand(
@@ -18,14 +21,35 @@ internal class RunCommand(
         .convert { text -> virtualMilliseconds(text) ?: fail("$text is not a number of seconds from 0 to $LONGEST_RUN_SECONDS") }
         .default(DEFAULT_RUN_MILLISECONDS)
     private val picture by option("--picture", metavar = "FILE", help = "writes a picture of the sheet (.png)")
-    private val romLog by option("--rom-log", metavar = "FILE|-", help = "writes every ROM call, one a line")
+    private val presses by option(
+        "--press",
+        metavar = "BUTTON@SECONDS",
+        help = "presses view, prgm, run or on-off at that second and lets go a moment later; run@5+0.5 holds it for half a second. " +
+            "May be given several times. With it nothing is pressed by itself, not even Run.",
+    ).convert { text ->
+        when (val result = readButtonPress(text, LONGEST_RUN_SECONDS)) {
+            is ButtonPressResult.Read -> result.press
+            is ButtonPressResult.Refused -> fail(result.reason)
+        }
+    }.multiple()
+    private val romLog by option("--rom-log", metavar = "FILE|-", help = "writes every ROM call, one a line; a table if FILE ends in .csv")
+    private val romLogOnly by option(
+        "--rom-log-only",
+        metavar = "GROUPS",
+        help = "writes only calls of these groups, with commas between: ${GROUPS.keys.joinToString()}",
+    ).convert { text ->
+        text.split(',').map { name -> GROUPS[name.trim().lowercase()] ?: fail("There are no ROM calls of a group $name.") }.toSet()
+    }.default(RomGroup.entries.toSet())
     private val report by option("--report", metavar = "FILE|-", help = "writes the report as JSON")
+    private val brickReport by option("--brick-report", metavar = "FILE|-", help = "writes display, sounds and state of the brick as JSON")
+    private val memory by option("--memory", metavar = "FILE|-", help = "writes what is in the brick's memory at the end")
 
     override fun help(context: Context) = "Runs a program on the brick: powered on, program 1, Run pressed."
 
     override fun run() {
-        val outputs = RunOutputs(picture, romLog, report)
-        throw ProgramResult(ProgramRunner(console).run(program, world, milliseconds, outputs).status)
+        conflictIn(presses, milliseconds)?.let { throw UsageError(it) }
+        val outputs = RunOutputs(picture, romLog, romLogOnly, report, brickReport, memory)
+        throw ProgramResult(ProgramRunner(console).run(program, world, milliseconds, presses, outputs).status)
     }
 
     private companion object {
@@ -34,14 +58,23 @@ internal class RunCommand(
         /** A day of virtual time: longer than any lesson, and still far from what a 32-bit count of milliseconds holds. */
         const val LONGEST_RUN_SECONDS = 86_400
 
+        val GROUPS = RomGroup.entries.associateBy { it.name.lowercase() }
+
         fun virtualMilliseconds(text: String): Int? =
             text.toDoubleOrNull()?.takeIf { it in 0.0..LONGEST_RUN_SECONDS.toDouble() }?.let { (it * 1000).toInt() }
     }
 }
 
-/** Where a run's results are to go: names of files, - for the console, null for nowhere. */
+/**
+ * Where a run's results are to go: names of files, - for the console, null for nowhere.
+ *
+ * @property romLogGroups what of the ROM log is wanted.
+ */
 internal class RunOutputs(
     val picture: String?,
     val romLog: String?,
+    val romLogGroups: Set<RomGroup>,
     val report: String?,
+    val brickReport: String?,
+    val memory: String?,
 )

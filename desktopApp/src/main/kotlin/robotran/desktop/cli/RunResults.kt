@@ -1,6 +1,9 @@
 package robotran.desktop.cli
 
 import robotran.desktop.writeFile
+import robotran.rom.RomLogFilter
+import robotran.rom.toCsv
+import robotran.rom.toLogText
 import robotran.ui.sheet.sheetPng
 import robotran.world.RunReport
 import robotran.world.RunStatus
@@ -18,16 +21,23 @@ internal class RunResults(
         val problems =
             listOfNotNull(
                 outputs.picture?.let { writeFile(it, sheetPng(session.world, session.state)) },
-                outputs.romLog?.let { writeText(it, session.romLog.entries.joinToString("") { entry -> entry.text + "\n" }) },
+                outputs.romLog?.let { writeText(it, romLogText(outputs)) },
                 outputs.report?.let { writeText(it, report.toJson() + "\n") },
+                outputs.brickReport?.let { writeText(it, brickReport(session) + "\n") },
+                outputs.memory?.let { writeText(it, memoryListing(session.memory())) },
             )
         report.error?.let { console.complain(it) }
         val forgotten = session.romLog.total - session.romLog.entries.size
         if (outputs.romLog != null && forgotten > 0) {
             console.complain("The ROM log lacks the first $forgotten calls: it keeps only the newest.")
         }
-        if (CONSOLE !in listOf(outputs.romLog, outputs.report)) console.say(summary(report))
+        if (CONSOLE !in listOf(outputs.romLog, outputs.report, outputs.brickReport, outputs.memory)) console.say(summary(report))
         return problems
+    }
+
+    private fun romLogText(outputs: RunOutputs): String {
+        val entries = session.romLog.entries.filter(RomLogFilter(outputs.romLogGroups)::accepts)
+        return if (outputs.romLog.orEmpty().endsWith(".csv", ignoreCase = true)) entries.toCsv() else entries.toLogText()
     }
 
     private fun writeText(

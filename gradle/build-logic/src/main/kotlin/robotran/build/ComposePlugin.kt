@@ -4,6 +4,7 @@ import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.api.tasks.testing.Test
 import org.jetbrains.compose.ComposePlugin.DesktopDependencies
+import org.jetbrains.kotlin.gradle.ExperimentalKotlinGradlePluginApi
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
@@ -20,6 +21,7 @@ class ComposePlugin : Plugin<Project> {
         project.pluginManager.apply("org.jetbrains.compose")
         val libraries = catalog(project)
         project.extensions.configure(KotlinMultiplatformExtension::class.java) { kotlin ->
+            shareCodeBetweenJvmAndAndroid(kotlin)
             kotlin.jvm()
             kotlin.wasmJs { browser { testTask { it.enabled = false } } }
             project.pluginManager.withPlugin("com.android.library") { kotlin.androidTarget() }
@@ -36,6 +38,19 @@ class ComposePlugin : Plugin<Project> {
             test.environment("SKIKO_RENDER_API", "SOFTWARE")
             test.systemProperty("java.awt.headless", "true")
             test.systemProperty("robotran.pictures", project.layout.buildDirectory.dir("pictures").get().asFile.path)
+        }
+    }
+
+    /** `jvmAndAndroidMain`: what needs Java's library and no more. */
+    @OptIn(ExperimentalKotlinGradlePluginApi::class)
+    private fun shareCodeBetweenJvmAndAndroid(kotlin: KotlinMultiplatformExtension) {
+        kotlin.applyDefaultHierarchyTemplate {
+            common {
+                group("jvmAndAndroid") {
+                    withJvm()
+                    withAndroidTarget()
+                }
+            }
         }
     }
 }

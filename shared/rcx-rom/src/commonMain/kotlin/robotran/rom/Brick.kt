@@ -5,21 +5,31 @@ package robotran.rom
  * and releasing [BrickButton.RUN] is all that is needed to start the first program. Time passes only in [tick].
  *
  * While no program runs, the buttons do what they do in the leJOS shell: Prgm chooses the next program, Run starts it when let go,
- * On-Off switches the brick off when let go, and on again. While a program runs, View, Prgm and Run belong to the program;
+ * On-Off switches the brick off when let go, and on again; after eight minutes in which nobody does anything, it switches itself off.
+ * While a program runs, View, Prgm and Run belong to the program;
  * On-Off switches the brick off, or ends the program if Run is held down with it. When a program ends, its motors are braked.
  * The firmware does all this through ROM calls, too, so it can be read in the [log].
  *
+ * A program that fails is shown as leJOS shows an exception that nobody catches, until On-Off is pressed and let go.
+ *
  * @param programs the program slots; may be empty.
+ * @param air where its infrared light goes and comes from; in one of its own a brick is alone.
+ * @param messages the language of the log and of [BrickState.explanation].
  */
-class Brick(programs: List<RcxProgram>) {
-    private val hardware = Hardware()
-    private val shell = Shell(programs, hardware.rom, hardware.buttons)
+class Brick(
+    programs: List<RcxProgram>,
+    air: InfraredAir = InfraredAir(),
+    messages: BrickMessages = EnglishBrickMessages,
+) {
+    /** The parts themselves, for tests that call the ROM as a program does. */
+    internal val hardware = Hardware(air, messages)
+    private val shell = Shell(programs, hardware, messages)
 
     /** Every ROM call so far, of the program and of the firmware. */
     val log: RomLog get() = hardware.log
 
     init {
-        shell.powerUp()
+        shell.begin()
     }
 
     /** The brick as it is now. */
@@ -33,7 +43,18 @@ class Brick(programs: List<RcxProgram>) {
             shell.selectedSlot,
             shell.runState,
             hardware.speaker.sounding,
+            hardware.speaker.track.total,
+            hardware.sensors.states,
+            Battery.millivolts(hardware.batteryRaw),
+            InfraredState(hardware.serial.isSending, hardware.serial.range),
+            shell.explanation,
         )
+
+    /** What the loudspeaker has played; to be listened to at any time, or never. */
+    val sounds: SoundTrack get() = hardware.speaker.track
+
+    /** The memory as it is now, a copy of 64 KB. */
+    fun memory(): MemorySnapshot = hardware.memory.snapshot()
 
     /** What [port] is told to do; the same as in [state], but cheaper. */
     fun motor(port: MotorPort): MotorState = hardware.motors.states[port.ordinal]
@@ -68,7 +89,14 @@ class Brick(programs: List<RcxProgram>) {
     /** Whether the input [port], 0..2, is supplied with power, as a light sensor needs it to shine. */
     fun sensorIsActive(port: Int): Boolean = hardware.sensors.isActive(port)
 
-    /** Ends the running program, if there is one, as no single button of a real brick does. */
+    /**
+     * What the batteries give from now on.
+     *
+     * @param millivolts as measured on a real brick, about 9000 when fresh; what the converter cannot tell counts as the nearest it can.
+     */
+    fun setBattery(millivolts: Int) = hardware.measureBattery(Battery.rawOf(millivolts))
+
+    /** Ends the running program, if there is one, as no single button of a real brick does; ends the showing of a failure, too. */
     fun stopProgram() = shell.stopProgram()
 
     /**
@@ -77,7 +105,10 @@ class Brick(programs: List<RcxProgram>) {
      * [isPaused] is true, and the next call goes on with the same one.
      */
     fun tick() {
-        if (!isPaused) hardware.tick()
+        if (!isPaused) {
+            hardware.tick()
+            shell.tick()
+        }
         shell.resumeProgram(STEPS_PER_MILLISECOND)
     }
 
@@ -86,9 +117,6 @@ class Brick(programs: List<RcxProgram>) {
 
     /** The run of the program, to be looked into; null if none runs or if its language cannot be looked into. */
     val debuggableRun: DebuggableRun? get() = shell.debuggableRun
-
-    /** The tones begun since the last call, the oldest first; only the newest thousand if nobody asks for long. */
-    fun takeSounds(): List<SoundEvent> = hardware.speaker.takeEvents()
 
     companion object {
         /**

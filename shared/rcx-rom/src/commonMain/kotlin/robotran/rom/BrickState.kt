@@ -9,6 +9,11 @@ package robotran.rom
  * @property pressed the buttons that are held down.
  * @property selectedSlot the program that Run will start, from 0, as the LCD's program digit shows it.
  * @property sounding true while a tone is being played.
+ * @property soundEvents how many events [Brick.sounds] has had, to see cheaply whether there are new ones.
+ * @property sensors the input ports 1, 2 and 3, in this order, as the firmware read them last.
+ * @property batteryMillivolts what the batteries give.
+ * @property infrared what the infrared does.
+ * @property explanation what the display's numbers mean and what to do now, in whole sentences, where a pupil could not know; otherwise null.
  */
 data class BrickState(
     val milliseconds: Long,
@@ -19,7 +24,19 @@ data class BrickState(
     val selectedSlot: Int,
     val run: RunState,
     val sounding: Boolean,
+    val soundEvents: Long,
+    val sensors: List<SensorState>,
+    val batteryMillivolts: Int,
+    val infrared: InfraredState,
+    val explanation: String?,
 )
+
+/**
+ * The infrared of a brick.
+ *
+ * @property sending whether a message is on its way.
+ */
+data class InfraredState(val sending: Boolean, val range: InfraredRange)
 
 /** The four buttons on the brick's face. */
 enum class BrickButton { ON_OFF, VIEW, PRGM, RUN }

@@ -7,11 +7,17 @@ internal class Lcd(private val memory: RcxMemory) {
         private set
 
     fun refresh() {
+        BUS_BYTES.forEachIndexed { place, byte -> memory.writeByte(LcdLayout.BUS_ADDRESS + place, byte) }
         glass = LcdGlass.of(memory)
     }
 
     fun clear() {
         repeat(LcdLayout.CLEARED_BYTES) { memory.writeByte(LcdLayout.FIRST_ADDRESS + it, 0) }
+    }
+
+    /** Clears what the display is sent and the steps of circle and dots, too. */
+    fun clearAll() {
+        for (address in LcdLayout.BUS_ADDRESS..LcdSegmentRoutines.CIRCLE_STEP) memory.writeByte(address, 0)
     }
 
     fun light(icon: LcdIcon, on: Boolean) {
@@ -28,5 +34,8 @@ internal class Lcd(private val memory: RcxMemory) {
 
     private companion object {
         const val ALL_BITS = 0xFF
+
+        /** What the ROM sends to the display's chip before the segments. Source: leJOS `rom.h`. */
+        val BUS_BYTES = listOf(0x7C, 0xC8, 0x80, 0xE0, 0x80)
     }
 }

@@ -40,6 +40,18 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
      */
     val text: String get() = "$number $programDigit".trim()
 
+    /** The five characters from left to right as a reader would read a text, without blanks around it; letters as seven segments form them. */
+    val characters: String
+        get() = (LcdLayout.DIGITS - 1 downTo 0).map { LcdGlyphs.read(digit(it)) }.joinToString("").trim()
+
+    /**
+     * Everything there is to see, for somebody who cannot: the [text] and the names of the icons, such as
+     * `9.0 0, standing man`. Minus sign and points are part of the text; empty on a clear display.
+     */
+    val description: String
+        get() = (listOf(text) + (litIcons - LcdLayout.POINTS.toSet() - LcdIcon.MINUS).map { it.words })
+            .filter { it.isNotEmpty() }.joinToString()
+
     override fun equals(other: Any?): Boolean = other is LcdGlass && bytes == other.bytes
 
     override fun hashCode(): Int = bytes.hashCode()

@@ -2,6 +2,9 @@ package robotran.rom
 
 /** Where the digits' segments live in the LCD's memory. Sources: leJOS `TextLCD.java`, brickOS `dlcd.h`. */
 internal object LcdLayout {
+    /** Where the bytes begin that are sent to the display, those of the segments behind five others. */
+    const val BUS_ADDRESS = 0xEF3E
+
     /** The first byte of the LCD's memory. */
     const val FIRST_ADDRESS = 0xEF43
 

@@ -1,16 +1,19 @@
 package robotran.rom
 
 /** The routines that write numbers to the LCD, clear it and make it visible. */
-internal class LcdRoutines(private val lcd: Lcd) {
+internal class LcdRoutines(
+    private val lcd: Lcd,
+    private val messages: BrickMessages,
+) {
     val routines: Map<Int, RomRoutine> = mapOf(
         RomAddress.SET_LCD_NUMBER to ::setNumber,
         RomAddress.CLEAR_LCD to {
             lcd.clear()
-            RomEffect("clear the LCD")
+            RomEffect(messages.clearDisplay())
         },
         RomAddress.REFRESH_LCD to {
             lcd.refresh()
-            RomEffect("refresh the LCD")
+            RomEffect(messages.refreshDisplay())
         },
     )
 
@@ -21,7 +24,7 @@ internal class LcdRoutines(private val lcd: Lcd) {
             RomCode.LCD_SIGNED -> setMainNumber(signed, pointCode, leadingZeros = false)
             RomCode.LCD_UNSIGNED -> setMainNumber(word, pointCode, leadingZeros = true)
             RomCode.LCD_PROGRAM -> setProgramDigit(signed)
-            else -> unknownCode(code)
+            else -> refused(messages.unknownCode(code))
         }
     }
 
@@ -41,17 +44,19 @@ internal class LcdRoutines(private val lcd: Lcd) {
         LcdLayout.POINTS.forEachIndexed { place, point -> lcd.light(point, decimals == place + 1) }
 
         val text = if (decimals == 0) digits else digits.dropLast(decimals) + "." + digits.takeLast(decimals)
-        val remark = buildString {
-            if (shown != number) append(", for $number is too long")
-            if (!pointIsKnown) append(", without a point, for there is no code ${RomCallText.hexadecimal(pointCode)}")
-        }
-        return RomEffect("LCD number ${if (shown < 0) "-" else ""}$text$remark")
+        return RomEffect(
+            messages.displayNumber(
+                if (shown < 0) "-$text" else text,
+                shortened = number.takeIf { it != shown },
+                unknownPoint = pointCode.takeIf { !pointIsKnown },
+            ),
+        )
     }
 
     private fun setProgramDigit(number: Int): RomEffect {
-        if (number !in LcdGlyphs.FIGURES.indices) return RomEffect("LCD program digit stays, for $number is none")
+        if (number !in LcdGlyphs.FIGURES.indices) return RomEffect(messages.programDigitStays(number))
         lcd.writeDigit(position = 0, LcdGlyphs.FIGURES[number])
-        return RomEffect("LCD program digit $number")
+        return RomEffect(messages.programDigit(number))
     }
 
     private companion object {

@@ -7,6 +7,7 @@ package robotran.rom
 internal class LcdSegmentRoutines(
     private val memory: RcxMemory,
     private val lcd: Lcd,
+    private val messages: BrickMessages,
 ) {
     val routines: Map<Int, RomRoutine> = mapOf(
         RomAddress.SET_LCD_SEGMENT to { (code) -> set(code) },
@@ -23,9 +24,9 @@ internal class LcdSegmentRoutines(
             RomCode.SEGMENT_INFRARED_SHORT -> showOneOf(INFRARED, LcdIcon.INFRARED_SHORT)
             RomCode.SEGMENT_INFRARED_LONG -> INFRARED.forEach { lcd.light(it, on = true) }
             RomCode.SEGMENT_ALL -> lcd.lightAll()
-            else -> lcd.light(SINGLE_ICONS[code] ?: return unknownCode(code), on = true)
+            else -> lcd.light(SINGLE_ICONS[code] ?: return refused(messages.unknownCode(code)), on = true)
         }
-        return RomEffect("LCD show ${name(code)}")
+        return RomEffect(messages.segment(code, shown = true))
     }
 
     private fun clear(code: Int): RomEffect {
@@ -35,9 +36,9 @@ internal class LcdSegmentRoutines(
             RomCode.SEGMENT_DATALOG -> restart(CIRCLE_STEP, CIRCLE)
             RomCode.SEGMENT_DOWNLOAD, RomCode.SEGMENT_UPLOAD -> restart(DOTS_STEP, DOTS)
             RomCode.SEGMENT_INFRARED_SHORT, RomCode.SEGMENT_INFRARED_LONG -> INFRARED.forEach { lcd.light(it, on = false) }
-            else -> lcd.light(SINGLE_ICONS[code] ?: return unknownCode(code), on = false)
+            else -> lcd.light(SINGLE_ICONS[code] ?: return refused(messages.unknownCode(code)), on = false)
         }
-        return RomEffect("LCD hide ${name(code)}")
+        return RomEffect(messages.segment(code, shown = false))
     }
 
     private fun showOneOf(icons: List<LcdIcon>, icon: LcdIcon) {
@@ -64,8 +65,6 @@ internal class LcdSegmentRoutines(
     private fun shrinkDots(step: Int) =
         if (step == 1) DOTS.forEach { lcd.light(it, on = true) } else lcd.light(DOTS[step - 2], on = false)
 
-    private fun name(code: Int): String = NAMES.getValue(code)
-
     companion object {
         /** How many dots of a transfer have been shown, 0..5. */
         const val DOTS_STEP = 0xEF4E
@@ -85,16 +84,14 @@ internal class LcdSegmentRoutines(
             }
             put(RomCode.SEGMENT_LOW_BATTERY, LcdIcon.LOW_BATTERY)
         }
-        private val NAMES: Map<Int, String> = buildMap {
-            SINGLE_ICONS.forEach { (code, icon) -> put(code, icon.words) }
-            put(RomCode.SEGMENT_STANDING_MAN, LcdIcon.STANDING_MAN.words)
-            put(RomCode.SEGMENT_WALKING_MAN, LcdIcon.WALKING_MAN.words)
-            put(RomCode.SEGMENT_DATALOG, "datalog circle")
-            put(RomCode.SEGMENT_DOWNLOAD, "download dots")
-            put(RomCode.SEGMENT_UPLOAD, "upload dots")
-            put(RomCode.SEGMENT_INFRARED_SHORT, LcdIcon.INFRARED_SHORT.words)
-            put(RomCode.SEGMENT_INFRARED_LONG, LcdIcon.INFRARED_LONG.words)
-            put(RomCode.SEGMENT_ALL, "everything")
+
+        /** The one icon that [code] is about; null for those that stand for several, and for unknown ones. */
+        fun iconOf(code: Int): LcdIcon? = when (code) {
+            RomCode.SEGMENT_STANDING_MAN -> LcdIcon.STANDING_MAN
+            RomCode.SEGMENT_WALKING_MAN -> LcdIcon.WALKING_MAN
+            RomCode.SEGMENT_INFRARED_SHORT -> LcdIcon.INFRARED_SHORT
+            RomCode.SEGMENT_INFRARED_LONG -> LcdIcon.INFRARED_LONG
+            else -> SINGLE_ICONS[code]
         }
     }
 }

@@ -20,6 +20,23 @@ internal class Motors(private val memory: RcxMemory) {
         writeToMemory(state)
     }
 
+    /**
+     * Sets the direction bits and the waveform of [port] as the ROM's inner routine does, which knows a mode by its two lowest bits only:
+     * 0, like 4, lets the motor go.
+     */
+    fun control(port: MotorPort, modeBits: Int, power: Int) {
+        val mode = MotorMode.entries[(modeBits + MODES - 1) % MODES]
+        control(port, mode, power)
+    }
+
+    /** Lets all motors go at once. Their waveforms stay. */
+    fun shutdown() {
+        states = states.map { it.copy(mode = MotorMode.FLOAT) }
+        memory.writeByte(DIRECTIONS, 0)
+        memory.writeByte(OUTPUT_SHADOW, 0)
+        memory.writeByte(OUTPUT_LATCH, 0)
+    }
+
     /** One millisecond: rotates the waveforms and sets the output latch. */
     fun tick() {
         var output = memory.readByte(DIRECTIONS)
@@ -77,6 +94,7 @@ internal class Motors(private val memory: RcxMemory) {
         private const val BACKWARD_BITS = 1
         private const val BRAKE_BITS = 3
         private const val DIRECTION_MASK = 3
+        private const val MODES = 4
         private const val TOP_BIT = 0x80
         private val WAVEFORM_OF_POWER = listOf(0x01, 0x11, 0x49, 0x55, 0x6D, 0x77, 0x7F, 0xFF)
     }

@@ -44,8 +44,12 @@ sealed interface ProgramStatus {
  *
  * @property message one sentence in a learner's words.
  * @property sourceLine the line it happened on, from 1; 0 if there is none.
+ * @property methodNumber what the display shows as its number: in leJOS that of the method's signature, else the line. 0 or more.
+ * @property exceptionNumber what the program digit shows, by its last figure: in leJOS that of the exception's class. 0 or more.
  */
 data class ProgramFailure(
     val message: String,
     val sourceLine: Int,
+    val methodNumber: Int = sourceLine,
+    val exceptionNumber: Int = 0,
 )

@@ -35,4 +35,12 @@ interface Rom {
      * @param mode see [SensorCode]; a slope 0..31 may be added.
      */
     fun setSensorTypeAndMode(port: Int, type: Int, mode: Int)
+
+    /**
+     * Sets what is in the firmware's table of the sensors: josx `Sensor.setPreviousValue` and the native `setSensorValue` under it.
+     *
+     * @param port 0..2 for the ports 1..3.
+     * @param value only as much of it is kept as the field has room for: a byte, or a short for [SensorField.VALUE].
+     */
+    fun setSensorValue(port: Int, value: Int, field: SensorField)
 }

@@ -48,4 +48,23 @@ object RomCode {
     const val TONE = 0x1773
 
     const val SOUND_PLAYING = 0x700C
+
+    const val VIEW_BUTTON_SOUND = 0x301E
+
+    /** [RomAddress.SET_RANGE_LONG], [RomAddress.SET_RANGE_SHORT]. */
+    const val RANGE = 0x1770
+
+    /** [RomAddress.SEND_DATA]: the bytes are copied and then sent; the first is the opcode. */
+    const val SEND_SHORT = 0x1775
+
+    /** [RomAddress.SEND_DATA]: an answer whose bytes are read from memory while they are sent. */
+    const val SEND_LONG = 0x1776
+
+    /** [RomAddress.CONTROL_MOTOR_INTERNALLY]: motor A; those of B and C follow. */
+    const val INTERNAL_MOTOR_A = 0x7001
+
+    const val OUTPUT_SENSORS = 0x700A
+    const val OUTPUT_SOUND = 0x700B
+    const val OUTPUT_SOUND_NOW = 0x700D
+    const val OUTPUT_MINUTE_TIMER = 0x700E
 }

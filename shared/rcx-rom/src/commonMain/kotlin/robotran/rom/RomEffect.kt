@@ -9,6 +9,5 @@ internal data class RomEffect(
 /** The work of one routine; the arguments are words 0..0xFFFF, at least as many as it has parameters, the first of the right group. */
 internal typealias RomRoutine = (arguments: List<Int>) -> RomEffect
 
-/** A code of the right group that the routine does not know. */
-internal fun unknownCode(code: Int) =
-    RomEffect("nothing happens, there is no code ${RomCallText.hexadecimal(code)} here", RomOutcome.WRONG_ARGUMENTS)
+/** Says that a call has arguments a real brick could not do anything sensible with either. */
+internal fun refused(meaning: String) = RomEffect(meaning, RomOutcome.WRONG_ARGUMENTS)

@@ -29,6 +29,13 @@ class RomLog {
         total++
     }
 
+    /** Says something else of the call made last. */
+    internal fun amendLast(change: (RomLogEntry) -> RomLogEntry) {
+        val place = (total - firstKept).toInt() - 1
+        val chunk = chunks.getOrNull(place / CHUNK) ?: return
+        chunk[place % CHUNK]?.let { chunk[place % CHUNK] = change(it) }
+    }
+
     private fun beginChunk() {
         if (chunks.size > CAPACITY / CHUNK) {
             chunks = chunks.drop(1)

@@ -17,6 +17,10 @@ object SensorCode {
     /** The first of the three codes by which the sensor routines know the ports. */
     const val FIRST_PORT = 0x1000
 
+    /** The bit of port 1 in the byte of the powered ports; the others follow downwards. */
+    const val FIRST_PORT_BIT = 4
+    const val ALL_PORT_BITS = 7
+
     /** How many input ports an RCX has; they are numbered from 0 here. */
     const val PORTS = 3
 

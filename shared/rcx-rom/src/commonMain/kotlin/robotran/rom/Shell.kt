@@ -1,22 +1,26 @@
 package robotran.rom
 
 /**
- * The leJOS shell: what the buttons do, and how a program's run begins and ends. Source: leJOS `main.c`.
- *
- * @param buttons already hold what is pressed when [pressed] and [released] are called.
+ * The leJOS shell: what the buttons do, how a program's run begins and ends, and what happens to messages meanwhile. Source: leJOS `main.c`.
  */
 internal class Shell(
     private val programs: List<RcxProgram>,
-    private val rom: Rom,
-    private val buttons: Buttons,
+    private val hardware: Hardware,
+    private val messages: BrickMessages,
 ) {
+    private val rom = hardware.rom
+    private val buttons = hardware.buttons
     private val firmware = Firmware(rom)
+    private val mailbox = ShellMailbox(hardware.memory, firmware, messages, hardware.log)
     private var run: ProgramRun? = null
     private var waitUntil = 0L
     private var pausedSteps = 0
     private var endingState: RunState = RunState.Idle
+    private var shownFailure: ProgramFailure? = null
     private val pressedInShell = mutableSetOf<BrickButton>()
     private var runWasHeldWithOnOff = false
+    private var powerOffTime = 0L
+    private var isSwitchingOff = false
 
     var poweredOn = false
         private set
@@ -27,33 +31,42 @@ internal class Shell(
 
     val runState: RunState get() = run?.let { RunState.Running(it.sourceLine) } ?: endingState
 
-    fun powerUp() {
+    /** What the display's numbers mean, where a pupil could not know. */
+    val explanation: String? get() = shownFailure?.let(messages::failureShown)
+
+    /** The batteries are in and the firmware is loaded: the first time that the brick is on. */
+    fun begin() {
         poweredOn = true
-        selectedSlot = 0
-        firmware.play(SystemSounds.TWO_BEEPS)
-        firmware.showReady(selectedSlot, programs.isNotEmpty())
+        showReady(SystemSounds.TWO_BEEPS)
     }
 
     fun pressed(button: BrickButton) {
-        if (button == BrickButton.ON_OFF) runWasHeldWithOnOff = false
+        if (button == BrickButton.ON_OFF) {
+            runWasHeldWithOnOff = false
+            hardware.wake()
+        }
         if (BrickButton.ON_OFF in buttons.pressed && BrickButton.RUN in buttons.pressed) runWasHeldWithOnOff = true
-        if (!poweredOn || run != null) return
+        if (!isReady) return
         pressedInShell += button
-        if (button == BrickButton.PRGM) firmware.play(SystemSounds.BEEP)
+        if (button == BrickButton.PRGM && programs.isNotEmpty()) firmware.play(SystemSounds.BEEP)
     }
 
     fun released(button: BrickButton) {
         val wasPressedInShell = pressedInShell.remove(button)
         when {
             button == BrickButton.ON_OFF -> onOffReleased()
-            !poweredOn || run != null || !wasPressedInShell -> return
+            !isReady || !wasPressedInShell -> return
             button == BrickButton.PRGM -> selectNextSlot()
             button == BrickButton.RUN -> startProgram()
         }
     }
 
     fun stopProgram() {
-        if (run != null) endProgram(RunState.Ended(stopped = true), SystemSounds.TWO_BEEPS)
+        if (run != null) {
+            endProgram()
+        } else if (shownFailure != null) {
+            leaveFailure()
+        }
     }
 
     /** The run that can be looked into, if there is one. */
@@ -62,31 +75,51 @@ internal class Shell(
     /** Whether the program stopped in the middle of its share of this millisecond. */
     val isPaused: Boolean get() = pausedSteps > 0
 
-    /** The program's share of one millisecond, or what is left of it after a pause: at most [steps], none while it waits. */
+    /** What the shell itself does in a millisecond: looks for messages, and switches the brick off when nobody has used it for long. */
+    fun tick() {
+        when {
+            isSwitchingOff -> if (hardware.isSilent) finishSwitchingOff()
+            !isReady -> return
+            mailbox.hasMessage -> answerMessage()
+            rom.milliseconds >= powerOffTime -> powerDown()
+        }
+    }
+
+    /**
+     * The program's share of one millisecond, or what is left of it after a pause: at most [steps], none while it waits, and none while
+     * On-Off is held down, for then leJOS waits until it is let go.
+     */
     fun resumeProgram(steps: Int) {
-        if (rom.milliseconds < waitUntil) return
+        val standsStill = BrickButton.ON_OFF in buttons.pressed && !isPaused
+        if (rom.milliseconds < waitUntil || standsStill || hardware.asleep) return
         val share = if (isPaused) pausedSteps else steps
         pausedSteps = 0
         when (val status = run?.resume(share)) {
             null, ProgramStatus.Running -> return
             is ProgramStatus.Paused -> pausedSteps = status.stepsLeft
             is ProgramStatus.Waiting -> waitUntil = status.untilMilliseconds
-            ProgramStatus.Ended -> endProgram(RunState.Ended(stopped = false), SystemSounds.TWO_BEEPS)
-            is ProgramStatus.Failed -> endProgram(RunState.Failed(status.failure), SystemSounds.BUZZ)
+            ProgramStatus.Ended -> endProgram(stopped = false)
+            is ProgramStatus.Failed -> showFailure(status.failure)
         }
     }
+
+    /** Whether the buttons belong to the shell. */
+    private val isReady: Boolean get() = poweredOn && run == null && shownFailure == null
 
     private fun onOffReleased() {
         when {
             !poweredOn -> powerUp()
-            run != null && runWasHeldWithOnOff -> stopProgram()
+            shownFailure != null -> leaveFailure()
+            run != null && runWasHeldWithOnOff -> endProgram()
             else -> powerDown()
         }
     }
 
     private fun selectNextSlot() {
-        if (programs.isNotEmpty()) selectedSlot = (selectedSlot + 1) % programs.size
+        if (programs.isEmpty()) return
+        selectedSlot = (selectedSlot + 1) % programs.size
         firmware.showSlot(selectedSlot)
+        startIdleTime()
     }
 
     private fun startProgram() {
@@ -96,24 +129,77 @@ internal class Shell(
         run = program.start(rom)
     }
 
-    private fun endProgram(state: RunState, systemSound: Int) {
+    private fun endProgram(stopped: Boolean = true) {
+        leaveProgram(RunState.Ended(stopped))
+        firmware.controlMotors(MotorMode.BRAKE)
+        showReady(SystemSounds.TWO_BEEPS)
+    }
+
+    /** A real brick lets the motors turn on until On-Off is pressed; here they are braked at once. */
+    private fun showFailure(failure: ProgramFailure) {
+        leaveProgram(RunState.Failed(failure))
+        shownFailure = failure
+        firmware.controlMotors(MotorMode.BRAKE)
+        firmware.playNow(SystemSounds.BUZZ)
+        firmware.showFailure(failure)
+    }
+
+    private fun leaveFailure() {
+        shownFailure = null
+        showReady(SystemSounds.TWO_BEEPS)
+    }
+
+    private fun showReady(sound: Int) {
+        firmware.play(sound)
+        firmware.showReady(selectedSlot, programs.isNotEmpty())
+        startIdleTime()
+    }
+
+    private fun answerMessage() {
+        when (mailbox.answer()) {
+            ShellMailbox.Wish.NONE -> startIdleTime()
+            ShellMailbox.Wish.START -> if (programs.isEmpty()) showReady(SystemSounds.TWO_BEEPS) else startProgram()
+            ShellMailbox.Wish.UNKNOWN -> showReady(SystemSounds.TWO_BEEPS)
+        }
+    }
+
+    private fun startIdleTime() {
+        powerOffTime = rom.milliseconds + IDLE_MILLISECONDS
+    }
+
+    private fun leaveProgram(state: RunState) {
         run = null
         pausedSteps = 0
         endingState = state
         pressedInShell.clear()
-        firmware.controlMotors(MotorMode.BRAKE)
-        firmware.play(systemSound)
-        firmware.showReady(selectedSlot, programIsLoaded = true)
+    }
+
+    private fun powerUp() {
+        if (isSwitchingOff) finishSwitchingOff()
+        hardware.wake()
+        poweredOn = true
+        firmware.initialize()
+        showReady(SystemSounds.TWO_BEEPS)
     }
 
     private fun powerDown() {
+        leaveProgram(RunState.Idle)
+        shownFailure = null
         poweredOn = false
-        run = null
-        pausedSteps = 0
-        endingState = RunState.Idle
-        pressedInShell.clear()
+        isSwitchingOff = true
         firmware.controlMotors(MotorMode.FLOAT)
         firmware.playNow(SystemSounds.BEEP)
         firmware.showNothing()
+    }
+
+    /** The last beep is over: nothing runs any more. */
+    private fun finishSwitchingOff() {
+        isSwitchingOff = false
+        firmware.shutDown()
+    }
+
+    private companion object {
+        /** Eight minutes. Source: leJOS `main.c`. */
+        const val IDLE_MILLISECONDS = 8L * 60 * 1000
     }
 }

@@ -3,7 +3,7 @@ package robotran.rom
 /**
  * The ROM as programs and the firmware see it: checks a call, lets the routine do its work and enters it in the [log].
  *
- * @param routines the modelled routines by address; the others of [RomTable] are reported as not modelled.
+ * @param routines by address; all of [RomTable] that are no gap.
  * @param clock the brick's milliseconds.
  */
 internal class VirtualRom(
@@ -11,6 +11,7 @@ internal class VirtualRom(
     private val log: RomLog,
     private val routines: Map<Int, RomRoutine>,
     private val sensors: Sensors,
+    private val messages: BrickMessages,
     private val clock: () -> Long,
 ) : Rom {
     override val milliseconds: Long get() = clock()
@@ -22,29 +23,29 @@ internal class VirtualRom(
 
     override fun readSensor(port: Int, request: SensorRequest): Int = sensors.value(port, request)
 
-    override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) = sensors.setTypeAndMode(port, type, mode)
+    override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) {
+        sensors.set(port, SensorField.TYPE, type)
+        sensors.set(port, SensorField.MODE, mode)
+    }
+
+    override fun setSensorValue(port: Int, value: Int, field: SensorField) = sensors.set(port, field, value)
 
     private fun perform(call: RomCall): RomEffect {
-        val signature = RomTable.find(call.address)
-            ?: return RomEffect("nothing happens, no routine is known here", RomOutcome.UNKNOWN_ROUTINE)
-        val routine = routines[call.address]
-            ?: return RomEffect("nothing happens, ${signature.name} is not modelled", RomOutcome.NOT_MODELLED)
+        val signature = RomTable.find(call.address) ?: return RomEffect(messages.unknownRoutine(), RomOutcome.UNKNOWN_ROUTINE)
+        if (signature.gap != null) return RomEffect(messages.notModelled(signature.name, signature.gap), RomOutcome.NOT_MODELLED)
         val arguments = call.arguments.map { it and WORD }
-        return refusal(signature, arguments) ?: routine(arguments)
+        return refusal(signature, arguments) ?: routines.getValue(call.address)(arguments)
     }
 
     private fun refusal(signature: RomSignature, arguments: List<Int>): RomEffect? {
         val needed = signature.parameters.size
         val group = signature.codeGroup
         return when {
-            arguments.size < needed -> refused(signature, "needs $needed arguments, not ${arguments.size}")
+            arguments.size < needed -> refused(messages.tooFewArguments(signature.name, needed, arguments.size))
             group == null || arguments[0] shr BYTE_BITS == group -> null
-            else -> refused(signature, "wants a code that begins with 0x${group.toString(radix = 16)}")
+            else -> refused(messages.wrongCodeGroup(signature.name, group))
         }
     }
-
-    private fun refused(signature: RomSignature, reason: String) =
-        RomEffect("nothing happens, ${signature.name} $reason", RomOutcome.WRONG_ARGUMENTS)
 
     private companion object {
         const val WORD = 0xFFFF

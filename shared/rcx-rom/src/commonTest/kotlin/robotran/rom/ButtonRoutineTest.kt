@@ -56,9 +56,36 @@ class ButtonRoutineTest {
     }
 
     @Test
-    fun `a result at the end of memory wraps around`() {
-        hardware.buttons.hold(BrickButton.RUN, down = true)
+    fun `a result at the end of memory wraps around into the ROM which stays as it is`() {
+        val before = hardware.memory.readByte(0x0000)
+        hardware.memory.writeByte(0xFFFF, 0x55)
         hardware.call(RomAddress.READ_BUTTONS, 0x3000, 0xFFFF)
-        assertEquals(1, hardware.memory.readByte(0x0000))
+        assertEquals(0, hardware.memory.readByte(0xFFFF))
+        assertEquals(before, hardware.memory.readByte(0x0000))
+    }
+
+    @Test
+    fun `the pins of the buttons can be seen in memory`() {
+        val pins = { hardware.memory.readByte(0xFFB7) and 0x06 to (hardware.memory.readByte(0xFFBE) and 0xC0) }
+        assertEquals(0x02 to 0x00, pins())
+        BrickButton.entries.forEach { hardware.buttons.hold(it, down = true) }
+        assertEquals(0x04 to 0xC0, pins())
+    }
+
+    @Test
+    fun `the battery measures what the batteries give`() {
+        hardware.measureBattery(250)
+        hardware.call(RomAddress.READ_POWER_STATUS, RomCode.BATTERY, RESULT)
+        assertEquals(250, hardware.memory.readShort(RESULT))
+        assertEquals(7049, Battery.millivolts(250))
+        assertEquals(250, Battery.rawOf(7049))
+        assertEquals(320, Battery.rawOf(9000))
+        assertEquals(1023, Battery.rawOf(100_000))
+        assertEquals(0, Battery.rawOf(-5))
+    }
+
+    @Test
+    fun `another code than that of the buttons is reported`() {
+        assertEquals(RomOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.READ_BUTTONS, 0x3001, RESULT).outcome)
     }
 }

@@ -13,3 +13,8 @@ internal fun Hardware.call(address: Int, vararg arguments: Int): RomLogEntry {
 }
 
 internal fun Hardware.tick(milliseconds: Int) = repeat(milliseconds) { tick() }
+
+/** The tones begun so far. */
+internal fun Hardware.tones(): List<SoundEvent.Tone> = speaker.track.since(0).filterIsInstance<SoundEvent.Tone>()
+
+internal fun Brick.tones(): List<SoundEvent.Tone> = sounds.since(0).filterIsInstance<SoundEvent.Tone>()

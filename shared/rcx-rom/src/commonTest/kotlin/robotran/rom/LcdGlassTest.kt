@@ -70,4 +70,23 @@ class LcdGlassTest {
         assertNotEquals(before, LcdGlass.of(memory))
         assertEquals(LcdGlass.of(memory), LcdGlass.of(memory))
     }
+
+    @Test
+    fun `everything there is to see can be told in words`() {
+        assertEquals("9.0 0, standing man", Brick(listOf(endlessProgram())).state.glass.description)
+        assertEquals("", LcdGlass.BLANK.description)
+        val memory = RcxMemory()
+        LcdIcon.LOW_BATTERY.segments.forEach { it.set(memory, on = true) }
+        assertEquals("low battery", LcdGlass.of(memory).description)
+    }
+
+    @Test
+    fun `a text is read as its five characters`() {
+        val memory = RcxMemory()
+        TextLcd.print("Hallo", memory)
+        assertEquals("HALLo", LcdGlass.of(memory).characters)
+        TextLcd.print("no", memory)
+        assertEquals("no", LcdGlass.of(memory).characters)
+        assertEquals("", LcdGlass.BLANK.characters)
+    }
 }

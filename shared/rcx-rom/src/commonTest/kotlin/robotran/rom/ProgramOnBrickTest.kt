@@ -74,7 +74,7 @@ class ProgramOnBrickTest {
         assertEquals(RunState.Failed(failure), brick.state.run)
         assertTrue(brick.state.motors.all { it.mode == MotorMode.BRAKE })
         brick.tick(2_000)
-        assertEquals(1_000, brick.takeSounds().last().durationMilliseconds)
+        assertEquals(1_000, brick.tones().last().durationMilliseconds)
         assertEquals(RunState.Failed(failure), brick.state.run)
     }
 

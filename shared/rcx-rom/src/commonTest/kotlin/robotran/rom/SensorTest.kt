@@ -83,19 +83,35 @@ class SensorTest {
     }
 
     @Test
-    fun `a mode that is not modelled is reported and keeps its value`() {
-        hardware.memory.writeByte(RESULT + 1, 0xE0)
-        hardware.memory.writeShort(RESULT + 4, 77)
-        assertEquals(RomOutcome.NOT_MODELLED, hardware.call(RomAddress.READ_SENSOR, 0x1000, RESULT).outcome)
-        assertEquals(77, hardware.memory.readShort(RESULT + 4))
-    }
-
-    @Test
     fun `a brick's sensors are measured from outside`() {
         val brick = Brick(emptyList())
         brick.setRawSensorValue(0, 200)
         repeat(3) { brick.tick() }
         assertFalse(brick.sensorIsActive(0))
         assertEquals(emptyList(), brick.log.entries.filter { it.call.address == RomAddress.READ_SENSOR })
+    }
+
+    @Test
+    fun `a program can set each field of the table`() {
+        hardware.rom.setSensorValue(1, 0x40, SensorField.MODE)
+        hardware.rom.setSensorValue(1, 4, SensorField.TYPE)
+        hardware.rom.setSensorValue(1, -7, SensorField.VALUE)
+        hardware.rom.setSensorValue(1, 1, SensorField.BOOLEAN)
+        assertEquals(listOf(4, 0x40), listOf(0x8018, 0x8019).map(hardware.memory::readByte))
+        assertEquals(SensorState(2, SensorMode.EDGE, 1023, -7, boolean = true, active = false), hardware.sensors.states[1])
+    }
+
+    @Test
+    fun `the raw value is what the converter has in its register`() {
+        hardware.sensors.measure(0, 300)
+        hardware.sensors.measure(2, 5)
+        assertEquals(listOf(5, 1023, 300, 320), listOf(0xFFE0, 0xFFE2, 0xFFE4, 0xFFE6).map { hardware.memory.readWord(it) shr 6 })
+    }
+
+    @Test
+    fun `all slopes are kept apart from their modes`() {
+        for (mode in SensorMode.entries) {
+            for (slope in 0..31) assertEquals(mode, SensorMode.of(mode.code + slope))
+        }
     }
 }

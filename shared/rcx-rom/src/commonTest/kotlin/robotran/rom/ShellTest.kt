@@ -17,7 +17,7 @@ class ShellTest {
         assertEquals(RunState.Idle, brick.state.run)
         assertEquals(listOf(MotorMode.FLOAT, MotorMode.FLOAT, MotorMode.FLOAT), brick.state.motors.map { it.mode })
         brick.tick(1_000)
-        assertEquals(listOf(150, 150), brick.takeSounds().map { it.durationMilliseconds })
+        assertEquals(listOf(150, 150), brick.tones().map { it.durationMilliseconds })
     }
 
     @Test
@@ -108,7 +108,7 @@ class ShellTest {
     fun `switching off beeps once and the beep is still heard`() {
         brick.push(BrickButton.ON_OFF)
         brick.tick(1_000)
-        assertEquals(listOf(10), brick.takeSounds().map { it.durationMilliseconds })
+        assertEquals(listOf(10), brick.tones().map { it.durationMilliseconds })
         assertEquals(1_000L, brick.state.milliseconds)
     }
 

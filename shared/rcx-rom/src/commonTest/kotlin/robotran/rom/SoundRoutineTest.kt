@@ -26,7 +26,7 @@ class SoundRoutineTest {
             val fresh = Hardware()
             fresh.call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, number)
             fresh.tick(2_000)
-            val events = fresh.speaker.takeEvents()
+            val events = fresh.tones()
             assertEquals(tones.map { it.second }, events.map { it.durationMilliseconds }, "lengths of $number")
             tones.zip(events).forEach { (tone, event) ->
                 assertTrue(abs(tone.first - event.hertz) < 1.0, "sound $number is ${event.hertz}")
@@ -38,8 +38,7 @@ class SoundRoutineTest {
     fun `the tones of a sound follow one another in virtual time`() {
         hardware.call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, 1)
         hardware.tick(1_000)
-        assertEquals(listOf(10L, 210L), hardware.speaker.takeEvents().map { it.milliseconds })
-        assertEquals(emptyList(), hardware.speaker.takeEvents())
+        assertEquals(listOf(10L, 210L), hardware.tones().map { it.milliseconds })
     }
 
     @Test
@@ -59,7 +58,7 @@ class SoundRoutineTest {
             val fresh = Hardware()
             assertEquals("queue tone of 440 Hz for $milliseconds ms", fresh.tone(440, given).meaning)
             fresh.tick(10)
-            assertEquals(milliseconds, fresh.speaker.takeEvents().single().durationMilliseconds)
+            assertEquals(milliseconds, fresh.tones().single().durationMilliseconds)
         }
     }
 
@@ -68,7 +67,7 @@ class SoundRoutineTest {
         hardware.tone(440, 256)
         hardware.tone(880, 1)
         hardware.tick(30)
-        assertEquals(listOf(20L), hardware.speaker.takeEvents().map { it.milliseconds })
+        assertEquals(listOf(20L), hardware.tones().map { it.milliseconds })
     }
 
     @Test
@@ -95,7 +94,7 @@ class SoundRoutineTest {
             assertEquals("queue pause of 100 ms", fresh.tone(hertz, 10).meaning)
             fresh.tone(440, 1)
             fresh.tick(200)
-            assertEquals(listOf(110L), fresh.speaker.takeEvents().map { it.milliseconds })
+            assertEquals(listOf(110L), fresh.tones().map { it.milliseconds })
         }
     }
 
@@ -105,7 +104,7 @@ class SoundRoutineTest {
         assertEquals("drop system sound 0 (beep), for the sound queue is full", hardware.systemSound(0).meaning)
         assertEquals(RomOutcome.DONE, hardware.systemSound(0).outcome)
         hardware.tick(1_000)
-        assertEquals(9, hardware.speaker.takeEvents().size)
+        assertEquals(9, hardware.tones().size)
     }
 
     @Test
@@ -126,7 +125,8 @@ class SoundRoutineTest {
         )
         assertFalse(hardware.speaker.sounding)
         hardware.tick(5_000)
-        assertEquals(listOf(10L, 60L), hardware.speaker.takeEvents().map { it.milliseconds })
+        assertEquals(listOf(10L, 60L), hardware.tones().map { it.milliseconds })
+        assertEquals(listOf(SoundEvent.Cut(50)), hardware.speaker.track.since(0).filterIsInstance<SoundEvent.Cut>())
     }
 
     @Test
@@ -155,19 +155,45 @@ class SoundRoutineTest {
     fun `sound codes that are not known are reported and play nothing`() {
         assertEquals(RomOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.PLAY_SYSTEM_SOUND, 0x4002, 0).outcome)
         assertEquals(RomOutcome.WRONG_ARGUMENTS, hardware.call(RomAddress.PLAY_TONE, 0x1774, 440, 10).outcome)
-        assertEquals(RomOutcome.NOT_MODELLED, hardware.call(RomAddress.PLAY_TONE, RomCode.TONE_DATA_POINTER, RESULT, 0).outcome)
         assertEquals(0, hardware.speaker.waitingCount)
     }
 
     @Test
-    fun `tones nobody takes do not pile up without end`() {
+    fun `players listen each for itself and may come late`() {
+        hardware.call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, 1)
+        hardware.tick(100)
+        val track = hardware.speaker.track
+        val first = track.since(0)
+        val heard = track.total
+        hardware.tick(1_000)
+        assertEquals(1, first.size)
+        assertEquals(listOf(210L), track.since(heard).map { it.milliseconds })
+        assertEquals(listOf(10L, 210L), track.since(0).map { it.milliseconds })
+        assertEquals(emptyList(), track.since(track.total))
+        assertEquals(emptyList(), track.since(track.total + 5))
+    }
+
+    @Test
+    fun `sounds nobody listens to do not pile up without end`() {
         repeat(3_000) {
             hardware.tone(440, 1)
             hardware.tick(10)
         }
-        val events = hardware.speaker.takeEvents()
-        assertEquals(1_000, events.size)
-        assertEquals(30_000L, events.last().milliseconds)
+        val track = hardware.speaker.track
+        assertEquals(3_000L, track.total)
+        assertEquals(SoundTrack.CAPACITY, track.since(0).size)
+        assertEquals(30_000L, track.since(0).last().milliseconds)
+    }
+
+    @Test
+    fun `the queue is a ring in memory that a program can spoil but not break`() {
+        hardware.tone(440, 10)
+        assertEquals(listOf(71, 10, 7), listOf(0xEFD8, 0xEFE2, 0xEFEC).map(hardware.memory::readByte))
+        for (address in 0xEFD6..0xEFFF) hardware.memory.writeByte(address, 0xFF)
+        hardware.tick(10_000)
+        hardware.tone(440, 10)
+        hardware.tick(20)
+        assertTrue(hardware.speaker.sounding)
     }
 
     private fun readFlag() = hardware.call(RomAddress.READ_SOUND_PLAYING, 0x700C, RESULT)

@@ -5,6 +5,7 @@ import robotran.rom.Rom
 import robotran.rom.RomAddress
 import robotran.rom.RomCall
 import robotran.rom.SensorCode
+import robotran.rom.SensorField
 import robotran.rom.SensorRequest
 
 /**
@@ -38,6 +39,8 @@ internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()
     override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) {
         modes[port] = mode
     }
+
+    override fun setSensorValue(port: Int, value: Int, field: SensorField) = error("No program of Robolang sets a sensor's value.")
 
     private companion object {
         const val FULL_BATTERY = 320

@@ -19,6 +19,8 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.loading
+import robotran.ui.sound.LoudSpeaker
+import robotran.ui.sound.NoLoudSpeaker
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
 import robotran.ui.workshop.ProgramFile
@@ -27,12 +29,13 @@ import robotran.ui.workshop.Workshop
 /**
  * What every platform's app shows: a word while things get ready, then [RobotranApp] with [program] or, without one, the square.
  *
+ * @param speaker plays the brick's tones.
  * @param onOpened is told the workshop once it is there.
  */
 @Composable
-fun RobotranStart(program: ProgramFile? = null, onOpened: (Workshop) -> Unit = {}) {
+fun RobotranStart(program: ProgramFile? = null, speaker: LoudSpeaker = NoLoudSpeaker, onOpened: (Workshop) -> Unit = {}) {
     var workshop by remember { mutableStateOf<Workshop?>(null) }
-    LaunchedEffect(program) { workshop = openWorkshop(program).also(onOpened) }
+    LaunchedEffect(program) { workshop = openWorkshop(program, speaker).also(onOpened) }
     DisposableEffect(Unit) { onDispose { workshop?.close() } }
     val ready = workshop
     if (ready == null) RobotranTheme { GettingReady() } else RobotranApp(ready)

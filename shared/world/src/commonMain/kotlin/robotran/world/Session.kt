@@ -2,10 +2,11 @@ package robotran.world
 
 import robotran.rom.Brick
 import robotran.rom.CallFrame
+import robotran.rom.MemorySnapshot
 import robotran.rom.MotorPort
 import robotran.rom.RcxProgram
 import robotran.rom.RomLog
-import robotran.rom.SoundEvent
+import robotran.rom.SoundTrack
 import robotran.rom.StepKind
 import robotran.rom.VariableScope
 import robotran.world.physics.PhysicsEngine
@@ -33,6 +34,9 @@ class Session(val world: World, programs: List<RcxProgram>, physics: PhysicsEngi
 
     /** Every ROM call of the program and the firmware. */
     val romLog: RomLog get() = brick.log
+
+    /** What the brick's loudspeaker has played, at times of [SessionState.milliseconds]; to be listened to at any time, or never. */
+    val sounds: SoundTrack get() = brick.sounds
 
     /** Everything that was done to the session so far, in order; with it [replay] makes the same session again. */
     val inputs: List<RecordedInput> get() = recorded.toList()
@@ -82,8 +86,8 @@ class Session(val world: World, programs: List<RcxProgram>, physics: PhysicsEngi
         }
     }
 
-    /** The tones begun since the last call. */
-    fun takeSounds(): List<SoundEvent> = brick.takeSounds()
+    /** What the brick's memory holds now. */
+    fun memory(): MemorySnapshot = brick.memory()
 
     /** Frees what the physics holds. The session can still be looked at, but not go on. */
     fun close() {

@@ -10,6 +10,9 @@ sealed interface SessionInput {
     /** The finger comes off it. */
     data class Release(val button: BrickButton) : SessionInput
 
-    /** The stop button beside the world: ends the program, as no single button of a real brick does. */
+    /**
+     * The stop button beside the world: ends the program, as no single button of a real brick does; ends the showing of a failure, as On-Off
+     * does.
+     */
     data object Stop : SessionInput
 }

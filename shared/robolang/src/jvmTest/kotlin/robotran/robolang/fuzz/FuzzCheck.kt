@@ -12,6 +12,7 @@ import robotran.rom.ProgramStatus
 import robotran.rom.RcxMemory
 import robotran.rom.Rom
 import robotran.rom.RomCall
+import robotran.rom.SensorField
 import robotran.rom.SensorRequest
 
 /**
@@ -82,4 +83,6 @@ private class CountingRom : Rom {
     override fun readSensor(port: Int, request: SensorRequest): Int = ++readings % (if (request == SensorRequest.BOOLEAN) 2 else 100)
 
     override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) = Unit
+
+    override fun setSensorValue(port: Int, value: Int, field: SensorField) = Unit
 }

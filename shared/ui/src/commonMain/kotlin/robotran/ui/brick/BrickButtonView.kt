@@ -80,6 +80,7 @@ internal fun BrickButtonView(
                 fontSize = with(LocalDensity.current) { (unit * LABEL_SIZE).toSp() },
                 fontWeight = FontWeight.SemiBold,
                 maxLines = 1,
+                softWrap = false,
             )
         }
     }
@@ -87,7 +88,7 @@ internal fun BrickButtonView(
 
 /** How far a button sinks, and how large its name is written, in units of the [BrickPlan]. */
 private const val SUNK = 4f
-private const val LABEL_SIZE = 13.5f
+private const val LABEL_SIZE = 12.5f
 
 private class ButtonLook(val name: StringResource, val colour: Color, val label: Color)
 

@@ -43,8 +43,8 @@ internal fun BrickFront(
             },
     ) {
         val unit = maxWidth / BrickPlan.WIDTH
-        Canvas(Modifier.matchParentSize()) { drawBrickBody() }
-        BrickPlan.INPUTS.forEachIndexed { index, place -> InputPort(index + 1, unit, Modifier.at(place, unit)) }
+        Canvas(Modifier.matchParentSize()) { drawBrickBody(state.infrared.sending) }
+        state.sensors.zip(BrickPlan.INPUTS) { sensor, place -> InputPort(sensor, state.poweredOn, unit, Modifier.at(place, unit)) }
         for ((button, place) in BrickPlan.BUTTONS) {
             BrickButtonView(button, unit, button in down, { onPress(button) }, { onRelease(button) }, Modifier.at(place, unit))
         }

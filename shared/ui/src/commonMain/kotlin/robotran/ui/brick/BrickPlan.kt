@@ -14,15 +14,18 @@ internal object BrickPlan {
 
     const val CORNER = 18f
     val INFRARED_WINDOW = Rect(72f, 14f, 192f, 50f)
+
+    /** The middles of the two lamps behind the window, from the left. */
+    val INFRARED_LAMPS = listOf(112f, 152f)
     val FACE = Rect(8f, 138f, 256f, 290f)
-    val DISPLAY = Rect(80f, 150f, 184f, 278f)
+    val DISPLAY = Rect(72f, 177.5f, 192f, 250.5f)
     const val BUTTON_CORNER = 16f
 
     val BUTTONS: Map<BrickButton, Rect> = mapOf(
-        BrickButton.VIEW to Rect(14f, 156f, 74f, 208f),
-        BrickButton.ON_OFF to Rect(14f, 220f, 74f, 272f),
-        BrickButton.PRGM to Rect(190f, 156f, 250f, 208f),
-        BrickButton.RUN to Rect(190f, 220f, 250f, 272f),
+        BrickButton.VIEW to Rect(13f, 156f, 66f, 208f),
+        BrickButton.ON_OFF to Rect(13f, 220f, 66f, 272f),
+        BrickButton.PRGM to Rect(198f, 156f, 251f, 208f),
+        BrickButton.RUN to Rect(198f, 220f, 251f, 272f),
     )
 
     /** The grey input ports, 1 first. */

@@ -28,7 +28,7 @@ internal fun BrickStrip(
         horizontalArrangement = Arrangement.spacedBy(12.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        LcdNumbers(state.glass, Modifier.size(130.dp, 48.dp))
+        LcdNumbers(state.glass, Modifier.size(134.dp, 58.dp))
         BrickButtonView(
             BrickButton.RUN, 1.dp, BrickButton.RUN in down,
             { onPress(BrickButton.RUN) }, { onRelease(BrickButton.RUN) }, Modifier.size(64.dp, 52.dp),

@@ -10,16 +10,21 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.withTransform
 import robotran.ui.theme.RobotranColours
 
-/** The yellow case with its studs, infrared window and the grey plate that carries the display and the buttons. */
-internal fun DrawScope.drawBrickBody() {
+/**
+ * The yellow case with its studs, infrared window and the grey plate that carries the display and the buttons.
+ *
+ * @param sending whether the infrared shines.
+ */
+internal fun DrawScope.drawBrickBody(sending: Boolean) {
     val unit = size.width / BrickPlan.WIDTH
     withTransform({ scale(unit, unit, Offset.Zero) }) {
         val whole = Rect(0f, 0f, BrickPlan.WIDTH, BrickPlan.HEIGHT)
         block(whole, BrickColours.EDGE, BrickPlan.CORNER)
         block(whole.deflate(2f).translate(0f, -1f), RobotranColours.YELLOW, BrickPlan.CORNER)
         for ((x, y) in BrickPlan.STUDS) drawStud(Offset(x, y))
-        block(BrickPlan.INFRARED_WINDOW, BrickColours.INFRARED, 10f)
+        block(BrickPlan.INFRARED_WINDOW, if (sending) BrickColours.INFRARED_SENDING else BrickColours.INFRARED, 10f)
         block(Rect(80f, 20f, 184f, 30f), BrickColours.INFRARED_SHEEN, 5f)
+        if (sending) for (x in BrickPlan.INFRARED_LAMPS) drawCircle(BrickColours.INFRARED_LAMP, 5f, Offset(x, 38f))
         block(BrickPlan.FACE, BrickColours.FACE, 14f)
     }
 }

@@ -48,5 +48,5 @@ private fun vertical(x: Float, top: Float, bottom: Float): Path = Path().apply {
 }
 
 /** Half a segment's thickness, and the gap where two meet, in units of the [LcdPlan]. */
-private const val HALF = 1.5f
-private const val GAP = 0.35f
+private const val HALF = 3f
+private const val GAP = 0.7f

@@ -3,29 +3,40 @@ package robotran.ui.brick
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 
-/** Where everything is on the glass, on a plan of [WIDTH] by [HEIGHT] units, arranged as on an RCX. */
+/**
+ * Where everything is on the glass, on a plan of [WIDTH] by [HEIGHT] units: arranged as on an RCX, but with taller digits, so that they can
+ * be read on a phone. Source of the arrangement: the display that brickEmu draws.
+ */
 internal object LcdPlan {
-    const val WIDTH = 104f
-    const val HEIGHT = 128f
+    const val WIDTH = 240f
+    const val HEIGHT = 146f
 
     /** The digits by their position: 0 the program digit on the right, 1 to 4 the main number from right to left. */
-    val DIGITS: List<Rect> = listOf(88f, 52.5f, 38.5f, 24.5f, 10.5f).map { Rect(it, 41f, it + 10.5f, 71f) }
+    val DIGITS: List<Rect> = listOf(182f, 124f, 96f, 68f, 40f).map { Rect(it, 42f, it + 22f, 102f) }
 
-    val MINUS = Rect(3f, 54.5f, 8.5f, 57.5f)
+    val MINUS = Rect(26f, 69f, 37f, 75f)
 
     /** The decimal points before the last one, two and three digits of the main number. */
-    val POINTS: List<Offset> = listOf(Offset(50.75f, 71f), Offset(36.75f, 71f), Offset(22.75f, 71f))
+    val POINTS: List<Offset> = listOf(Offset(121f, 101f), Offset(93f, 101f), Offset(65f, 101f))
+    const val POINT_RADIUS = 2.6f
 
-    val MAN = Rect(69f, 42f, 82f, 70f)
+    /** Before the program digit. */
+    val MAN = Rect(152f, 42f, 176f, 102f)
 
-    /** The middles of ports 1, 2, 3 above and A, B, C below. */
-    val PORT_COLUMNS: List<Float> = listOf(20f, 52f, 84f)
-    const val SENSOR_ROW = 14f
-    const val MOTOR_ROW = 114f
+    /** The middles of what belongs to the ports 1, 2, 3 above and A, B, C below. */
+    val PORT_COLUMNS: List<Float> = listOf(36f, 120f, 204f)
 
-    const val STATUS_ROW = 89f
-    val DATALOG = Offset(16f, STATUS_ROW)
-    val DOTS: List<Float> = List(5) { 32f + it * 7f }
-    val BATTERY = Rect(68f, 84.5f, 80f, 93.5f)
-    val INFRARED = Offset(86f, STATUS_ROW)
+    /** Above the digits: what points at the sensors; the dots of a transfer and the battery between them. */
+    val SENSOR_ROW = 8f..30f
+    val DOTS: List<Rect> = List(5) { Rect(54f + it * 9.6f, 13f, 61f + it * 9.6f, 20f) }
+    val BATTERY = Rect(143f, 11f, 179f, 26f)
+
+    /** Below the digits: what points at the motors, with an arrow to each side of it. */
+    val MOTOR_ROW = 114f..136f
+
+    /** On the left, the beam of the infrared: narrow below, wide above. */
+    val INFRARED = Rect(4f, 42f, 24f, 102f)
+
+    /** On the right, the circle of the data log. */
+    val DATALOG = Rect(209f, 59f, 235f, 85f)
 }

@@ -4,7 +4,9 @@ import androidx.compose.foundation.Canvas
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
 import robotran.rom.LcdGlass
@@ -12,7 +14,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.display
 import robotran.ui.resources.display_blank
 
-/** The display, segment by segment, read out as the text it shows. */
+/** The display, segment by segment, read out as the text and the icons it shows whenever they change. */
 @Composable
 internal fun LcdView(glass: LcdGlass, modifier: Modifier = Modifier) {
     Canvas(modifier.describing(glass)) { drawLcd(glass) }
@@ -27,6 +29,9 @@ internal fun LcdNumbers(glass: LcdGlass, modifier: Modifier = Modifier) {
 @Composable
 private fun Modifier.describing(glass: LcdGlass): Modifier {
     val description =
-        if (glass.text.isEmpty()) stringResource(Res.string.display_blank) else stringResource(Res.string.display, glass.text)
-    return testTag("lcd").semantics { contentDescription = description }
+        if (glass == LcdGlass.BLANK) stringResource(Res.string.display_blank) else stringResource(Res.string.display, glass.description)
+    return testTag("lcd").semantics {
+        contentDescription = description
+        liveRegion = LiveRegionMode.Polite
+    }
 }

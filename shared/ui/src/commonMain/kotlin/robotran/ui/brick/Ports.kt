@@ -1,8 +1,11 @@
 package robotran.ui.brick
 
+import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
@@ -20,19 +23,37 @@ import androidx.compose.ui.unit.Dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.rom.MotorMode
 import robotran.rom.MotorState
+import robotran.rom.SensorState
 import robotran.ui.resources.Res
 import robotran.ui.resources.motor_backward
 import robotran.ui.resources.motor_brake
 import robotran.ui.resources.motor_float
 import robotran.ui.resources.motor_forward
 import robotran.ui.resources.sensor
+import robotran.ui.resources.sensor_value
 
-/** A grey input port, 1 to 3. */
+/**
+ * A grey input port, with what is plugged in and what it measures; it lights while it is powered, or its bumper is pressed.
+ *
+ * @param on whether the brick is switched on, and so measures.
+ */
 @Composable
-internal fun InputPort(number: Int, unit: Dp, modifier: Modifier = Modifier) {
-    val description = stringResource(Res.string.sensor, number)
-    PortBlock(BrickColours.INPUT, unit, modifier.clearAndSetSemantics { contentDescription = description }) {
-        PortLabel("$number", BrickColours.LABEL, unit)
+internal fun InputPort(sensor: SensorState, on: Boolean, unit: Dp, modifier: Modifier = Modifier) {
+    val plugged = PluggedSensor.of(sensor.port)
+    val name = stringResource(plugged.words)
+    val port = stringResource(Res.string.sensor, sensor.port, name)
+    val description = if (on) stringResource(Res.string.sensor_value, port, sensor.value) else port
+    val lit = on && (sensor.active || plugged.isPressed(sensor))
+    PortBlock(
+        if (lit) BrickColours.READ else BrickColours.INPUT,
+        unit,
+        modifier.testTag("port-${sensor.port}").clearAndSetSemantics { contentDescription = description },
+    ) {
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            PortLabel("${sensor.port}", BrickColours.LABEL, unit)
+            Canvas(Modifier.padding(start = unit * 4).size(unit * 16)) { drawPlugged(plugged, plugged.isPressed(sensor)) }
+        }
+        PortLabel(if (on) "${sensor.value}" else "", BrickColours.LABEL, unit)
     }
 }
 

@@ -27,9 +27,14 @@ import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorkshopStatus
 
-/** Run, Stop, and what is going on; always in sight. */
+/** Run, Stop, and what is going on; always in sight. At its end there is room for [more]. */
 @Composable
-internal fun RunBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun RunBar(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    more: @Composable () -> Unit = {},
+) {
     Row(
         modifier
             .fillMaxWidth()
@@ -42,6 +47,7 @@ internal fun RunBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modi
         RunButton(pulsing = state.untouched && state.status == WorkshopStatus.Ready, onClick = { onEvent(WorkshopEvent.RunPressed) })
         StopButton(enabled = state.running, onClick = { onEvent(WorkshopEvent.StopPressed) })
         Status(state, Modifier.weight(1f))
+        more()
     }
 }
 
@@ -58,7 +64,7 @@ private fun Status(state: WorkshopState, modifier: Modifier) {
             fontSize = 16.sp,
             lineHeight = 20.sp,
             fontWeight = FontWeight.Medium,
-            maxLines = 2,
+            maxLines = 3,
             overflow = TextOverflow.Ellipsis,
         )
         if (!state.untouched) {

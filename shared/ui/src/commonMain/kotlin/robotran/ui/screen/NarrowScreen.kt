@@ -1,7 +1,7 @@
 package robotran.ui.screen
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -10,16 +10,19 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickFront
+import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
 import robotran.ui.brick.LEAST_BRICK_WIDTH
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
+import robotran.ui.runbar.SoundSwitch
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.Pane
 import robotran.ui.workshop.WorkshopEvent
@@ -30,7 +33,11 @@ import robotran.ui.world.WorldPane
 @Composable
 internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     Column(Modifier.fillMaxSize()) {
-        PaneTabs(state.pane, state.mistakes.isNotEmpty(), { onEvent(WorkshopEvent.PaneChosen(it)) })
+        Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
+            PaneTabs(state.pane, state.mistakes.isNotEmpty(), { onEvent(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
+            SoundSwitch(state.soundOn, { onEvent(WorkshopEvent.SoundSwitched(it)) })
+        }
+        HorizontalDivider(color = LocalRobotranColours.current.line)
         val pane = Modifier.weight(1f)
         when (state.pane) {
             Pane.PROGRAM -> ProgramPane(state, MOST_MISTAKES, onEvent, pane)
@@ -73,7 +80,8 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
 private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
     BoxWithConstraints(modifier.fillMaxSize().background(LocalRobotranColours.current.desk), Alignment.Center) {
         val width = minOf(maxWidth - MARGIN * 2, (maxHeight - MARGIN * 2) * BRICK_ASPECT).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
-        Box(Modifier.verticalScroll(rememberScrollState()).padding(MARGIN)) {
+        Column(Modifier.verticalScroll(rememberScrollState()).padding(MARGIN), Arrangement.spacedBy(MARGIN)) {
+            BrickHint(state.session.brick, Modifier.width(width))
             BrickFront(
                 state.session.brick,
                 state.down,

@@ -34,6 +34,7 @@ internal fun PaneTabs(chosen: Pane, mistaken: Boolean, onChoose: (Pane) -> Unit,
         containerColor = colours.pane,
         contentColor = colours.onPane,
         indicator = { TabRowDefaults.PrimaryIndicator(Modifier.tabIndicatorOffset(chosen.ordinal), color = colours.onPane, width = 56.dp) },
+        divider = { },
     ) {
         for (pane in Pane.entries) {
             val marked = pane == Pane.PROGRAM && mistaken

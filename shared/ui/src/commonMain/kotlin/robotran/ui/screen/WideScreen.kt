@@ -1,7 +1,7 @@
 package robotran.ui.screen
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -22,10 +22,12 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickFront
+import robotran.ui.brick.BrickHint
 import robotran.ui.brick.LEAST_BRICK_WIDTH
 import robotran.ui.program.ProgramName
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
+import robotran.ui.runbar.SoundSwitch
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
@@ -44,7 +46,7 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
             }
             Column(Modifier.weight(1f).fillMaxHeight()) {
                 Desk(state, onEvent, Modifier.weight(1f))
-                RunBar(state, onEvent)
+                RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(WorkshopEvent.SoundSwitched(it)) }) }
             }
         }
         val pixels = with(LocalDensity.current) { whole.toPx() }
@@ -59,7 +61,11 @@ private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifie
         val brickWidth = (maxWidth * BRICK_SHARE).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
         Row(Modifier.fillMaxSize()) {
             WorldPane(state, Modifier.weight(1f).fillMaxHeight())
-            Box(Modifier.width(brickWidth + MARGIN).fillMaxHeight().padding(end = MARGIN, bottom = MARGIN), Alignment.BottomEnd) {
+            Column(
+                Modifier.width(brickWidth + MARGIN).fillMaxHeight().padding(end = MARGIN, bottom = MARGIN),
+                Arrangement.spacedBy(MARGIN, Alignment.Bottom),
+            ) {
+                BrickHint(state.session.brick)
                 BrickFront(
                     state.session.brick,
                     state.down,

@@ -8,6 +8,9 @@ import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.rom.BrickButton
+import robotran.ui.sound.LoudSpeaker
+import robotran.ui.sound.NoLoudSpeaker
+import robotran.ui.sound.SoundPlayer
 import robotran.world.RunReport
 import robotran.world.Session
 import robotran.world.SessionInput
@@ -23,15 +26,18 @@ import robotran.world.report
  * carries on from where the robot stands, as on a real one, unless the program has changed, which begins afresh too.
  *
  * @param program the program to begin with.
+ * @param speaker plays the brick's tones; is closed with the workshop.
  */
 class Workshop(
     private val world: World,
     private val physics: PhysicsEngine,
     program: ProgramFile,
+    speaker: LoudSpeaker = NoLoudSpeaker,
 ) {
     private val programName = program.name
     private var loadedText = program.text.withPlainLineEnds()
     private var reading = read(loadedText)
+    private val sound = SoundPlayer(speaker)
     private var session = newSession()
     private val frames = FrameClock()
     private val rest = RestWatch()
@@ -50,6 +56,7 @@ class Workshop(
             is WorkshopEvent.ButtonPressed -> press(event.button)
             is WorkshopEvent.ButtonReleased -> release(event.button)
             is WorkshopEvent.PaneChosen -> state = state.copy(pane = event.pane)
+            is WorkshopEvent.SoundSwitched -> switchSound(event.on)
         }
         rest.disturb()
         show()
@@ -58,12 +65,20 @@ class Workshop(
     /** A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards: virtual time follows it while [WorkshopState.awake]. */
     fun frame(nanoseconds: Long) {
         val milliseconds = frames.millisecondsTo(nanoseconds)
-        if (state.awake && milliseconds > 0) advance(milliseconds)
+        if (state.awake && milliseconds > 0) {
+            pass(milliseconds)
+            sound.follow()
+        }
         if (!state.awake) frames.rest()
     }
 
-    /** Lets [milliseconds] of virtual time pass. */
+    /** Lets [milliseconds] of virtual time pass at once, too quickly to be heard. */
     fun advance(milliseconds: Int) {
+        pass(milliseconds)
+        sound.skip()
+    }
+
+    private fun pass(milliseconds: Int) {
         session.advance(milliseconds)
         rest.passed(milliseconds, session.state)
         show()
@@ -73,7 +88,10 @@ class Workshop(
     fun report(): RunReport = session.report()
 
     /** Gives back what the session holds. Nothing may be called afterwards. */
-    fun close() = session.close()
+    fun close() {
+        sound.close()
+        session.close()
+    }
 
     private fun edit(written: String) {
         val text = written.withPlainLineEnds()
@@ -123,7 +141,12 @@ class Workshop(
         show()
     }
 
-    private fun newSession() = Session(world, listOfNotNull(program()), physics)
+    private fun newSession() = Session(world, listOfNotNull(program()), physics).also { sound.listenTo(it.sounds) }
+
+    private fun switchSound(on: Boolean) {
+        sound.muted = !on
+        state = state.copy(soundOn = on)
+    }
 
     private fun program(): RobolangProgram? = (reading as? RobolangResult.Ready)?.program
 
@@ -148,5 +171,6 @@ class Workshop(
         pane = Pane.WORLD,
         untouched = true,
         awake = true,
+        soundOn = true,
     )
 }

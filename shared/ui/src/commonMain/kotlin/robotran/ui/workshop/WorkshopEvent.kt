@@ -25,4 +25,7 @@ sealed interface WorkshopEvent {
 
     /** Where there is room for one pane only, it is to be [pane]. */
     data class PaneChosen(val pane: Pane) : WorkshopEvent
+
+    /** The brick's tones are to be heard or not. */
+    data class SoundSwitched(val on: Boolean) : WorkshopEvent
 }

@@ -18,6 +18,7 @@ import robotran.world.World
  * @property pane what a screen with room for one pane shows.
  * @property untouched true until the program is run for the first time.
  * @property awake whether time has to go on, because something moves, sounds or waits.
+ * @property soundOn whether the brick's tones are to be heard.
  */
 @Immutable
 data class WorkshopState(
@@ -32,6 +33,7 @@ data class WorkshopState(
     val pane: Pane,
     val untouched: Boolean,
     val awake: Boolean,
+    val soundOn: Boolean,
 ) {
     val running: Boolean get() = session.brick.run is RunState.Running
 

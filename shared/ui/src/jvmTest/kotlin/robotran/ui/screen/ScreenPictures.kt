@@ -4,6 +4,7 @@ import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.EncodedImageFormat
+import robotran.rom.BrickButton
 import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
 import robotran.ui.sheet.sheetPng
@@ -46,6 +47,29 @@ class ScreenPictures {
     }
 
     @Test
+    fun `a brick that shows a failure, or is off, can be photographed`() {
+        for (screen in listOf(Screen.PHONE, Screen.TABLET, Screen.LAPTOP)) {
+            for (dark in listOf(false, true)) {
+                val name = "${screen.name.lowercase()}-${if (dark) "dark" else "light"}"
+                val workshop = newWorkshop()
+                workshop.handle(WorkshopEvent.ProgramEdited("var zero = 0\nshow 5 / zero\n"))
+                workshop.handle(WorkshopEvent.RunPressed)
+                workshop.advance(SETTLED)
+                workshop.handle(WorkshopEvent.PaneChosen(Pane.BRICK))
+                photograph(workshop, screen, dark, "$name-failed")
+                repeat(2) {
+                    workshop.handle(WorkshopEvent.ButtonPressed(BrickButton.ON_OFF))
+                    workshop.handle(WorkshopEvent.ButtonReleased(BrickButton.ON_OFF))
+                    workshop.advance(SETTLED)
+                }
+                workshop.handle(WorkshopEvent.SoundSwitched(on = false))
+                photograph(workshop, screen, dark, "$name-off")
+                workshop.close()
+            }
+        }
+    }
+
+    @Test
     fun `the sheet alone becomes a picture`() {
         val workshop = newWorkshop()
         workshop.handle(WorkshopEvent.RunPressed)
@@ -82,5 +106,6 @@ class ScreenPictures {
     private companion object {
         /** Milliseconds into the square: somewhere on its third side. */
         const val HALF_DRAWN = 3900
+        const val SETTLED = 1500
     }
 }

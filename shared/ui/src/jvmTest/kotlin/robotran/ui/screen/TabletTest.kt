@@ -1,12 +1,16 @@
 package robotran.ui.screen
 
 import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertContentDescriptionContains
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertIsEnabled
 import androidx.compose.ui.test.assertIsNotEnabled
+import androidx.compose.ui.test.assertIsOff
+import androidx.compose.ui.test.assertIsOn
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.assertTextEquals
 import androidx.compose.ui.test.onAllNodesWithTag
@@ -32,7 +36,7 @@ class TabletTest {
         onNodeWithTag("program").assertTextContains("forward 20", substring = true)
         onNodeWithTag("status").assertTextEquals("Ready. Press Run.")
         onNodeWithTag("stop").assertIsNotEnabled()
-        onNodeWithTag("lcd").assertContentDescriptionContains("Display: 9.0 0")
+        onNodeWithTag("lcd").assertContentDescriptionContains("Display: 9.0 0, standing man")
     }
 
     @Test
@@ -114,6 +118,56 @@ class TabletTest {
     }
 
     @Test
+    fun `a program that fails is explained beside the brick until On-Off is pressed`() = onTablet {
+        onNodeWithTag("program").performTextReplacement("var zero = 0\nshow 5 / zero\n")
+        onNodeWithTag("run").performClick()
+        pass(2_000)
+        onNodeWithTag("brick-hint").assertTextContains("Line 2:", substring = true)
+        onNodeWithTag("brick-hint").assertTextContains("Press On-Off", substring = true)
+        onNodeWithTag("brick-on_off").performClick()
+        pass(500)
+        onNodeWithTag("brick-hint").assertDoesNotExist()
+    }
+
+    @Test
+    fun `a brick that is off says which button switches it on`() = onTablet { workshop ->
+        pass(1_000)
+        onNodeWithTag("brick-on_off").performClick()
+        pass(500)
+        onNodeWithTag("brick-hint").assertTextEquals("The brick is off. Press On-Off.")
+        onNodeWithTag("lcd").assertContentDescriptionContains("Display: nothing")
+        onNodeWithTag("port-1").assertContentDescriptionContains("Sensor 1, left bumper")
+        onNodeWithTag("brick-on_off").performClick()
+        pass(500)
+        assertTrue(workshop.state.session.brick.poweredOn)
+        onNodeWithTag("brick-hint").assertDoesNotExist()
+    }
+
+    @Test
+    fun `the ports tell what is plugged in and what it measures`() = onTablet {
+        pass(500)
+        onNodeWithTag("port-1").assertContentDescriptionContains("Sensor 1, left bumper: 0")
+        onNodeWithTag("port-2").assertContentDescriptionContains("Sensor 2, light sensor:", substring = true)
+        onNodeWithTag("port-3").assertContentDescriptionContains("Sensor 3, right bumper: 0")
+    }
+
+    @Test
+    fun `the display is read out whenever it changes`() = onTablet {
+        assertEquals(LiveRegionMode.Polite, onNodeWithTag("lcd").fetchSemanticsNode().config[SemanticsProperties.LiveRegion])
+    }
+
+    @Test
+    fun `the sound can be switched off and on`() = onTablet { workshop ->
+        onNodeWithTag("sound").assertIsOn().performClick()
+        pass(100)
+        onNodeWithTag("sound").assertIsOff()
+        assertFalse(workshop.state.soundOn)
+        onNodeWithTag("sound").performClick()
+        pass(100)
+        assertTrue(workshop.state.soundOn)
+    }
+
+    @Test
     fun `the brick lies beside the paper and the world is the largest pane`() = onTablet {
         val world = bounds("world")
         val brick = bounds("brick")
@@ -125,7 +179,7 @@ class TabletTest {
     fun `everything that can be pressed is large enough for a finger`() = onTablet {
         onNodeWithTag("program").performTextReplacement("forwrd 20")
         pass(100)
-        for (tag in listOf("run", "stop", "fix", "brick-run", "brick-view", "brick-prgm", "brick-on_off")) {
+        for (tag in listOf("run", "stop", "sound", "fix", "brick-run", "brick-view", "brick-prgm", "brick-on_off")) {
             val place = onAllNodesWithTag(tag).onFirst().fetchSemanticsNode().touchBoundsInRoot
             assertTrue(place.width >= 48f && place.height >= 48f, "$tag is only ${place.size}")
         }

@@ -4,9 +4,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.toArgb
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.rom.BrickState
-import robotran.rom.LcdGlass
-import robotran.rom.RunState
+import robotran.rom.Brick
 import robotran.world.BuiltInWorlds
 import robotran.world.Ink
 import robotran.world.InkStroke
@@ -100,7 +98,7 @@ class SheetPictureTest {
         leftBumper: Boolean = false,
     ) = SessionState(
         milliseconds = 0,
-        brick = BrickState(0, true, LcdGlass.BLANK, emptyList(), emptySet(), 0, RunState.Idle, false),
+        brick = Brick(emptyList()).state,
         robot = RobotState(Pose(40.0, 30.0, heading), 0.0, 0.0, penDown, leftBumper, false),
         ink = if (ink.isEmpty()) Ink.NONE else Ink(listOf(InkStroke(ink)), 0.0),
         bumps = 0,

@@ -1,0 +1,60 @@
+package robotran.android.sound
+
+import android.media.AudioAttributes
+import android.media.AudioFormat
+import android.media.AudioTrack
+import robotran.ui.sound.LoudSpeaker
+import robotran.ui.sound.SampleFeeder
+import robotran.ui.sound.SampleLine
+import robotran.ui.sound.ToneWave
+
+/** The loudspeaker of the tablet or phone; its volume keys are those of media. */
+internal fun audioTrackSpeaker(): LoudSpeaker = SampleFeeder(::openAudioTrack)
+
+/** A track that plays; null if Android gives none, for whatever reason: a tone is never worth ending the app. */
+private fun openAudioTrack(): SampleLine? =
+    try {
+        val track = newTrack()
+        track.play()
+        AudioTrackLine(track)
+    } catch (_: RuntimeException) {
+        null
+    }
+
+private fun newTrack(): AudioTrack {
+    val least = AudioTrack.getMinBufferSize(ToneWave.SAMPLE_RATE, AudioFormat.CHANNEL_OUT_MONO, AudioFormat.ENCODING_PCM_16BIT)
+    return AudioTrack
+        .Builder()
+        .setAudioAttributes(
+            AudioAttributes
+                .Builder()
+                .setUsage(AudioAttributes.USAGE_GAME)
+                .setContentType(AudioAttributes.CONTENT_TYPE_SONIFICATION)
+                .build(),
+        ).setAudioFormat(
+            AudioFormat
+                .Builder()
+                .setSampleRate(ToneWave.SAMPLE_RATE)
+                .setChannelMask(AudioFormat.CHANNEL_OUT_MONO)
+                .setEncoding(AudioFormat.ENCODING_PCM_16BIT)
+                .build(),
+        ).setTransferMode(AudioTrack.MODE_STREAM)
+        .setBufferSizeInBytes(maxOf(least, SampleLine.BUFFER_BYTES))
+        .build()
+}
+
+/** [track] plays. */
+private class AudioTrackLine(private val track: AudioTrack) : SampleLine {
+    override fun write(samples: ByteArray) {
+        track.write(samples, 0, samples.size)
+    }
+
+    /** A track can only drop what it holds while it pauses. */
+    override fun discard() {
+        track.pause()
+        track.flush()
+        track.play()
+    }
+
+    override fun close() = track.release()
+}

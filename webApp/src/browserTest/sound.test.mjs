@@ -1,0 +1,93 @@
+// Listens to what the page asks of the browser's loudspeaker; the machine that tests needs none.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { findColour, startBrowser } from './browser.mjs';
+import { openPage, RUN_GREEN } from './page.mjs';
+import { serve } from './serve.mjs';
+
+let browser;
+let site;
+
+before(async () => {
+  browser = await startBrowser();
+  site = await serve(process.env.PAGE);
+});
+
+after(async () => {
+  await browser?.close();
+  site?.stop();
+});
+
+/** Runs in the page: an AudioContext that makes no sound and remembers its tones in `sounds`. */
+function listen() {
+  const sounds = { contexts: 0, resumed: 0, tones: [] };
+  globalThis.sounds = sounds;
+  const begin = performance.now();
+  const parameter = () => ({ value: 0, setValueAtTime() { return this; }, linearRampToValueAtTime() { return this; }, cancelScheduledValues() { return this; } });
+  const node = (more) => ({ connect: (next) => next, disconnect() {}, ...more });
+  globalThis.AudioContext = class {
+    constructor() {
+      sounds.contexts++;
+      this.destination = node({});
+      this.state = 'suspended';
+    }
+
+    get currentTime() {
+      return (performance.now() - begin) / 1000;
+    }
+
+    resume() {
+      sounds.resumed++;
+      this.state = 'running';
+      return Promise.resolve();
+    }
+
+    close() {
+      return Promise.resolve();
+    }
+
+    createGain() {
+      return node({ gain: parameter() });
+    }
+
+    createOscillator() {
+      const tone = node({ type: 'sine', frequency: parameter(), start: (time) => { tone.from = time; }, stop: (time) => { tone.until = time; } });
+      sounds.tones.push(tone);
+      return tone;
+    }
+  };
+}
+
+const heard = (page) =>
+  page.evaluate(() => {
+    const { contexts, resumed, tones } = globalThis.sounds;
+    return { contexts, resumed, tones: tones.map(({ type, frequency, from, until }) => ({ type, hertz: frequency.value, from, until })) };
+  });
+
+test('the page makes no sound before it is touched, and the beeps of the brick after', async () => {
+  const { page, troubles } = await openPage(browser, site, { width: 1280, height: 800, prepare: listen });
+  assert.deepEqual(await heard(page), { contexts: 0, resumed: 0, tones: [] });
+
+  const { x, y } = await findColour(page, RUN_GREEN);
+  await page.mouse.click(x, y);
+  await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended', null, { timeout: 60_000 });
+  await page.waitForTimeout(1_000);
+  const { contexts, resumed, tones } = await heard(page);
+  assert.equal(contexts, 1);
+  assert.equal(resumed, 1);
+  // The square ends with a beep, and the brick says with two that it is ready again.
+  assert.deepEqual(tones.slice(-2).map(({ type, hertz }) => [type, hertz]), [['square', 1000], ['square', 1000]]);
+  assert.ok(tones.every(({ from, until }) => until > from && until - from < 0.2), JSON.stringify(tones));
+  const [first, second] = tones.slice(-2);
+  assert.ok(second.from - first.from > 0.199, 'the two beeps keep the rhythm of the brick, or a slower one on a slow machine');
+  assert.deepEqual(troubles, []);
+});
+
+test('the browser itself plays the beeps without a complaint', async () => {
+  const { page, troubles } = await openPage(browser, site, { width: 1280, height: 800 });
+  const { x, y } = await findColour(page, RUN_GREEN);
+  await page.mouse.click(x, y);
+  await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended', null, { timeout: 60_000 });
+  await page.waitForTimeout(500);
+  assert.deepEqual(troubles, []);
+});

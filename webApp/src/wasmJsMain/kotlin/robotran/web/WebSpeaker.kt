@@ -1,0 +1,103 @@
+@file:OptIn(ExperimentalWasmJsInterop::class)
+
+package robotran.web
+
+import robotran.ui.sound.LoudSpeaker
+import robotran.ui.sound.PlannedTone
+
+/**
+ * The browser's loudspeaker. Browsers refuse sounds before somebody has touched the page, so there is no context before that, and
+ * what would sound until then is left out.
+ */
+internal class WebSpeaker : LoudSpeaker {
+    private var context: AudioContext? = null
+    private var closed = false
+    private val sounding = mutableListOf<SoundingTone>()
+
+    init {
+        onEveryTouch(::wake)
+    }
+
+    override val milliseconds: Double get() = (context?.currentTime ?: 0.0) * MILLISECONDS_PER_SECOND
+
+    override fun play(tone: PlannedTone) {
+        val current = context ?: return
+        if (closed || current.state != RUNNING) return
+        endAt(tone.start)
+        sounding += SoundingTone(current, tone)
+    }
+
+    override fun endAt(milliseconds: Double) {
+        val now = this.milliseconds
+        sounding.removeAll { it.end <= now }
+        sounding.forEach { it.endAt(maxOf(now, milliseconds)) }
+    }
+
+    override fun silence() = endAt(0.0)
+
+    override fun close() {
+        silence()
+        closed = true
+        context?.close()
+        context = null
+    }
+
+    private fun wake() {
+        if (closed) return
+        val current = context ?: newAudioContext() ?: return
+        context = current
+        if (current.state != RUNNING) current.resume()
+    }
+
+    private companion object {
+        const val RUNNING = "running"
+    }
+}
+
+/** [tone] on its way to the loudspeaker of [context]; rises and falls quickly, so that it does not click. */
+private class SoundingTone(
+    context: AudioContext,
+    private val tone: PlannedTone,
+) {
+    private val oscillator = context.createOscillator()
+    private val gain = context.createGain()
+
+    /** When it ends, in milliseconds. */
+    var end = tone.end
+        private set
+
+    init {
+        val start = tone.start / MILLISECONDS_PER_SECOND
+        oscillator.type = "square"
+        oscillator.frequency.value = tone.hertz.toFloat()
+        oscillator.connect(gain)
+        gain.connect(context.destination)
+        gain.gain.setValueAtTime(0f, start)
+        gain.gain.linearRampToValueAtTime(LOUDNESS, start + RAMP_SECONDS)
+        oscillator.start(start)
+        fallAt(end)
+    }
+
+    /** Ends it at that time, or sooner if it was to end sooner. */
+    fun endAt(milliseconds: Double) {
+        if (milliseconds >= end) return
+        end = milliseconds
+        gain.gain.cancelScheduledValues(milliseconds / MILLISECONDS_PER_SECOND)
+        fallAt(milliseconds)
+    }
+
+    private fun fallAt(milliseconds: Double) {
+        val seconds = milliseconds / MILLISECONDS_PER_SECOND
+        gain.gain.setValueAtTime(LOUDNESS, seconds)
+        gain.gain.linearRampToValueAtTime(0f, seconds + RAMP_SECONDS)
+        oscillator.stop(seconds + RAMP_SECONDS)
+    }
+
+    private companion object {
+        /** A fifth of what there is: a square wave is loud. */
+        const val LOUDNESS = 0.2f
+        const val RAMP_SECONDS = 0.002
+    }
+}
+
+private const val MILLISECONDS_PER_SECOND = 1000.0
