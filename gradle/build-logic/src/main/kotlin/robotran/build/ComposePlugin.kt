@@ -35,6 +35,7 @@ class ComposePlugin : Plugin<Project> {
         WebTools.use(project)
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.useJUnitPlatform()
+            PropertyTests.configure(project, test)
             test.environment("SKIKO_RENDER_API", "SOFTWARE")
             test.systemProperty("java.awt.headless", "true")
             test.systemProperty("robotran.pictures", project.layout.buildDirectory.dir("pictures").get().asFile.path)

@@ -26,6 +26,9 @@ class CorePlugin : Plugin<Project> {
             }
         }
         WebTools.use(project)
-        project.tasks.withType(Test::class.java).configureEach { it.useJUnitPlatform() }
+        project.tasks.withType(Test::class.java).configureEach { test ->
+            test.useJUnitPlatform()
+            PropertyTests.configure(project, test)
+        }
     }
 }

@@ -32,7 +32,7 @@ internal class Hardware(
         log,
         MotorRoutines(memory, motors, messages).routines + LcdRoutines(lcd, messages).routines +
             LcdSegmentRoutines(memory, lcd, messages).routines + ButtonRoutines(memory, buttons, lcd, messages).routines +
-            PowerRoutines(memory, sleep = { asleep = true }, messages).routines + sounds.routines +
+            PowerRoutines(memory, ::sleep, messages).routines + sounds.routines +
             SensorRoutines(memory, sensors, messages).routines + SerialRoutines(memory, serial, sounds, messages).routines +
             TimerRoutines(this, messages).routines,
         sensors,
@@ -57,6 +57,11 @@ internal class Hardware(
 
     /** Whether nothing more will be heard unless it is asked for. */
     val isSilent: Boolean get() = !timerRuns || memory.readByte(Speaker.PLAYING_FLAG) == 0
+
+    /** The processor falls asleep, unless On-Off is held: that wakes it at once. */
+    private fun sleep() {
+        asleep = BrickButton.ON_OFF !in buttons.pressed
+    }
 
     /** On-Off is pressed, which wakes the processor. */
     fun wake() {

@@ -62,6 +62,7 @@ internal class Shell(
     }
 
     fun stopProgram() {
+        hardware.wake()
         if (run != null) {
             endProgram()
         } else if (shownFailure != null) {
