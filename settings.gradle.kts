@@ -18,6 +18,7 @@ rootProject.name = "robotran"
 
 include(":shared:rcx-rom")
 include(":shared:robolang")
+include(":shared:tinyvm")
 include(":shared:ui")
 include(":desktopApp")
 include(":webApp")
