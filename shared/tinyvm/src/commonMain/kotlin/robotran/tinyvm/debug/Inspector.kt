@@ -30,7 +30,7 @@ internal class Inspector(private val machine: Machine) {
     )
 
     /** The program's own methods that [thread] is inside of, the innermost first. */
-    fun callStack(thread: VmThread?): List<CallFrame> = ownFrames(thread).map { CallFrame(nameOf(it), lineOf(it)) }
+    fun callStack(thread: VmThread?): List<CallFrame> = ownFrames(thread).map { CallFrame(nameOf(it), if (it === thread?.frame) it.upcomingLine else it.line) }
 
     /** What the innermost own method of [thread] knows: its variables, the fields of `this`, the static fields of its class. */
     fun variables(thread: VmThread?): List<VariableScope> {
@@ -64,7 +64,4 @@ internal class Inspector(private val machine: Machine) {
         "<clinit>" -> "static ${frame.method.owner.sourceName}"
         else -> "${frame.method.owner.sourceName}.${frame.method.name}"
     }
-
-    /** Before a statement the line of that one. */
-    private fun lineOf(frame: Frame): Int = if (frame.isBeforeStatement) frame.body.lineAt(frame.next) else frame.line
 }

@@ -13,7 +13,6 @@ import robotran.tinyvm.ThreadView
 import robotran.tinyvm.TinyVmMode
 import robotran.tinyvm.debug.Inspector
 import robotran.tinyvm.link.LinkedProgram
-import robotran.tinyvm.link.Operation
 import robotran.tinyvm.natives.NativeMethod
 import robotran.tinyvm.natives.NativeMethods
 
@@ -46,10 +45,10 @@ internal class TinyVmRun(
 
     override val variables: List<VariableScope> get() = inspector.variables(focus)
 
-    override val sourceLine: Int get() = focus?.let { machine.lineOf(it) }?.takeIf { it > 0 } ?: failures.lastLine
+    override val sourceLine: Int get() = callStack.firstOrNull()?.sourceLine ?: failures.lastLine
 
     override val isBeforeStatement: Boolean
-        get() = focus?.takeIf { it.depth > 0 }?.frame?.let { it.body.code.getOrNull(it.next) == Operation.STATEMENT } ?: false
+        get() = focus?.takeIf { it.depth > 0 }?.frame?.isBeforeStatement ?: false
 
     /** Whom the debugger looks at: the thread that is being executed, otherwise the first. */
     private val focus: VmThread? get() = machine.current?.takeIf { it.isAlive } ?: machine.scheduler.threads.firstOrNull()
