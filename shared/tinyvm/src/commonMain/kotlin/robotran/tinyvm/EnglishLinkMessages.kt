@@ -27,6 +27,7 @@ internal object EnglishLinkMessages : LinkMessages {
         LackedFeature.DECIMAL_REMAINDER -> "The brick knows % only for whole numbers."
         LackedFeature.FAR_JUMP -> "This method is too long for the brick. Move parts of it into other methods."
         LackedFeature.MANY_LOCALS -> "A method can have at most 255 variables on the brick."
+        LackedFeature.LARGE_STEP -> "The brick cannot add or subtract more than 127 with += or -=. Write x = x + 1000 instead."
         LackedFeature.MANY_CONSTANTS -> "This class has too many different texts and large numbers for the brick. Move some into another class."
         LackedFeature.INVOKE_DYNAMIC -> "The brick does not know lambdas or newer ways to join texts. Compile for an older Java, or write a class."
         LackedFeature.ARRAY_TEST -> "The brick cannot test or cast arrays. Keep the array in a variable of its own type."

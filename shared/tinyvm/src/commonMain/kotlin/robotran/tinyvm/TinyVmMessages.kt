@@ -50,6 +50,9 @@ enum class LackedFeature {
     DECIMAL_REMAINDER,
     FAR_JUMP,
     MANY_LOCALS,
+
+    /** `x += 1000`, for which compilers use an instruction that leJOS does not know. */
+    LARGE_STEP,
     MANY_CONSTANTS,
     INVOKE_DYNAMIC,
     ARRAY_TEST,

@@ -125,7 +125,7 @@ internal class Effects(
         situation.popValue(ValueType.WHOLE)
         val array = relations.typeOrNull(situation.popReference())
         if (array != null && (array !is ArrayType || (if (isObject) array.element == null else array.elementDescriptor !in letters))) unsound()
-        val element = (array as? ArrayType)?.element
+        val element = array?.element
         when {
             isStore -> if (isObject && element != null && !relations.fits(stored, element)) unsound()
             isObject -> situation.push(element?.let { ValueType.reference(it) } ?: ValueType.NULL)

@@ -30,6 +30,8 @@ internal class InstructionReader(
 
     private fun readInstruction(place: Int): Instruction {
         val opcode = reader.unsignedByte()
+        val isLargeStep = opcode == Opcode.WIDE && code.bytes.getOrNull(place + 1) == Opcode.IINC.toByte()
+        if (isLargeStep) placeOf(place).refuse(messages.lacks(LackedFeature.LARGE_STEP))
         LACKED[opcode]?.let { placeOf(place).refuse(messages.lacks(it)) }
         if (SIMPLE_INSTRUCTIONS[opcode] != null) return made(opcode, place)
         return when (opcode) {

@@ -23,7 +23,7 @@ internal class TinyVmRun(
     mode: TinyVmMode,
     messages: RunMessages,
 ) : JavaRun {
-    private val machine = Machine(program, rom, mode, messages)
+    internal val machine = Machine(program, rom, mode, messages)
     private val failures = Failures(machine, messages)
     private val calls = Calls(machine, nativesOf(program), failures::add)
     private val interpreter = Interpreter(machine, calls)
