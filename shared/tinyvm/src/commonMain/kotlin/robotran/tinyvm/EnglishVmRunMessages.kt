@@ -8,14 +8,38 @@ internal object EnglishVmRunMessages : RunMessages {
     }
 
     override fun bites(quirk: Quirk) = when (quirk) {
-        Quirk.DIVISOR_OF_16_BITS -> "A brick divides only by numbers from -32768 to 32767. It drops the rest of a larger divisor."
-        Quirk.INDEX_OF_16_BITS -> "A brick looks only at 16 bits of an index, so a large one meets another element."
-        Quirk.SIGNED_CHARACTER -> "On a brick, a char above 32767 becomes negative."
-        Quirk.UNCHECKED_INTERFACE -> "On a brick, every object passes for any interface: this test or cast was not really made."
-        Quirk.LONG_ARRAY -> "On a brick, an array has at most 511 elements."
-        Quirk.HEAP_FULL -> "The brick's memory is full. It never gives memory back, so make objects, arrays and texts once and use them again."
-        Quirk.NOT_A_NUMBER -> "This decimal number is no number, and a brick takes it as equal to all others."
-        Quirk.JOIN_DOES_NOTHING -> "On a brick, join does not wait. Ask isAlive in a loop instead."
+        Quirk.DIVISOR_OF_16_BITS -> {
+            "A brick divides only by numbers from -32768 to 32767. It drops the rest of a larger divisor."
+        }
+
+        Quirk.INDEX_OF_16_BITS -> {
+            "A brick looks only at 16 bits of an index, so a large one meets another element."
+        }
+
+        Quirk.SIGNED_CHARACTER -> {
+            "On a brick, a char above 32767 becomes negative."
+        }
+
+        Quirk.UNCHECKED_INTERFACE -> {
+            "On a brick, every object passes for any interface: this test or cast was not really made."
+        }
+
+        Quirk.LONG_ARRAY -> {
+            "On a brick, an array has at most 511 elements."
+        }
+
+        Quirk.HEAP_FULL -> {
+            "The brick's memory is full. It never gives memory back, so make objects, arrays and texts once and use " +
+                "them again."
+        }
+
+        Quirk.NOT_A_NUMBER -> {
+            "This decimal number is no number, and a brick takes it as equal to all others."
+        }
+
+        Quirk.JOIN_DOES_NOTHING -> {
+            "On a brick, join does not wait. Ask isAlive in a loop instead."
+        }
     }
 
     override fun wouldBite(quirk: Quirk) = when (quirk) {

@@ -62,7 +62,10 @@ class DebuggingTest {
     fun `every line is met once`() {
         val met = mutableListOf<Pair<Int, Int>>()
         val run = linked(source).start(ShowingRom())
-        run.watch = StatementWatch { line, depth -> met += line to depth; false }
+        run.watch = StatementWatch { line, depth ->
+            met += line to depth
+            false
+        }
         assertEquals(ProgramStatus.Ended, run.resume(100))
         assertEquals(listOf(3 to 1, 5 to 0, 6 to 0, 7 to 0, 11 to 1, 12 to 1, 8 to 0, 9 to 0), met)
     }

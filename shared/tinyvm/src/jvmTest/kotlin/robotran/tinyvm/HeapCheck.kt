@@ -17,7 +17,7 @@ internal fun checkHeap(run: JavaRun) {
         if (reference == 0) return
         if (!heap.isObject(reference)) fail("$where holds $reference, which is no object")
         val wanted: HeapType = byDescriptor[descriptor] ?: return
-        if (wanted is LinkedClass && wanted.isInterface || wanted is ArrayType && isOfInterfaces(wanted)) return
+        if (isOfInterfaces(wanted)) return
         if (!heap.typeOf(reference).isA(wanted)) fail("$where holds a ${heap.typeOf(reference).descriptor} instead of a $descriptor")
     }
     for (field in machine.program.statics) {
@@ -28,6 +28,7 @@ internal fun checkHeap(run: JavaRun) {
         when (val type = heap.typeOf(place)) {
             is LinkedClass -> generateSequence(type) { it.superclass }.flatMap { it.fields }.filter { !it.isStatic && it.isReference }
                 .forEach { check(heap.words[place + Heap.HEADER_WORDS + it.slot], it.descriptor, "${it.owner.name}.${it.name}") }
+
             is ArrayType -> if (type.element != null) {
                 repeat(heap.length(place)) { check(heap.words[place + Heap.HEADER_WORDS + it], type.elementDescriptor, type.descriptor) }
             }
@@ -35,7 +36,9 @@ internal fun checkHeap(run: JavaRun) {
     }
 }
 
-private fun isOfInterfaces(type: ArrayType): Boolean {
-    val element = type.element
-    return element is LinkedClass && element.isInterface || element is ArrayType && isOfInterfaces(element)
+/** Whether [type] is an interface or an array of such, for which everything passes. */
+private fun isOfInterfaces(type: HeapType?): Boolean = when (type) {
+    is LinkedClass -> type.isInterface
+    is ArrayType -> isOfInterfaces(type.element)
+    null -> false
 }

@@ -29,7 +29,8 @@ internal object JavaCompiler {
     private fun compile(sources: List<JavaFileObject>): Map<String, ByteArray> {
         val problems = DiagnosticCollector<JavaFileObject>()
         val nothing = Files.createTempDirectory("nothing").toFile().apply { deleteOnExit() }
-        val options = listOf("-source", "8", "-target", "8", "-bootclasspath", nothing.path, "-g", "-proc:none", "-nowarn", "-Xlint:-options")
+        val options =
+            listOf("-source", "8", "-target", "8", "-bootclasspath", nothing.path, "-g", "-proc:none", "-nowarn", "-Xlint:-options")
         val classes = compiler.getStandardFileManager(problems, Locale.ENGLISH, Charsets.UTF_8).use { files ->
             val memory = ClassesInMemory(files)
             compiler.getTask(null, memory, problems, options, null, sources).call()

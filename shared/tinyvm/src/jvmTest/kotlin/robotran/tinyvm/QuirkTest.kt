@@ -41,7 +41,11 @@ class QuirkTest {
     @Test
     fun `a method that an object does not have is an error that can be caught`() = assertEquals(
         listOf(3),
-        shownBy("Object o = \"x\"; try { ((Named) o).name(); } catch (NoSuchMethodError e) { show(3); }", "interface Named { int name(); }"),
+        shownBy(
+            "Object o = \"x\"; try { ((Named) o).name(); } catch (NoSuchMethodError e) { show(3); }",
+            "interface Named { int " +
+                "name(); }",
+        ),
     )
 
     @Test
@@ -62,18 +66,31 @@ class QuirkTest {
     @Test
     fun `what is still used survives the collection`() = assertEquals(
         listOf(499500 / 100),
-        shownBy("Node first = null; for (int i = 0; i < 1000; i++) { first = new Node(i, first); for (int j = 0; j < 50; j++) { int[] a = new int[50]; } }" +
-            "int sum = 0; for (Node n = first; n != null; n = n.next) sum += n.value; show(sum / 100);",
-            "static class Node { int value; Node next; Node(int value, Node next) { this.value = value; this.next = next; } }", TinyVmMode.FORGIVING),
+        shownBy(
+            "Node first = null; for (int i = 0; i < 1000; i++) { first = new Node(i, first); for (int j = 0; j < 50; j++) { int[] a " +
+                "= new int[50]; } }" +
+                "int sum = 0; for (Node n = first; n != null; n = n.next) sum += n.value; show(sum / 100);",
+            "static class Node { int value; Node next; Node(int value, Node next) { this.value = value; this.next = next; } " +
+                "}",
+            TinyVmMode.FORGIVING,
+        ),
     )
 
     @Test
     fun `a heap full of what is used is an error in forgiving mode too`() {
-        val body = "Object[] all = new Object[5000]; try { for (int i = 0; i < 5000; i++) all[i] = new int[500]; } catch (OutOfMemoryError e) { show(1); }"
+        val body = "Object[] all = new Object[5000]; try { for (int i = 0; i < 5000; i++) all[i] = new int[500]; } catch " +
+            "(OutOfMemoryError e) { show(1); }"
         assertEquals(listOf(1), shownBy(body, mode = TinyVmMode.FORGIVING))
     }
 
     @Test
     fun `endless recursion is an error that can be caught`() =
-        assertEquals(listOf(1), shownBy("try { deeper(1); } catch (StackOverflowError e) { show(1); }", "static int deeper(int x) { return deeper(x + 1); }"))
+        assertEquals(
+            listOf(1),
+            shownBy(
+                "try { deeper(1); } catch (StackOverflowError e) { show(1); }",
+                "static int deeper(int x) { " +
+                    "return deeper(x + 1); }",
+            ),
+        )
 }

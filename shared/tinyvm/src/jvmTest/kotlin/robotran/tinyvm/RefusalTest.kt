@@ -24,7 +24,14 @@ class RefusalTest {
         assertEquals(messages.lacks(LackedFeature.DECIMAL_REMAINDER), refused("float a = 1; a %= 2;").message)
         assertEquals(messages.lacks(LackedFeature.ARRAY_TEST), refused("Object a = new int[1]; show(((int[]) a).length);").message)
         assertEquals(messages.lacks(LackedFeature.CLASS_LITERAL), refused("Object a = String.class;").message)
-        assertEquals(messages.lacks(LackedFeature.INTERFACE_CODE), refused("new A() {}.a();", "interface A { default void a() {} }").message)
+        assertEquals(
+            messages.lacks(LackedFeature.INTERFACE_CODE),
+            refused(
+                "new A() {}.a();",
+                "interface A { default void a() {} " +
+                    "}",
+            ).message,
+        )
         assertEquals(messages.lacks(LackedFeature.LARGE_STEP), refused("int a = 1; a += 1000;").message)
         val parameters = (1..17).joinToString { "int p$it" }
         assertEquals(messages.tooMany(Counted.PARAMETERS, 16), refused("", "static void many($parameters) {}").message)

@@ -49,4 +49,4 @@ internal fun program(body: String, members: String = ""): String = """
         static void show(boolean value) { ROM.show(value ? 1 : 0); }
         $members
     }
-""".trimIndent()
+    """.trimIndent()

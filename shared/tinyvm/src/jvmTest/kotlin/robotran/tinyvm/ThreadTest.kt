@@ -7,8 +7,10 @@ import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
 class ThreadTest {
-    private val counter = "static class Counter extends Thread { int from, count; Counter(int from, int count) { this.from = from; this.count = count; }" +
-        "public void run() { for (int i = 0; i < count; i++) { show(from + i); try { sleep(10); } catch (InterruptedException e) { show(-1); } } } }"
+    private val counter =
+        "static class Counter extends Thread { int from, count; Counter(int from, int count) { this.from = from; this.count = count; }" +
+            "public void run() { for (int i = 0; i < count; i++) { show(from + i); try { sleep(10); } catch (InterruptedException " +
+            "e) { show(-1); } } } }"
 
     @Test
     fun `threads that sleep take turns`() =
@@ -23,9 +25,11 @@ class ThreadTest {
     @Test
     fun `busy threads of the same priority share the time`() = assertEquals(
         listOf(1),
-        shownBy("Busy a = new Busy(), b = new Busy(); a.setDaemon(true); b.setDaemon(true); a.start(); b.start(); Thread.sleep(1000);" +
-            "show(a.count > 1000 && b.count > 1000 && a.count < b.count * 2 && b.count < a.count * 2);",
-            "static class Busy extends Thread { int count; public void run() { while (true) count++; } }"),
+        shownBy(
+            "Busy a = new Busy(), b = new Busy(); a.setDaemon(true); b.setDaemon(true); a.start(); b.start(); Thread.sleep(1000);" +
+                "show(a.count > 1000 && b.count > 1000 && a.count < b.count * 2 && b.count < a.count * 2);",
+            "static class Busy extends Thread { int count; public void run() { while (true) count++; } }",
+        ),
     )
 
     @Test
@@ -38,22 +42,30 @@ class ThreadTest {
     @Test
     fun `synchronized methods exclude each other`() = assertEquals(
         listOf(1, 2, 1, 2),
-        shownBy("final Object lock = new Object(); for (int i = 0; i < 2; i++) new Thread() { public void run() { synchronized (lock) { show(1);" +
-            "try { sleep(50); } catch (InterruptedException e) { } show(2); } } }.start();"),
+        shownBy(
+            "final Object lock = new Object(); for (int i = 0; i < 2; i++) new Thread() { public void run() { synchronized (lock) { " +
+                "show(1);" +
+                "try { sleep(50); } catch (InterruptedException e) { } show(2); } } }.start();",
+        ),
     )
 
     @Test
     fun `a thread waits until it is notified`() = assertEquals(
         listOf(1, 2, 3),
-        shownBy("final Object lock = new Object(); new Thread() { public void run() { synchronized (lock) { show(2); lock.notify(); } } }.start();" +
-            "synchronized (lock) { show(1); lock.wait(); show(3); }"),
+        shownBy(
+            "final Object lock = new Object(); new Thread() { public void run() { synchronized (lock) { show(2); lock.notify(); } } " +
+                "}.start();" +
+                "synchronized (lock) { show(1); lock.wait(); show(3); }",
+        ),
     )
 
     @Test
     fun `a wait can be over by itself`() = assertEquals(
         listOf(100),
-        shownBy("Object lock = new Object(); int before = (int) System.currentTimeMillis(); synchronized (lock) { lock.wait(100); }" +
-            "show((int) System.currentTimeMillis() - before);"),
+        shownBy(
+            "Object lock = new Object(); int before = (int) System.currentTimeMillis(); synchronized (lock) { lock.wait(100); }" +
+                "show((int) System.currentTimeMillis() - before);",
+        ),
     )
 
     @Test
@@ -66,8 +78,13 @@ class ThreadTest {
 
     @Test
     fun `threads that wait for each other can still be stopped`() {
-        val ran = ran("final Object a = new Object(), b = new Object(); new Thread() { public void run() { both(b, a); } }.start(); both(a, b);",
-            "static void both(Object a, Object b) { synchronized (a) { try { Thread.sleep(20); } catch (InterruptedException e) { } synchronized (b) { show(9); } } }")
+        val ran =
+            ran(
+                "final Object a = new Object(), b = new Object(); new Thread() { public void run() { both(b, a); } }.start(); " +
+                    "both(a, b);",
+                "static void both(Object a, Object b) { synchronized (a) { try { Thread.sleep(20); } catch (InterruptedException e) " +
+                    "{ } synchronized (b) { show(9); } } }",
+            )
         assertIs<ProgramStatus.Waiting>(ran.status)
         assertEquals(emptyList(), ran.rom.shown)
     }
@@ -94,7 +111,11 @@ class ThreadTest {
 
     @Test
     fun `what changes at a sensor wakes who polls`() {
-        val ran = ran("Poll poll = new Poll(); poll.setPoller(); synchronized (poll) { Sensor.setSensorValue(0, 32, 0); poll.wait(); show(poll.changed); }")
+        val ran =
+            ran(
+                "Poll poll = new Poll(); poll.setPoller(); synchronized (poll) { Sensor.setSensorValue(0, 32, 0); poll.wait(); " +
+                    "show(poll.changed); }",
+            )
         assertEquals(listOf(7), ran.rom.shown)
     }
 }

@@ -30,7 +30,18 @@ internal class Inspector(private val machine: Machine) {
     )
 
     /** The program's own methods that [thread] is inside of, the innermost first. */
-    fun callStack(thread: VmThread?): List<CallFrame> = ownFrames(thread).map { CallFrame(nameOf(it), if (it === thread?.frame) it.upcomingLine else it.line) }
+    fun callStack(thread: VmThread?): List<CallFrame> = ownFrames(thread).map {
+        CallFrame(
+            nameOf(it),
+            if (it ===
+                thread?.frame
+            ) {
+                it.upcomingLine
+            } else {
+                it.line
+            },
+        )
+    }
 
     /** What the innermost own method of [thread] knows: its variables, the fields of `this`, the static fields of its class. */
     fun variables(thread: VmThread?): List<VariableScope> {

@@ -35,34 +35,67 @@ internal class InstructionReader(
         LACKED[opcode]?.let { placeOf(place).refuse(messages.lacks(it)) }
         if (SIMPLE_INSTRUCTIONS[opcode] != null) return made(opcode, place)
         return when (opcode) {
-            1 -> made(opcode, place)
-            BIPUSH -> made(opcode, place, reader.signedByte())
-            SIPUSH -> made(opcode, place, reader.signedShort())
-            Opcode.LDC -> made(opcode, place, reader.unsignedByte())
-            in Opcode.ILOAD..Opcode.ALOAD, in Opcode.ISTORE..Opcode.ASTORE, Opcode.RET, Opcode.NEWARRAY ->
+            1 -> {
+                made(opcode, place)
+            }
+
+            BIPUSH -> {
+                made(opcode, place, reader.signedByte())
+            }
+
+            SIPUSH -> {
+                made(opcode, place, reader.signedShort())
+            }
+
+            Opcode.LDC -> {
                 made(opcode, place, reader.unsignedByte())
-            in Opcode.ILOAD_0..Opcode.ALOAD_3 -> shortForm(Opcode.ILOAD, opcode - Opcode.ILOAD_0, place)
-            in Opcode.ISTORE_0..Opcode.ASTORE_3 -> shortForm(Opcode.ISTORE, opcode - Opcode.ISTORE_0, place)
+            }
+
+            in Opcode.ILOAD..Opcode.ALOAD, in Opcode.ISTORE..Opcode.ASTORE, Opcode.RET, Opcode.NEWARRAY -> {
+                made(opcode, place, reader.unsignedByte())
+            }
+
+            in Opcode.ILOAD_0..Opcode.ALOAD_3 -> {
+                shortForm(Opcode.ILOAD, opcode - Opcode.ILOAD_0, place)
+            }
+
+            in Opcode.ISTORE_0..Opcode.ASTORE_3 -> {
+                shortForm(Opcode.ISTORE, opcode - Opcode.ISTORE_0, place)
+            }
+
             Opcode.IINC -> {
                 val local = reader.unsignedByte()
                 val step = reader.signedByte()
                 made(opcode, place, local, step)
             }
-            in Opcode.IFEQ..Opcode.JSR, Opcode.IFNULL, Opcode.IFNONNULL -> made(opcode, place, place + reader.signedShort())
-            Opcode.LDC2_W, in Opcode.GETSTATIC..Opcode.INVOKESTATIC, Opcode.NEW, Opcode.ANEWARRAY, Opcode.CHECKCAST, Opcode.INSTANCEOF ->
+
+            in Opcode.IFEQ..Opcode.JSR, Opcode.IFNULL, Opcode.IFNONNULL -> {
+                made(opcode, place, place + reader.signedShort())
+            }
+
+            Opcode.LDC2_W, in Opcode.GETSTATIC..Opcode.INVOKESTATIC, Opcode.NEW, Opcode.ANEWARRAY, Opcode.CHECKCAST, Opcode.INSTANCEOF -> {
                 made(opcode, place, reader.unsignedShort())
+            }
+
             Opcode.INVOKEINTERFACE -> {
                 val constant = reader.unsignedShort()
                 reader.unsignedShort()
                 made(opcode, place, constant)
             }
+
             Opcode.MULTIANEWARRAY -> {
                 val constant = reader.unsignedShort()
                 val dimensions = reader.unsignedByte()
                 made(opcode, place, constant, dimensions)
             }
-            in WITHOUT_OPERANDS -> made(opcode, place)
-            else -> placeOf(place).unsound(messages)
+
+            in WITHOUT_OPERANDS -> {
+                made(opcode, place)
+            }
+
+            else -> {
+                placeOf(place).unsound(messages)
+            }
         }
     }
 

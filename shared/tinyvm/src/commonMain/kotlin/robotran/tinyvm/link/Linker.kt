@@ -57,7 +57,10 @@ internal class Linker(
         val place = Place(method.owner.name, method.name)
         val entry = method.entry.code
         when {
-            method.isNative -> if (!nativeMethods("${method.owner.name}.${method.signature}")) place.refuse(messages.nativeMethod(method.name))
+            method.isNative -> {
+                if (!nativeMethods("${method.owner.name}.${method.signature}")) place.refuse(messages.nativeMethod(method.name))
+            }
+
             entry != null -> {
                 checkSizes(method, entry, place)
                 val code = Verifier(method, entry, types, messages, budget).verify()

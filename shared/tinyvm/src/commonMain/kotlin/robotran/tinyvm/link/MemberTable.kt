@@ -79,7 +79,11 @@ internal class MemberTable(private val messages: LinkMessages) {
             if (method.argumentWords > TinyVmLimits.PARAMETERS) {
                 Place(linked.name, method.name).refuse(messages.tooMany(Counted.PARAMETERS, TinyVmLimits.PARAMETERS))
             }
-            if (linked.isInterface && entry.code != null && entry.name != "<clinit>") place.refuse(messages.lacks(LackedFeature.INTERFACE_CODE))
+            if (linked.isInterface && entry.code != null &&
+                entry.name != "<clinit>"
+            ) {
+                place.refuse(messages.lacks(LackedFeature.INTERFACE_CODE))
+            }
             if (!method.isStatic && !method.isConstructor && !linked.isInterface) placeVirtual(method, virtual)
             method
         }

@@ -4,16 +4,29 @@ package robotran.tinyvm.link
 internal object StackShuffles {
     fun apply(opcode: Int, situation: Situation) {
         when (opcode) {
-            Opcode.POP -> situation.popSingle()
-            Opcode.POP2 -> situation.popPair()
-            Opcode.DUP -> situation.popSingle().let { repeat(2) { _ -> situation.push(it) } }
-            Opcode.DUP2 -> situation.popPair().let { repeat(2) { _ -> situation.pushPair(it) } }
+            Opcode.POP -> {
+                situation.popSingle()
+            }
+
+            Opcode.POP2 -> {
+                situation.popPair()
+            }
+
+            Opcode.DUP -> {
+                situation.popSingle().let { repeat(2) { _ -> situation.push(it) } }
+            }
+
+            Opcode.DUP2 -> {
+                situation.popPair().let { repeat(2) { _ -> situation.pushPair(it) } }
+            }
+
             Opcode.SWAP -> {
                 val upper = situation.popSingle()
                 val lower = situation.popSingle()
                 situation.push(upper)
                 situation.push(lower)
             }
+
             Opcode.DUP_X1 -> {
                 val upper = situation.popSingle()
                 val lower = situation.popSingle()
@@ -21,6 +34,7 @@ internal object StackShuffles {
                 situation.push(lower)
                 situation.push(upper)
             }
+
             Opcode.DUP_X2 -> {
                 val upper = situation.popSingle()
                 val lower = situation.popPair()
@@ -28,6 +42,7 @@ internal object StackShuffles {
                 situation.pushPair(lower)
                 situation.push(upper)
             }
+
             Opcode.DUP2_X1 -> {
                 val upper = situation.popPair()
                 val lower = situation.popSingle()
@@ -35,6 +50,7 @@ internal object StackShuffles {
                 situation.push(lower)
                 situation.pushPair(upper)
             }
+
             Opcode.DUP2_X2 -> {
                 val upper = situation.popPair()
                 val lower = situation.popPair()

@@ -3,8 +3,8 @@ package robotran.tinyvm.link
 import robotran.tinyvm.TinyVmLimits
 
 /**
- * The subroutines (`finally` blocks of older compilers) that a piece of code is inside of. Code is looked at once for each place it is called
- * from, so the verifier knows exactly where each subroutine goes back to.
+ * The subroutines (`finally` blocks of older compilers) that a piece of code is inside of. Code is looked at once for each place it is
+ * called from, so the verifier knows exactly where each subroutine goes back to.
  */
 internal class SubroutineContexts {
     private class Context(val returnPlace: Int, val outer: Int)

@@ -53,26 +53,82 @@ internal class Translator(
     private fun other(instruction: Instruction) {
         val opcode = instruction.opcode
         when (opcode) {
-            ACONST_NULL -> writer.write(Operation.PUSH, 0)
-            BIPUSH, SIPUSH -> writer.write(Operation.PUSH, instruction.operand)
-            Opcode.LDC, Opcode.LDC2_W -> constant(constants.constant(instruction.operand))
-            in Opcode.ILOAD..Opcode.ALOAD ->
-                writer.write(if ((opcode - Opcode.ILOAD) % 2 == 1 && opcode != Opcode.ALOAD) Operation.LOAD_WIDE else Operation.LOAD, instruction.operand)
-            in Opcode.ISTORE..Opcode.ASTORE ->
+            ACONST_NULL -> {
+                writer.write(Operation.PUSH, 0)
+            }
+
+            BIPUSH, SIPUSH -> {
+                writer.write(Operation.PUSH, instruction.operand)
+            }
+
+            Opcode.LDC, Opcode.LDC2_W -> {
+                constant(constants.constant(instruction.operand))
+            }
+
+            in Opcode.ILOAD..Opcode.ALOAD -> {
+                writer.write(
+                    if ((opcode - Opcode.ILOAD) % 2 == 1 &&
+                        opcode != Opcode.ALOAD
+                    ) {
+                        Operation.LOAD_WIDE
+                    } else {
+                        Operation.LOAD
+                    },
+                    instruction.operand,
+                )
+            }
+
+            in Opcode.ISTORE..Opcode.ASTORE -> {
                 writer.write(if ((opcode - Opcode.ISTORE) % 2 == 1) Operation.STORE_WIDE else Operation.STORE, instruction.operand)
-            in Opcode.IALOAD..Opcode.SALOAD -> writer.write(if (isWideElement(opcode - Opcode.IALOAD)) Operation.ELEMENT_WIDE else Operation.ELEMENT)
-            in Opcode.IASTORE..Opcode.SASTORE -> writer.write(STORES[opcode - Opcode.IASTORE])
-            in Opcode.POP..Opcode.SWAP -> writer.write(Operation.POP + opcode - Opcode.POP)
-            Opcode.IINC -> writer.write(Operation.INCREMENT, instruction.operand, instruction.second)
-            Opcode.RET -> writer.write(Operation.END_SUBROUTINE, instruction.operand)
-            Opcode.RETURN -> writer.write(Operation.RETURN)
-            in Opcode.IRETURN..Opcode.ARETURN ->
+            }
+
+            in Opcode.IALOAD..Opcode.SALOAD -> {
+                writer.write(if (isWideElement(opcode - Opcode.IALOAD)) Operation.ELEMENT_WIDE else Operation.ELEMENT)
+            }
+
+            in Opcode.IASTORE..Opcode.SASTORE -> {
+                writer.write(STORES[opcode - Opcode.IASTORE])
+            }
+
+            in Opcode.POP..Opcode.SWAP -> {
+                writer.write(Operation.POP + opcode - Opcode.POP)
+            }
+
+            Opcode.IINC -> {
+                writer.write(Operation.INCREMENT, instruction.operand, instruction.second)
+            }
+
+            Opcode.RET -> {
+                writer.write(Operation.END_SUBROUTINE, instruction.operand)
+            }
+
+            Opcode.RETURN -> {
+                writer.write(Operation.RETURN)
+            }
+
+            in Opcode.IRETURN..Opcode.ARETURN -> {
                 writer.write(if (method.resultWords == 2) Operation.RETURN_WIDE else Operation.RETURN_VALUE)
-            Opcode.ARRAYLENGTH -> writer.write(Operation.LENGTH)
-            Opcode.ATHROW -> writer.write(Operation.THROW)
-            Opcode.MONITORENTER -> writer.write(Operation.ENTER_MONITOR)
-            Opcode.MONITOREXIT -> writer.write(Operation.EXIT_MONITOR)
-            else -> error("no operation for bytecode $opcode")
+            }
+
+            Opcode.ARRAYLENGTH -> {
+                writer.write(Operation.LENGTH)
+            }
+
+            Opcode.ATHROW -> {
+                writer.write(Operation.THROW)
+            }
+
+            Opcode.MONITORENTER -> {
+                writer.write(Operation.ENTER_MONITOR)
+            }
+
+            Opcode.MONITOREXIT -> {
+                writer.write(Operation.EXIT_MONITOR)
+            }
+
+            else -> {
+                error("no operation for bytecode $opcode")
+            }
         }
     }
 
@@ -118,10 +174,18 @@ internal class Translator(
                 initialize(called.owner)
                 writer.write(Operation.CALL_STATIC, called.number)
             }
-            instruction.opcode == Opcode.INVOKESPECIAL -> writer.write(Operation.CALL_EXACTLY, called.number)
-            called.owner.isInterface ->
+
+            instruction.opcode == Opcode.INVOKESPECIAL -> {
+                writer.write(Operation.CALL_EXACTLY, called.number)
+            }
+
+            called.owner.isInterface -> {
                 writer.write(Operation.CALL_INTERFACE, types.members.interfaceNumber(called.signature), called.argumentWords)
-            else -> writer.write(Operation.CALL_VIRTUAL, called.virtualIndex, called.argumentWords)
+            }
+
+            else -> {
+                writer.write(Operation.CALL_VIRTUAL, called.virtualIndex, called.argumentWords)
+            }
         }
     }
 
@@ -132,10 +196,22 @@ internal class Translator(
                 initialize(type as LinkedClass)
                 writer.write(Operation.NEW, type.id)
             }
-            Opcode.MULTIANEWARRAY -> writer.write(Operation.NEW_ARRAYS, type.id, instruction.second)
-            Opcode.CHECKCAST -> writer.write(Operation.CAST, type.id)
-            Opcode.INSTANCEOF -> writer.write(Operation.IS_INSTANCE, type.id)
-            else -> writer.write(Operation.NEW_ARRAY, type.id)
+
+            Opcode.MULTIANEWARRAY -> {
+                writer.write(Operation.NEW_ARRAYS, type.id, instruction.second)
+            }
+
+            Opcode.CHECKCAST -> {
+                writer.write(Operation.CAST, type.id)
+            }
+
+            Opcode.INSTANCEOF -> {
+                writer.write(Operation.IS_INSTANCE, type.id)
+            }
+
+            else -> {
+                writer.write(Operation.NEW_ARRAY, type.id)
+            }
         }
     }
 

@@ -21,14 +21,23 @@ internal class TypeRelations(private val types: TypeTable) {
     private fun typeOf(value: Int): HeapType = types.types[ValueType.typeId(value)]
 
     private fun isSubtype(type: HeapType, target: HeapType): Boolean = when {
-        type === target || target === types.root -> true
-        target is LinkedClass && target.isInterface -> true
+        type === target || target === types.root -> {
+            true
+        }
+
+        target is LinkedClass && target.isInterface -> {
+            true
+        }
+
         type is ArrayType && target is ArrayType -> {
             val element = type.element
             val targetElement = target.element
             element != null && targetElement != null && isSubtype(element, targetElement)
         }
-        else -> type.isA(target)
+
+        else -> {
+            type.isA(target)
+        }
     }
 
     private fun common(first: HeapType, second: HeapType): HeapType {

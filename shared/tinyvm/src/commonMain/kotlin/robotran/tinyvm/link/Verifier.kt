@@ -66,11 +66,13 @@ internal class Verifier(
                 situation.push(ValueType.returnAddress(inner))
                 arrive(instruction.operand, inner, situation)
             }
+
             Opcode.RET -> {
                 val address = situation.local(instruction.operand)
                 if (!ValueType.isReturnAddress(address)) unsound()
                 arrive(contexts.returnPlace(-address), contexts.outer(-address), situation)
             }
+
             else -> {
                 effects.apply(instruction, situation, placeOf(place))
                 goOn(instruction, context, situation)

@@ -10,7 +10,8 @@ private const val MOST_ARGUMENTS = 4
 
 /** `josx.platform.rcx.ROM` and `Memory`. Source: leJOS `native.c`. */
 internal val memoryMethods: Map<String, NativeMethod> = (0..MOST_ARGUMENTS).associate { arguments ->
-    "josx/platform/rcx/ROM.call(S${"S".repeat(arguments)})V" to action { machine, thread, first -> callRom(machine, thread, first, arguments) }
+    "josx/platform/rcx/ROM.call(S${"S".repeat(arguments)})V" to
+        action { machine, thread, first -> callRom(machine, thread, first, arguments) }
 } + mapOf(
     "josx/platform/rcx/Memory.readByte(I)B" to NativeMethod { machine, thread, first ->
         val address = thread.stack[first] and WORD

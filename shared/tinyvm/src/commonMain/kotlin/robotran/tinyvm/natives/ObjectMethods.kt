@@ -21,9 +21,18 @@ internal val objectMethods: Map<String, NativeMethod> = mapOf(
 /** Lets [thread] give up the monitor [lock] and wait; 0 or null milliseconds are for ever. */
 private fun await(machine: Machine, thread: VmThread, lock: Int, milliseconds: Int?) {
     when {
-        !machine.monitors.isOwner(lock, thread) -> machine.raise(thread, BuiltInException.ILLEGAL_MONITOR_STATE)
-        milliseconds != null && milliseconds < 0 -> machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
-        thread.isInterrupted -> interruptNow(machine, thread)
+        !machine.monitors.isOwner(lock, thread) -> {
+            machine.raise(thread, BuiltInException.ILLEGAL_MONITOR_STATE)
+        }
+
+        milliseconds != null && milliseconds < 0 -> {
+            machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
+        }
+
+        thread.isInterrupted -> {
+            interruptNow(machine, thread)
+        }
+
         else -> {
             thread.givenUp = machine.monitors.giveUp(lock, thread)
             thread.waitsFor = lock

@@ -50,8 +50,14 @@ private fun start(machine: Machine, starter: VmThread, started: VmThread) {
 
 private fun sleep(machine: Machine, thread: VmThread, milliseconds: Int) {
     when {
-        milliseconds < 0 -> machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
-        thread.isInterrupted -> interruptNow(machine, thread)
+        milliseconds < 0 -> {
+            machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
+        }
+
+        thread.isInterrupted -> {
+            interruptNow(machine, thread)
+        }
+
         else -> {
             thread.wakesAt = maxOf(1, machine.rom.milliseconds + milliseconds)
             thread.state = ThreadState.SLEEPING
@@ -65,10 +71,14 @@ private fun interrupt(machine: Machine, thread: VmThread) {
             thread.state = ThreadState.READY
             machine.raise(thread, BuiltInException.INTERRUPTED)
         }
+
         ThreadState.WAITING -> {
             thread.state = ThreadState.BLOCKED
             machine.raise(thread, BuiltInException.INTERRUPTED)
         }
-        else -> thread.isInterrupted = true
+
+        else -> {
+            thread.isInterrupted = true
+        }
     }
 }

@@ -42,7 +42,7 @@ internal class ArrayAddresses(private val heap: Heap, private val memory: RcxMem
         val length = minOf(heap.length(array), (MachineConstants.LAST_ARRAY_ADDRESS - MachineConstants.FIRST_ARRAY_ADDRESS) / elementBytes)
         if (nextAddress + length * elementBytes > MachineConstants.LAST_ARRAY_ADDRESS) nextAddress = MachineConstants.FIRST_ARRAY_ADDRESS
         val added = Shown(array, nextAddress, elementBytes, length)
-        shown.values.filter { it.address < added.end && added.address < it.end || it.address == added.address }
+        shown.values.filter { (it.address < added.end && added.address < it.end) || it.address == added.address }
             .forEach { shown -= it.array }
         nextAddress = (added.end + 2) and 1.inv()
         shown[array] = added

@@ -36,8 +36,14 @@ internal class Calls(
                 caller.top = first
                 if (!enter(thread, method, first, lock)) throwNew(thread, BuiltInException.STACK_OVERFLOW)
             }
-            native != null -> callNative(thread, caller, method, native, first)
-            else -> throwNew(thread, BuiltInException.NO_SUCH_METHOD)
+
+            native != null -> {
+                callNative(thread, caller, method, native, first)
+            }
+
+            else -> {
+                throwNew(thread, BuiltInException.NO_SUCH_METHOD)
+            }
         }
     }
 
@@ -50,7 +56,7 @@ internal class Calls(
             return false
         }
         if (method.body == null || !enter(thread, method, 0, lock)) {
-            machine.scheduler.end(thread)
+            machine.end(thread)
             return false
         }
         return true
@@ -68,7 +74,7 @@ internal class Calls(
         val first = frame.top - words
         drop(thread, frame)
         if (thread.depth == 0) {
-            machine.scheduler.end(thread)
+            machine.end(thread)
             return
         }
         val caller = thread.frame
@@ -95,7 +101,7 @@ internal class Calls(
         if (thread.callStack.none { targetOf(it, exception) >= 0 }) {
             uncaught(thread, exception)
             while (thread.depth > 0) drop(thread, thread.frame)
-            machine.scheduler.end(thread)
+            machine.end(thread)
             return
         }
         while (true) {
@@ -117,7 +123,11 @@ internal class Calls(
         for (index in handlers.indices step HANDLER_NUMBERS) {
             if (at < handlers[index] || at >= handlers[index + 1]) continue
             val type = handlers[index + 3]
-            if (type == Translator.CATCHES_ALL || machine.heap.typeOf(exception).isA(machine.program.types[type])) return handlers[index + 2]
+            if (type == Translator.CATCHES_ALL ||
+                machine.heap.typeOf(exception).isA(machine.program.types[type])
+            ) {
+                return handlers[index + 2]
+            }
         }
         return -1
     }

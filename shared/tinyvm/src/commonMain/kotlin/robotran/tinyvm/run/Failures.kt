@@ -8,8 +8,9 @@ import robotran.tinyvm.RunMessages
 import robotran.tinyvm.link.LinkedClass
 
 /**
- * What happens when nobody catches an exception: its thread ends; if others keep the program going, the brick buzzes and shows the numbers of
- * the method and of the exception's class. Source: leJOS `main.c`, handle_uncaught_exception. A brick also waits for On-Off then.
+ * What happens when nobody catches an exception: its thread ends; if others keep the program going, the brick buzzes and shows the
+ * numbers of the method and of the exception's class. Source: leJOS `main.c`, handle_uncaught_exception. A brick also waits for On-Off
+ * then.
  */
 internal class Failures(private val machine: Machine, private val messages: RunMessages) {
     /** The first exception that nobody caught. */

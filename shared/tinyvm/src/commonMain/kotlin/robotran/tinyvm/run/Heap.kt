@@ -8,8 +8,8 @@ import robotran.tinyvm.link.brickBytesOf
 
 /**
  * The memory for objects. A reference is the place of an object's first word in [words], 0 for null: the id of its type, the number of its
- * elements (0 if it is no array), then its fields or elements, a word each. On a brick, what an object takes of the memory is counted in the
- * brick's own bytes, and nothing ever comes back.
+ * elements (0 if it is no array), then its fields or elements, a word each. On a brick, what an object takes of the memory is counted in
+ * the brick's own bytes, and nothing ever comes back.
  *
  * @param types by their ids.
  */
@@ -95,6 +95,7 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
     private fun visit(reference: Int) {
         when (val type = typeOf(reference)) {
             is LinkedClass -> for (field in type.referenceWords) mark(words[reference + HEADER_WORDS + field])
+
             is ArrayType -> if (type.element != null) {
                 for (index in 0 until length(reference)) mark(words[reference + HEADER_WORDS + index])
             }

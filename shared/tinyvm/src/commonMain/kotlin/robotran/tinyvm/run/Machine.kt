@@ -71,6 +71,12 @@ internal class Machine(val program: LinkedProgram, val rom: Rom, val mode: TinyV
         scheduler.start(main)
     }
 
+    /** Ends [thread] and gives its stack back. */
+    fun end(thread: VmThread) {
+        scheduler.end(thread)
+        if (!thread.isMain) heap.release(MachineConstants.BRICK_THREAD_BYTES)
+    }
+
     /** The thread whose object is [reference], which need not be started. */
     fun threadOf(reference: Int): VmThread =
         threadsByReference.getOrPut(reference) { VmThread(reference, current?.priority ?: MachineConstants.MAIN_PRIORITY) }

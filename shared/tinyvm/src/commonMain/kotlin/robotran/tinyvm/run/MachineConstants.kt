@@ -15,7 +15,8 @@ internal object MachineConstants {
     const val POLL_MILLISECONDS = 3
 
     /**
-     * Bytes that a program has for its objects: from 0x8000 to 0xEF31 there are 28 KB, of which leJOS takes 16 to 17 KB. Source: leJOS `main.c`.
+     * Bytes that a program has for its objects: from 0x8000 to 0xEF31 there are 28 KB, of which leJOS takes 16 to 17 KB. Source: leJOS
+     * `main.c`.
      */
     const val BRICK_HEAP_BYTES = 0x3000
 

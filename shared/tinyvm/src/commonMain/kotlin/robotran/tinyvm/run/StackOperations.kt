@@ -4,11 +4,26 @@ import robotran.tinyvm.link.Operation
 
 /** Moves the topmost operands of [stack], which end before [top], as [operation] says; returns where they end then. */
 internal fun shuffle(stack: IntArray, top: Int, operation: Int): Int = when (operation) {
-    Operation.DUPLICATE_BELOW_1 -> repeatBelow(stack, top, 1, 1)
-    Operation.DUPLICATE_BELOW_2 -> repeatBelow(stack, top, 1, 2)
-    Operation.DUPLICATE_2 -> repeatBelow(stack, top, 2, 0)
-    Operation.DUPLICATE_2_BELOW_1 -> repeatBelow(stack, top, 2, 1)
-    Operation.DUPLICATE_2_BELOW_2 -> repeatBelow(stack, top, 2, 2)
+    Operation.DUPLICATE_BELOW_1 -> {
+        repeatBelow(stack, top, 1, 1)
+    }
+
+    Operation.DUPLICATE_BELOW_2 -> {
+        repeatBelow(stack, top, 1, 2)
+    }
+
+    Operation.DUPLICATE_2 -> {
+        repeatBelow(stack, top, 2, 0)
+    }
+
+    Operation.DUPLICATE_2_BELOW_1 -> {
+        repeatBelow(stack, top, 2, 1)
+    }
+
+    Operation.DUPLICATE_2_BELOW_2 -> {
+        repeatBelow(stack, top, 2, 2)
+    }
+
     else -> {
         val upper = stack[top - 1]
         stack[top - 1] = stack[top - 2]

@@ -1,7 +1,6 @@
 package robotran.tinyvm.run
 
 import robotran.rom.CallFrame
-
 import robotran.rom.ProgramStatus
 import robotran.rom.Rom
 import robotran.rom.StatementWatch
