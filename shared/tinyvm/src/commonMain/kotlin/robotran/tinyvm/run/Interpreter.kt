@@ -460,9 +460,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     stack[top - 1] = words[array + 1]
                 }
 
-                Operation.NOTHING -> {
-                    Unit
-                }
+                Operation.NOTHING -> {}
 
                 else -> {
                     frame.next = next
