@@ -13,4 +13,4 @@ public class Assertions {
         Assertion.testEQ("numbers", 1, 2);
     }
 }
-// fails 14 Error
+// fails 13 Error

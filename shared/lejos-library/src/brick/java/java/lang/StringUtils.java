@@ -50,13 +50,26 @@ public final class StringUtils {
         if (size == 0f) return copy("0.0", buffer, count);
         int exponent = 0;
         if (size < 1.0E-3f || size >= 1.0E7f) {
+            // Powers of ten up to the tenth are exact, so that there is but one error for ten places.
             while (size >= 1.0E9f) {
-                size /= 10f;
-                exponent++;
+                float power = 10f;
+                int places = 1;
+                while (places < 10 && size / power >= 1.0E9f) {
+                    power *= 10f;
+                    places++;
+                }
+                size /= power;
+                exponent += places;
             }
             while (size < 1f) {
-                size *= 10f;
-                exponent--;
+                float power = 10f;
+                int places = 1;
+                while (places < 10 && size * power < 1f) {
+                    power *= 10f;
+                    places++;
+                }
+                size *= power;
+                exponent -= places;
             }
             int before = wholeFigures(size) - 1;
             exponent += before;
