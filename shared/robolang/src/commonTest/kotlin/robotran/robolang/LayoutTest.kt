@@ -16,8 +16,10 @@ class LayoutTest {
         assertRuns("var Speed = 3\nspeed = SPEED + 1\nshow sPeEd // shows: 4\n")
 
     @Test
-    fun `a name in other letters is no other name`() =
-        assertRuns("procedure p()\n  beep\nend\nprocedure P() // error 4:11 \"P\" is declared already, in line 1. Take another name.\n  buzz\nend\np()\n")
+    fun `a name in other letters is no other name`() = assertRuns(
+        "procedure p()\n  beep\nend\n" +
+            "procedure P() // error 4:11 \"P\" is declared already, in line 1. Take another name.\n  buzz\nend\np()\n",
+    )
 
     @Test
     fun `spaces and tabs make no difference`() = assertRuns(

@@ -100,7 +100,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         others.forEach { helper(it) }
         if (calculations.isNotEmpty()) {
             blank()
-            line("/** Calculates with 32-bit decimal numbers, as Robotran does; a class of its own because a brick's class has room for few numbers. */")
+            line(CALCULATION_ABOVE)
             open("static class ${JavaHelper.CALCULATION}")
             calculations.forEach { helper(it) }
             close()
@@ -116,6 +116,9 @@ internal class JavaClass(private val program: RobolangProgram, private val class
 
 /** Where the pupil's own part ends. */
 internal const val METHODS_BELOW = "// The methods below do what the commands of Robolang do."
+
+private const val CALCULATION_ABOVE =
+    "/** Calculates with decimal numbers as Robotran does. A class of its own, for a class has room for few numbers on a brick. */"
 
 /** What stands behind the head of a method that [mayWait] or not. */
 internal fun throwsClause(mayWait: Boolean): String = if (mayWait) " throws InterruptedException" else ""
