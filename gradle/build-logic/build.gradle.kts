@@ -11,8 +11,9 @@ dependencies {
     implementation(libs.plugin.compose)
     implementation(libs.plugin.kotlin.serialization)
     implementation(libs.asm)
-    // Only the worker that compiles the physics sees it at run time.
+    // Only the workers that compile the physics and the library of leJOS see them at run time.
     compileOnly(libs.teavm.tooling)
+    compileOnly(libs.ecj)
     testImplementation(libs.kotlin.test)
 }
 
@@ -58,6 +59,10 @@ gradlePlugin {
         create("texts") {
             id = "robotran.texts"
             implementationClass = "robotran.build.texts.TextsPlugin"
+        }
+        create("lejosLibrary") {
+            id = "robotran.lejos-library"
+            implementationClass = "robotran.build.lejos.LejosLibraryPlugin"
         }
         create("android") {
             id = "robotran.android"

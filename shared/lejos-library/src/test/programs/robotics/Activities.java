@@ -28,10 +28,14 @@ public class Activities {
 
         protected void action() throws StopException {
             LCD.showNumber(2); // shows: 2
-            try {
-                pause(100);
-            } catch (InterruptedException again) {
-                LCD.showNumber(9);
+            boolean isDone = false;
+            while (!isDone) {
+                try {
+                    pause(100);
+                    isDone = true;
+                } catch (InterruptedException again) {
+                    // The wish to run may be noticed late.
+                }
             }
             LCD.showNumber(3); // shows: 3
         }
