@@ -39,21 +39,21 @@ internal object BrickCompiler {
             ).toTypedArray(),
             PrintWriter(problems), PrintWriter(problems), null,
         )
-        return Compilation(
-            output.walk().filter { it.extension == "class" }.associate {
-                it.relativeTo(output).invariantSeparatorsPath.removeSuffix(".class") to
-                    it.readBytes()
-            },
-            mistakes(problems.toString(), folder.resolve("sources")),
-        )
+        return Compilation(classesIn(output), mistakes(problems.toString(), folder.resolve("sources")))
     }
 
+    private fun classesIn(output: File): Map<String, ByteArray> =
+        output.walk().filter { it.extension == "class" }.associate { file ->
+            file.relativeTo(output).invariantSeparatorsPath.removeSuffix(".class") to file.readBytes()
+        }
+
     private fun mistakes(problems: String, sources: File): Map<String, Set<Int>> =
-        MISTAKE.findAll(problems).groupBy({
-            File(it.groupValues[1]).relativeTo(sources).invariantSeparatorsPath
-        }, { it.groupValues[2].toInt() })
-            .mapValues { it.value.toSet() }
+        MISTAKE.findAll(problems).groupBy(
+            { File(it.groupValues[1]).relativeTo(sources).invariantSeparatorsPath },
+            { it.groupValues[2].toInt() },
+        ).mapValues { it.value.toSet() }
 
     private val MISTAKE = Regex("""ERROR in (.+\.java) \(at line (\d+)\)""")
-    private val OPTIONS = listOf("-source", "1.3", "-target", "1.1", "-proc:none", "-g", "-nowarn", "-proceedOnError", "-encoding", "UTF-8")
+    private val OPTIONS =
+        listOf("-source", "1.3", "-target", "1.1", "-proc:none", "-g", "-preserveAllLocals", "-nowarn", "-proceedOnError", "-encoding", "UTF-8")
 }

@@ -47,6 +47,6 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
     }
 
     private companion object {
-        val OPTIONS = listOf("-source", "1.3", "-target", "1.1", "-proc:none", "-g", "-nowarn", "-encoding", "UTF-8")
+        val OPTIONS = listOf("-source", "1.3", "-target", "1.1", "-proc:none", "-g", "-preserveAllLocals", "-nowarn", "-encoding", "UTF-8")
     }
 }
