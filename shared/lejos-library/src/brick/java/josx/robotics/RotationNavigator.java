@@ -116,7 +116,7 @@ public class RotationNavigator implements Navigator {
 
     /** Stops, and works out where the robot is now. */
     public void stop() {
-        if (!isMoving) return;
+        if (command == STOP) return;
         command = STOP;
         while (isMoving) Thread.yield();
         left.stop();
@@ -172,9 +172,9 @@ public class RotationNavigator implements Navigator {
         }
 
         private void steer(int direction) {
+            isMoving = true;
             turn(left, direction);
             turn(right, direction);
-            isMoving = true;
             if (lead() > 0) {
                 left.flt();
                 while (lead() > 0) Thread.yield();

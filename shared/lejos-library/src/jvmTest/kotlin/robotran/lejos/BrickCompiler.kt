@@ -54,6 +54,6 @@ internal object BrickCompiler {
         ).mapValues { it.value.toSet() }
 
     private val MISTAKE = Regex("""ERROR in (.+\.java) \(at line (\d+)\)""")
-    private val OPTIONS =
-        listOf("-source", "1.3", "-target", "1.1", "-proc:none", "-g", "-preserveAllLocals", "-nowarn", "-proceedOnError", "-encoding", "UTF-8")
+    private val DIALECT = listOf("-source", "1.3", "-target", "1.1", "-proc:none", "-encoding", "UTF-8")
+    private val OPTIONS = DIALECT + listOf("-g", "-preserveAllLocals", "-nowarn", "-proceedOnError")
 }
