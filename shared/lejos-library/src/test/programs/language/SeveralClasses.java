@@ -1,6 +1,6 @@
 import josx.platform.rcx.LCD;
 
-class Helper {
+class Numbers {
     static int number = 11;
 
     static int doubled() {
@@ -16,6 +16,6 @@ class Doubler {
 
 public class SeveralClasses {
     public static void main(String[] arguments) {
-        LCD.showNumber(Helper.doubled()); // shows: 22
+        LCD.showNumber(Numbers.doubled()); // shows: 22
     }
 }
