@@ -11,7 +11,7 @@ dependencies {
     implementation(libs.plugin.compose)
     implementation(libs.plugin.kotlin.serialization)
     implementation(libs.asm)
-    // Only the worker that compiles the physics sees it at run time.
+    // Only the worker that compiles to Wasm sees it at run time.
     compileOnly(libs.teavm.tooling)
     testImplementation(libs.kotlin.test)
 }
@@ -54,6 +54,14 @@ gradlePlugin {
         create("physicsWeb") {
             id = "robotran.physics-web"
             implementationClass = "robotran.build.physics.PhysicsWebPlugin"
+        }
+        create("ecj") {
+            id = "robotran.ecj"
+            implementationClass = "robotran.build.ecj.EcjPlugin"
+        }
+        create("ecjWeb") {
+            id = "robotran.ecj-web"
+            implementationClass = "robotran.build.ecj.EcjWebPlugin"
         }
         create("texts") {
             id = "robotran.texts"

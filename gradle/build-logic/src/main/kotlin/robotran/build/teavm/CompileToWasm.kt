@@ -1,4 +1,4 @@
-package robotran.build.physics
+package robotran.build.teavm
 
 import org.gradle.api.DefaultTask
 import org.gradle.api.file.ConfigurableFileCollection
@@ -37,6 +37,10 @@ abstract class CompileToWasm : DefaultTask() {
     @get:Input
     abstract val moduleName: Property<String>
 
+    /** Whether a null or an index out of bounds is an exception that the program may catch, as in Java, and does not end the module. */
+    @get:Input
+    abstract val strict: Property<Boolean>
+
     /** The hand-written JavaScript module that loads the other two. */
     @get:InputFile
     @get:PathSensitive(PathSensitivity.NONE)
@@ -54,6 +58,7 @@ abstract class CompileToWasm : DefaultTask() {
             it.program.from(program)
             it.mainClass.set(mainClass)
             it.moduleName.set(moduleName)
+            it.strict.set(strict)
             it.glue.set(glue)
             it.outputFolder.set(outputFolder)
         }

@@ -1,4 +1,4 @@
-package robotran.build.physics
+package robotran.build.teavm
 
 import org.gradle.api.GradleException
 import org.gradle.api.file.ConfigurableFileCollection
@@ -21,6 +21,7 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         val program: ConfigurableFileCollection
         val mainClass: Property<String>
         val moduleName: Property<String>
+        val strict: Property<Boolean>
         val glue: RegularFileProperty
         val outputFolder: DirectoryProperty
     }
@@ -43,6 +44,7 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         tool.setTargetFileName(fileName)
         tool.optimizationLevel = TeaVMOptimizationLevel.FULL
         tool.setObfuscated(true)
+        tool.isStrict = parameters.strict.get()
         tool.log = log
         val classPath = parameters.program.files.map { it.toURI().toURL() }
         URLClassLoader(classPath.toTypedArray(), TeaVMTool::class.java.classLoader).use {

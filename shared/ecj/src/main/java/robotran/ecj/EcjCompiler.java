@@ -1,0 +1,160 @@
+package robotran.ecj;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.eclipse.jdt.core.compiler.CategorizedProblem;
+import org.eclipse.jdt.core.compiler.IProblem;
+import org.eclipse.jdt.internal.compiler.ClassFile;
+import org.eclipse.jdt.internal.compiler.CompilationResult;
+import org.eclipse.jdt.internal.compiler.classfmt.ClassFileReader;
+import org.eclipse.jdt.internal.compiler.classfmt.ClassFileConstants;
+import org.eclipse.jdt.internal.compiler.classfmt.ClassFormatException;
+import org.eclipse.jdt.internal.compiler.env.IBinaryMethod;
+import org.eclipse.jdt.internal.compiler.env.ICompilationUnit;
+import org.eclipse.jdt.internal.compiler.impl.CompilerOptions;
+
+/** The Eclipse compiler for Java in memory: sources of Java 1.3 in, class files of version 45.3 out, as the linker of leJOS reads them. */
+public final class EcjCompiler {
+    /** How many UTF-16 characters all sources may have together: some fifty times what fits into a brick. */
+    public static final int SOURCE_CHARACTERS = 200_000;
+
+    /** How many sources there may be. */
+    public static final int SOURCES = 100;
+
+    private static final String LANGUAGE = CompilerOptions.VERSION_1_3;
+    private static final String TARGET = CompilerOptions.VERSION_1_1;
+
+    private static final List<String> WARNINGS = Arrays.asList(
+            CompilerOptions.OPTION_ReportNoEffectAssignment,
+            CompilerOptions.OPTION_ReportPossibleAccidentalBooleanAssignment,
+            CompilerOptions.OPTION_ReportEmptyStatement,
+            CompilerOptions.OPTION_ReportComparingIdentical,
+            CompilerOptions.OPTION_ReportNullReference);
+
+    private static final List<String> DEBUGGING = Arrays.asList(
+            CompilerOptions.OPTION_LineNumberAttribute,
+            CompilerOptions.OPTION_LocalVariableAttribute,
+            CompilerOptions.OPTION_SourceFileAttribute);
+
+    private final Library library;
+    private final List<ICompilationUnit> sources = new ArrayList<>();
+    private final List<EcjProblem> problems = new ArrayList<>();
+    private final Map<String, byte[]> classes = new LinkedHashMap<>();
+    private final List<String> mainClasses = new ArrayList<>();
+    private int characters;
+
+    public EcjCompiler(Library library) {
+        this.library = library;
+    }
+
+    /** @param path where the source is, with slashes; a public class in it must have the name of the file */
+    public void addSource(String path, String text) {
+        characters = Math.min(characters, SOURCE_CHARACTERS) + Math.min(text.length(), SOURCE_CHARACTERS + 1);
+        if (characters > SOURCE_CHARACTERS || sources.size() == SOURCES) {
+            report(path, BrickRules.SOURCE_TOO_LONG, 0, Collections.singletonList(Integer.toString(SOURCE_CHARACTERS)));
+            return;
+        }
+        int tooDeep = SourceBounds.tooDeep(text);
+        if (tooDeep >= 0) {
+            report(path, BrickRules.NESTED_TOO_DEEPLY, tooDeep, Collections.<String>emptyList());
+            return;
+        }
+        sources.add(new SourceUnit(path, text));
+    }
+
+    /** Compiles the sources added so far; a compiler compiles once. Throws nothing, whatever the sources hold. */
+    public EcjResult compile() {
+        boolean crashed = false;
+        if (problems.isEmpty()) {
+            CheckingCompiler compiler = new CheckingCompiler(library, options(), this::take, problems);
+            try {
+                compiler.compile(sources.toArray(new ICompilationUnit[0]));
+                crashed = compiler.crashed();
+            } catch (RuntimeException | Error failure) {
+                crashed = true;
+            }
+        }
+        return new EcjResult(classes, mainClasses, problems, crashed);
+    }
+
+    private void take(CompilationResult result) {
+        CategorizedProblem[] found = result.getAllProblems();
+        if (found != null) {
+            for (CategorizedProblem problem : found) {
+                problems.add(described(problem));
+            }
+        }
+        if (result.hasErrors()) {
+            return;
+        }
+        for (ClassFile file : result.getClassFiles()) {
+            String name = new String(file.fileName());
+            byte[] bytes = file.getBytes();
+            classes.put(name, bytes);
+            if (hasMain(name, bytes)) {
+                mainClasses.add(name);
+            }
+        }
+    }
+
+    private void report(String path, int number, int start, List<String> arguments) {
+        problems.add(new EcjProblem(path, number, true, false, start, start, "", arguments));
+    }
+
+    private static EcjProblem described(CategorizedProblem problem) {
+        String[] arguments = problem.getArguments();
+        return new EcjProblem(
+                new String(problem.getOriginatingFileName()),
+                problem.getID() & IProblem.IgnoreCategoriesMask,
+                problem.isError(),
+                (problem.getID() & IProblem.Syntax) != 0,
+                problem.getSourceStart(),
+                problem.getSourceEnd() + 1,
+                problem.getMessage(),
+                arguments == null ? Collections.<String>emptyList() : Arrays.asList(arguments));
+    }
+
+    private static boolean hasMain(String name, byte[] bytes) {
+        try {
+            IBinaryMethod[] methods = new ClassFileReader(bytes, name.toCharArray()).getMethods();
+            if (methods != null) {
+                for (IBinaryMethod method : methods) {
+                    int needed = ClassFileConstants.AccPublic | ClassFileConstants.AccStatic;
+                    boolean open = (method.getModifiers() & needed) == needed;
+                    if (open && new String(method.getSelector()).equals("main")
+                            && new String(method.getMethodDescriptor()).equals("([Ljava/lang/String;)V")) {
+                        return true;
+                    }
+                }
+            }
+            return false;
+        } catch (ClassFormatException impossible) {
+            throw new IllegalStateException("The compiler wrote a malformed class file.", impossible);
+        }
+    }
+
+    private static CompilerOptions options() {
+        CompilerOptions options = new CompilerOptions();
+        Map<String, String> settings = new HashMap<>();
+        for (Map.Entry<String, String> standard : options.getMap().entrySet()) {
+            boolean warns = CompilerOptions.WARNING.equals(standard.getValue());
+            settings.put(standard.getKey(), warns ? CompilerOptions.IGNORE : standard.getValue());
+        }
+        settings.put(CompilerOptions.OPTION_Source, LANGUAGE);
+        settings.put(CompilerOptions.OPTION_Compliance, LANGUAGE);
+        settings.put(CompilerOptions.OPTION_TargetPlatform, TARGET);
+        for (String attribute : DEBUGGING) {
+            settings.put(attribute, CompilerOptions.GENERATE);
+        }
+        for (String warning : WARNINGS) {
+            settings.put(warning, CompilerOptions.WARNING);
+        }
+        options.set(settings);
+        return options;
+    }
+}
