@@ -2,6 +2,7 @@ package robotran.ecj;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import org.eclipse.jdt.internal.compiler.ASTVisitor;
 import org.eclipse.jdt.internal.compiler.ast.ASTNode;
@@ -210,7 +211,7 @@ public final class BrickRules extends ASTVisitor {
         for (int i = 0; i < arguments.length; i++) {
             texts[i] = Integer.toString(arguments[i]);
         }
-        problems.add(new EcjProblem(path, number, error, false, start, end, "", Arrays.asList(texts)));
+        problems.add(new EcjProblem(path, number, error, false, start, end, "", Arrays.asList(texts), Collections.emptyList()));
     }
 
     private static int operator(ASTNode node) {

@@ -46,6 +46,7 @@ public final class EcjCompiler {
     private final List<EcjProblem> problems = new ArrayList<>();
     private final Map<String, byte[]> classes = new LinkedHashMap<>();
     private final List<String> mainClasses = new ArrayList<>();
+    private final Map<String, String> texts = new HashMap<>();
     private int characters;
 
     public EcjCompiler(Library library) {
@@ -61,9 +62,10 @@ public final class EcjCompiler {
         }
         int tooDeep = SourceBounds.tooDeep(text);
         if (tooDeep >= 0) {
-            report(path, BrickRules.NESTED_TOO_DEEPLY, tooDeep, Collections.<String>emptyList());
+            report(path, BrickRules.NESTED_TOO_DEEPLY, tooDeep, Collections.emptyList());
             return;
         }
+        texts.put(path, text);
         sources.add(new SourceUnit(path, text));
     }
 
@@ -71,7 +73,7 @@ public final class EcjCompiler {
     public EcjResult compile() {
         boolean crashed = false;
         if (problems.isEmpty()) {
-            CheckingCompiler compiler = new CheckingCompiler(library, options(), this::take, problems);
+            CheckingCompiler compiler = new CheckingCompiler(library.environment(), options(), this::take, problems);
             try {
                 compiler.compile(sources.toArray(new ICompilationUnit[0]));
                 crashed = compiler.crashed();
@@ -103,20 +105,42 @@ public final class EcjCompiler {
     }
 
     private void report(String path, int number, int start, List<String> arguments) {
-        problems.add(new EcjProblem(path, number, true, false, start, start, "", arguments));
+        problems.add(new EcjProblem(path, number, true, false, start, start, "", arguments, Collections.emptyList()));
     }
 
-    private static EcjProblem described(CategorizedProblem problem) {
-        String[] arguments = problem.getArguments();
+    private EcjProblem described(CategorizedProblem problem) {
+        String path = new String(problem.getOriginatingFileName());
+        List<String> arguments = problem.getArguments() == null ? Collections.emptyList() : Arrays.asList(problem.getArguments());
         return new EcjProblem(
-                new String(problem.getOriginatingFileName()),
+                path,
                 problem.getID() & IProblem.IgnoreCategoriesMask,
                 problem.isError(),
                 (problem.getID() & IProblem.Syntax) != 0,
                 problem.getSourceStart(),
                 problem.getSourceEnd() + 1,
                 problem.getMessage(),
-                arguments == null ? Collections.<String>emptyList() : Arrays.asList(arguments));
+                arguments,
+                members(problem, arguments, texts.getOrDefault(path, "")));
+    }
+
+    private List<String> members(CategorizedProblem problem, List<String> arguments, String text) {
+        if (problem.getID() == IProblem.UndefinedMethod) {
+            return library.memberNames(arguments.get(0));
+        }
+        if (problem.getID() == IProblem.UndefinedField) {
+            return library.memberNames(nameBefore(text, problem.getSourceStart()));
+        }
+        return Collections.emptyList();
+    }
+
+    /** The name before the point before {@code place}. */
+    private static String nameBefore(String text, int place) {
+        int end = Math.max(0, Math.min(place, text.length()) - 1);
+        int start = end;
+        while (start > 0 && Character.isJavaIdentifierPart(text.charAt(start - 1))) {
+            start--;
+        }
+        return text.substring(start, end);
     }
 
     private static boolean hasMain(String name, byte[] bytes) {

@@ -12,8 +12,18 @@ public final class EcjProblem {
     private final int end;
     private final String message;
     private final List<String> arguments;
+    private final List<String> members;
 
-    EcjProblem(String path, int number, boolean error, boolean syntax, int start, int end, String message, List<String> arguments) {
+    EcjProblem(
+            String path,
+            int number,
+            boolean error,
+            boolean syntax,
+            int start,
+            int end,
+            String message,
+            List<String> arguments,
+            List<String> members) {
         this.path = path;
         this.number = number;
         this.error = error;
@@ -22,6 +32,7 @@ public final class EcjProblem {
         this.end = end;
         this.message = message;
         this.arguments = arguments;
+        this.members = members;
     }
 
     /** The path of the source it is in. */
@@ -62,5 +73,10 @@ public final class EcjProblem {
     /** The names and types it is about, written short, in an order that depends on the kind. */
     public List<String> arguments() {
         return arguments;
+    }
+
+    /** For a method or field that a class of the library has not: the names of those it has, in alphabetical order. */
+    public List<String> members() {
+        return members;
     }
 }

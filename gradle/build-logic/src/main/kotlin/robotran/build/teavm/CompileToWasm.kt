@@ -3,22 +3,18 @@ package robotran.build.teavm
 import org.gradle.api.DefaultTask
 import org.gradle.api.file.ConfigurableFileCollection
 import org.gradle.api.file.DirectoryProperty
-import org.gradle.api.file.RegularFileProperty
 import org.gradle.api.provider.Property
 import org.gradle.api.tasks.CacheableTask
 import org.gradle.api.tasks.Classpath
 import org.gradle.api.tasks.Input
-import org.gradle.api.tasks.InputFile
 import org.gradle.api.tasks.OutputDirectory
-import org.gradle.api.tasks.PathSensitive
-import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 import org.gradle.workers.WorkerExecutor
 import javax.inject.Inject
 
 /**
  * Compiles Java class files with TeaVM to Wasm GC. [outputFolder] then holds `NAME.wasm`, TeaVM's loader `NAME-runtime.mjs`
- * and the [glue] as `NAME.mjs`.
+ * and `NAME.mjs`, whose `loadModule()` gives the exported functions.
  */
 @CacheableTask
 abstract class CompileToWasm : DefaultTask() {
@@ -41,11 +37,6 @@ abstract class CompileToWasm : DefaultTask() {
     @get:Input
     abstract val strict: Property<Boolean>
 
-    /** The hand-written JavaScript module that loads the other two. */
-    @get:InputFile
-    @get:PathSensitive(PathSensitivity.NONE)
-    abstract val glue: RegularFileProperty
-
     @get:OutputDirectory
     abstract val outputFolder: DirectoryProperty
 
@@ -59,7 +50,6 @@ abstract class CompileToWasm : DefaultTask() {
             it.mainClass.set(mainClass)
             it.moduleName.set(moduleName)
             it.strict.set(strict)
-            it.glue.set(glue)
             it.outputFolder.set(outputFolder)
         }
     }

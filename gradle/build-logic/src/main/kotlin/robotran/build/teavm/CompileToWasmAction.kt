@@ -3,7 +3,6 @@ package robotran.build.teavm
 import org.gradle.api.GradleException
 import org.gradle.api.file.ConfigurableFileCollection
 import org.gradle.api.file.DirectoryProperty
-import org.gradle.api.file.RegularFileProperty
 import org.gradle.api.provider.Property
 import org.gradle.workers.WorkAction
 import org.gradle.workers.WorkParameters
@@ -22,7 +21,6 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         val mainClass: Property<String>
         val moduleName: Property<String>
         val strict: Property<Boolean>
-        val glue: RegularFileProperty
         val outputFolder: DirectoryProperty
     }
 
@@ -32,7 +30,7 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         folder.listFiles().orEmpty().forEach { it.deleteRecursively() }
         compile(folder, "$name.wasm")
         folder.resolve("$name-runtime.mjs").writeText(runtime())
-        parameters.glue.get().asFile.copyTo(folder.resolve("$name.mjs"))
+        folder.resolve("$name.mjs").writeText(entry(name))
     }
 
     private fun compile(folder: File, fileName: String) {
@@ -44,7 +42,7 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         tool.setTargetFileName(fileName)
         tool.optimizationLevel = TeaVMOptimizationLevel.FULL
         tool.setObfuscated(true)
-        tool.isStrict = parameters.strict.get()
+        tool.setStrict(parameters.strict.get())
         tool.log = log
         val classPath = parameters.program.files.map { it.toURI().toURL() }
         URLClassLoader(classPath.toTypedArray(), TeaVMTool::class.java.classLoader).use {
@@ -59,11 +57,17 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
 
     /** TeaVM's loader as an ES module; the mark keeps webpack from following the imports it makes for Node only. */
     private fun runtime(): String =
-        checkNotNull(TeaVMTool::class.java.classLoader.getResource(RUNTIME)) { "TeaVM has no $RUNTIME" }
-            .readText()
+        resource(TeaVMTool::class.java, RUNTIME)
             .replace("import(", "import(/* webpackIgnore: true */ ")
+
+    /** The hand-written module that loads the other two and offers their functions. */
+    private fun entry(name: String): String = resource(CompileToWasmAction::class.java, ENTRY).replace("NAME", name)
+
+    private fun resource(beside: Class<*>, path: String): String =
+        checkNotNull(beside.classLoader.getResource(path)) { "There is no $path" }.readText()
 
     private companion object {
         const val RUNTIME = "org/teavm/backend/wasm/wasm-gc-module-runtime.min.js"
+        const val ENTRY = "robotran/build/teavm/module.mjs"
     }
 }

@@ -25,13 +25,12 @@ class TeaVmPlugin : Plugin<Project> {
         val browser = sourceSets.create("browser")
         dependencies.add(browser.implementationConfigurationName, main.output)
         dependencies.add(browser.implementationConfigurationName, libraries.findLibrary("teavm-jso").get())
-        dependencies.add(browser.runtimeOnlyConfigurationName, libraries.findLibrary("teavm-classlib").get())
+        dependencies.add(browser.implementationConfigurationName, libraries.findLibrary("teavm-classlib").get())
 
         val compile = project.tasks.register(COMPILE_TASK, CompileToWasm::class.java) {
             it.compiler.from(teavm)
             it.program.from(browser.runtimeClasspath, main.runtimeClasspath)
             it.strict.convention(false)
-            it.glue.fileProvider(it.moduleName.map { name -> project.file("src/browser/javascript/$name.mjs") })
             it.outputFolder.set(project.layout.buildDirectory.dir("web"))
         }
         offer(project, compile)

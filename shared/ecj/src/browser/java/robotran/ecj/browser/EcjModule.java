@@ -116,6 +116,16 @@ public final class EcjModule {
         return problem(place).arguments().get(argument);
     }
 
+    @JSExport
+    public static int problemMemberCount(int place) {
+        return problem(place).members().size();
+    }
+
+    @JSExport
+    public static String problemMember(int place, int member) {
+        return problem(place).members().get(member);
+    }
+
     private static EcjProblem problem(int place) {
         return result.problems().get(place);
     }

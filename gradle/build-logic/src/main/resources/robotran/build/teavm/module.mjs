@@ -1,8 +1,8 @@
-import { load } from "./physics-runtime.mjs";
+import { load } from "./NAME-runtime.mjs";
 
-/** The functions of PhysicsModule.java, once the WebAssembly module beside this file is loaded; works in browsers, bundled or not, and in Node. */
-export async function loadPhysics() {
-    const module = await load(await bytesOf(new URL("./physics.wasm", import.meta.url)), {});
+/** The exported functions, once the WebAssembly module beside this file is loaded; works in browsers, bundled or not, and in Node. */
+export async function loadModule() {
+    const module = await load(await bytesOf(new URL("./NAME.wasm", import.meta.url)), {});
     return module.exports;
 }
 
