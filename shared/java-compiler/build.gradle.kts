@@ -8,6 +8,10 @@ kotlin {
         jvmMain.dependencies {
             implementation(project(":shared:ecj"))
         }
+        jvmTest.dependencies {
+            // Its constants are compared with ours; what runs is what shared/ecj makes of it.
+            compileOnly(libs.ecj)
+        }
         wasmJsMain.dependencies {
             implementation(libs.coroutines.core)
         }

@@ -45,6 +45,7 @@ internal object ProblemNumber {
     const val UNTERMINATED_STRING = 259
     const val PUBLIC_CLASS_MUST_MATCH_FILE_NAME = 325
     const val CLASS_MUST_BE_ABSTRACT = 333
+    const val ABSTRACT_METHOD = 363
     const val IMPORT_NOT_FOUND = 390
     const val TYPE_PARAMETERS = 590
     const val STATIC_IMPORT = 591
