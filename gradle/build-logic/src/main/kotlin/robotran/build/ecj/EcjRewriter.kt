@@ -90,8 +90,9 @@ internal class EcjRewriter {
         }
 
         override fun visitMethodInsn(opcode: Int, owner: String, name: String, descriptor: String, isInterface: Boolean) {
-            if (owner == "java/lang/Thread" && name == "sleep") {
-                super.visitInsn(Opcodes.POP2)
+            if ("$owner.$name" in THREAD_CALLS) {
+                Type.getArgumentTypes(descriptor).forEach { super.visitInsn(if (it.size == 2) Opcodes.POP2 else Opcodes.POP) }
+                if (opcode != Opcodes.INVOKESTATIC) super.visitInsn(Opcodes.POP)
             } else {
                 super.visitMethodInsn(opcode, owner, name, descriptor, isInterface)
             }
@@ -104,6 +105,13 @@ internal class EcjRewriter {
             "$COMPILER/lookup/ExternalAnnotationSuperimposer.apply",
             "$COMPILER/lookup/ProblemReferenceBinding.problemReasonString",
         )
+
+        /** None of them gives a value back, and none is reached while the compiler works on one thread. */
+        val THREAD_CALLS = setOf(
+            "java/lang/Object.wait", "java/lang/Object.notify", "java/lang/Object.notifyAll", "java/lang/Thread.sleep",
+            "java/lang/Thread.start", "java/lang/Thread.yield",
+        )
+
         const val TEXT_CONSTANT = "$COMPILER/impl/StringConstant.fromValue"
 
         /** A class file gives a text's length in 16 bits. */
