@@ -5,7 +5,7 @@ internal object EnglishBrickMessages : BrickMessages {
     override fun newerJava(what: NewerJava) = "The brick's Java is older and has no ${name(what)}."
 
     override fun insteadOf(what: NewerJava) = when (what) {
-        NewerJava.GENERICS -> "Leave away the \"<...>\", and write the type in brackets when you take something out: (String) list.elementAt(0)."
+        NewerJava.GENERICS -> "Leave the \"<...>\" away. When you take something out, write its type before it: (String) list.elementAt(0)."
         NewerJava.FOR_EACH -> "Count instead: for (int i = 0; i < values.length; i++)."
         NewerJava.VARARGS -> "Use an array, such as int[]."
         NewerJava.ANNOTATION -> "Leave it away."

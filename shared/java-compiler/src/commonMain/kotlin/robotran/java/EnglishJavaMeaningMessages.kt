@@ -14,7 +14,8 @@ internal object EnglishJavaMeaningMessages : JavaMeaningMessages {
 
     override fun notInitialized(name: String) = "${quoted(name)} may have no value yet. Give it one where it is declared."
 
-    override fun declaredTwice(name: String) = "${quoted(name)} is declared already. Take another name, or leave its type away to set it."
+    override fun declaredTwice(name: String) =
+        "${quoted(name)} is declared already. Take another name, or leave its type away to set it."
 
     override fun returnsNothing() = "This method is \"void\", so it gives nothing back. Write \"return;\" or change its type."
 
@@ -24,7 +25,8 @@ internal object EnglishJavaMeaningMessages : JavaMeaningMessages {
 
     override fun unhandledException(name: String) = "${quoted(name)} can happen here, and nothing takes care of it."
 
-    override fun passItOn(name: String) = "Write \"throws $name\" behind the brackets of the method, as in \"main(String[] args) throws $name\"."
+    override fun passItOn(name: String) =
+        "Write \"throws $name\" behind the brackets of the method, as in \"main(String[] args) throws $name\"."
 
     override fun wrongArguments(method: String, needed: String, given: String) =
         "${quoted(method)} takes ${inBrackets(needed)}, not ${inBrackets(given)}."

@@ -31,7 +31,8 @@ class CompilingTest {
 
     @Test
     fun `inner and anonymous classes get files of their own`() = runTest {
-        val text = program("new Thread() { public void run() { } }.start(); new Inner();").replace("Robot {", "Robot { static class Inner { }")
+        val statements = "new Thread() { public void run() { } }.start(); new Inner();"
+        val text = program(statements).replace("Robot {", "Robot { static class Inner { }")
         assertEquals(setOf("Robot", "Robot\$1", "Robot\$Inner"), compiled(text).classes.keys)
     }
 

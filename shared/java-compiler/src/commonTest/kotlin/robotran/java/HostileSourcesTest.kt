@@ -42,7 +42,8 @@ class HostileSourcesTest {
 
     @Test
     fun `no text whatever makes the compiler fail`() = runTest {
-        val texts = listOf("", "\u0000", "\"", "'", "/*", "\\u", "class", "}", "class Robot extends Robot { }", "package ;", "import ;", "\uD800")
+        val texts =
+            listOf("", "\u0000", "\"", "'", "/*", "\\u", "class", "}", "class Robot extends Robot { }", "package ;", "import ;", "\uD800")
         texts.forEach { assertIs<CompilationResult>(compile(it)) }
     }
 

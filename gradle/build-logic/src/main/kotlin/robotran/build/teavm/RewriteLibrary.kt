@@ -35,7 +35,8 @@ abstract class RewriteLibrary : DefaultTask() {
 
     // A module descriptor, a manifest and a signature describe the jar as it was.
     private fun describesOriginal(entry: ZipEntry) =
-        entry.isDirectory || entry.name.endsWith("module-info.class") || entry.name == "META-INF/MANIFEST.MF" || SIGNATURE.matches(entry.name)
+        entry.isDirectory || entry.name.endsWith("module-info.class") || entry.name == "META-INF/MANIFEST.MF" ||
+            SIGNATURE.matches(entry.name)
 
     private companion object {
         val REPRODUCIBLE_TIME: java.time.LocalDateTime = java.time.LocalDateTime.of(1980, 2, 1, 0, 0)

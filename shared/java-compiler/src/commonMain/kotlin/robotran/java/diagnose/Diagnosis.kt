@@ -51,12 +51,18 @@ internal class Diagnosis(
             val written = source.words(problem.start, problem.end)
             when {
                 problem in unread || BrickAdvisor.isOnlyNewer(problem) -> true
+
                 problem.number == ProblemNumber.UNDEFINED_TYPE && newerWord(written) != null -> true
+
                 // What stands behind a place that could not be read may have been read wrongly.
                 problem.start >= firstUnread -> false
+
                 problem.number == ProblemNumber.IMPORT_NOT_FOUND -> unknown.add(written.substringAfterLast('.')) || true
+
                 problem.number == ProblemNumber.UNDEFINED_TYPE -> unknown.add(written)
+
                 problem.number == ProblemNumber.CLASS_MUST_BE_ABSTRACT -> problems.none { it.number == ProblemNumber.ABSTRACT_METHOD }
+
                 else -> true
             }
         }

@@ -19,7 +19,8 @@ private val ABSENT: Map<String, AbsentFromBrick> = buildMap {
     put(AbsentFromBrick.WRAPPERS, "Boolean Byte Character Short Long Double Number BigInteger BigDecimal")
     put(AbsentFromBrick.FILES, "File FileReader FileWriter FileInputStream FileOutputStream PrintWriter")
     put(AbsentFromBrick.WINDOWS, "JFrame JPanel JButton JOptionPane Frame Graphics")
-    put(AbsentFromBrick.OTHER_BRICKS, "LightSensor TouchSensor UltrasonicSensor ColorSensor DifferentialPilot NXTRegulatedMotor MotorPort SensorPort")
+    put(AbsentFromBrick.OTHER_BRICKS, "LightSensor TouchSensor UltrasonicSensor ColorSensor DifferentialPilot")
+    put(AbsentFromBrick.OTHER_BRICKS, "NXTRegulatedMotor MotorPort SensorPort")
 }
 
 /** Beginnings of imports that lead to them. */

@@ -11,6 +11,7 @@ import robotran.java.ProblemNumber
 internal class MeaningAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem, source: SourceText): Advice? {
         val word = shortened(source.words(problem.start, problem.end))
+
         fun argument(place: Int) = shortened(problem.arguments.getOrElse(place) { word })
         return when (problem.number) {
             ProblemNumber.TYPE_MISMATCH -> mismatch(problem, source, argument(0), argument(1))
@@ -38,14 +39,29 @@ internal class MeaningAdvisor(private val messages: JavaMessages) {
         val text = source.words(problem.start, problem.end)
         val range = source.range(problem.start, problem.end)
         return when {
-            needed == "boolean" && SINGLE_EQUALS_SIGN.containsMatchIn(text) -> Advice(messages.compareWithTwoSigns(), fix = twoSigns(text, range))
-            given == "double" && needed == "float" && DECIMAL_NUMBER.matches(text) ->
+            needed == "boolean" && SINGLE_EQUALS_SIGN.containsMatchIn(text) -> {
+                Advice(messages.compareWithTwoSigns(), fix = twoSigns(text, range))
+            }
+
+            given == "double" && needed == "float" && DECIMAL_NUMBER.matches(text) -> {
                 Advice(message, messages.writeFloat(text), JavaFix(range, "${text}f"))
-            given in WIDTHS && needed in WIDTHS -> Advice(message, messages.castIt(needed))
-            given in WIDTHS && needed == "Object" || setOf(given, needed) == setOf("int", "Integer") ->
+            }
+
+            given in WIDTHS && needed in WIDTHS -> {
+                Advice(message, messages.castIt(needed))
+            }
+
+            (given in WIDTHS && needed == "Object") || setOf(given, needed) == setOf("int", "Integer") -> {
                 Advice(message, messages.insteadOf(NewerJava.AUTOBOXING))
-            needed == "String" -> Advice(message, messages.makeText())
-            else -> Advice(message)
+            }
+
+            needed == "String" -> {
+                Advice(message, messages.makeText())
+            }
+
+            else -> {
+                Advice(message)
+            }
         }
     }
 

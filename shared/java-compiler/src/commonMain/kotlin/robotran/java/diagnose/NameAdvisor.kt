@@ -14,19 +14,37 @@ internal class NameAdvisor(
         val written = source.words(problem.start, problem.end)
         val name = shortened(written)
         return when (problem.number) {
-            ProblemNumber.IMPORT_NOT_FOUND -> Advice(messages.unknownImport(name), absent(written)?.let(messages::absent))
-            ProblemNumber.UNDEFINED_TYPE -> classAdvice(problem, source, written)
-            ProblemNumber.UNDEFINED_NAME, ProblemNumber.UNRESOLVED_VARIABLE ->
-                if (written.firstOrNull()?.isUpperCase() == true) classAdvice(problem, source, written) else variableAdvice(problem, source, written)
+            ProblemNumber.IMPORT_NOT_FOUND -> {
+                Advice(messages.unknownImport(name), absent(written)?.let(messages::absent))
+            }
+
+            ProblemNumber.UNDEFINED_TYPE -> {
+                classAdvice(problem, source, written)
+            }
+
+            ProblemNumber.UNDEFINED_NAME, ProblemNumber.UNRESOLVED_VARIABLE -> {
+                if (written.firstOrNull()?.isUpperCase() ==
+                    true
+                ) {
+                    classAdvice(problem, source, written)
+                } else {
+                    variableAdvice(problem, source, written)
+                }
+            }
+
             ProblemNumber.UNDEFINED_FIELD -> {
                 val owner = source.qualifier(problem.start)
                 memberAdvice(problem, source, written, owner, messages.unknownField(name, owner?.let(::shortened)))
             }
+
             ProblemNumber.UNDEFINED_METHOD, ProblemNumber.METHOD_NOT_VISIBLE -> {
                 val owner = problem.arguments.first()
                 memberAdvice(problem, source, written, owner, messages.unknownMethod(name, shortened(owner)))
             }
-            else -> null
+
+            else -> {
+                null
+            }
         }
     }
 
@@ -37,9 +55,20 @@ internal class NameAdvisor(
         val message = messages.unknownClass(shortened(name))
         return when {
             newer != null -> Advice(messages.newerJava(newer), messages.insteadOf(newer))
+
             absent != null -> Advice(message, messages.absent(absent))
+
             home != null -> "import $home.*;".let { Advice(message, messages.importIt(it), source.addLineAtTop(it)) }
-            else -> suggested(problem, source, message, nearest(name, library.simpleNames + source.names.filter { it.first().isUpperCase() }))
+
+            else -> suggested(
+                problem, source, message,
+                nearest(
+                    name,
+                    library.simpleNames + source.names.filter {
+                        it.first().isUpperCase()
+                    },
+                ),
+            )
         }
     }
 

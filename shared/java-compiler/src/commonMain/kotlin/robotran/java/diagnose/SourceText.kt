@@ -40,7 +40,7 @@ internal class SourceText(source: JavaSource) {
         return JavaFix(range(place, place), if (place == 0) "$line\n" else "\n$line")
     }
 
-    private fun endsLine(place: Int) = text[place] == '\n' || text[place] == '\r' && text.getOrNull(place + 1) != '\n'
+    private fun endsLine(place: Int) = text[place] == '\n' || (text[place] == '\r' && text.getOrNull(place + 1) != '\n')
 
     private fun lineEnd(place: Int): Int {
         val end = text.indexOfAny(charArrayOf('\n', '\r'), place)

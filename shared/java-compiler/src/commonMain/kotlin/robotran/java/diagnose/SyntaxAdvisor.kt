@@ -10,16 +10,41 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem, source: SourceText): Advice? {
         val word = source.words(problem.start, problem.end)
         return when (problem.number) {
-            ProblemNumber.PARSING_ERROR_INSERT_TO_COMPLETE -> missing(problem.arguments.first(), problem, source, word)
-            ProblemNumber.PARSING_ERROR_INSERT_AFTER -> insertAfter(problem, source, word)
-            ProblemNumber.PARSING_ERROR_DELETE, ProblemNumber.UNMATCHED_BRACKET ->
+            ProblemNumber.PARSING_ERROR_INSERT_TO_COMPLETE -> {
+                missing(problem.arguments.first(), problem, source, word)
+            }
+
+            ProblemNumber.PARSING_ERROR_INSERT_AFTER -> {
+                insertAfter(problem, source, word)
+            }
+
+            ProblemNumber.PARSING_ERROR_DELETE, ProblemNumber.UNMATCHED_BRACKET -> {
                 Advice(if (word in BRACKETS) messages.extraBracket(word) else messages.notUnderstood(word))
-            ProblemNumber.PARSING_ERROR, ProblemNumber.PARSING_ERROR_INSERT_BEFORE -> expected(problem, word)
-            ProblemNumber.UNTERMINATED_STRING -> Advice(messages.unclosedText())
-            ProblemNumber.INVALID_CHARACTER_CONSTANT -> Advice(messages.wrongCharacter())
-            ProblemNumber.SOURCE_TOO_LONG -> Advice(messages.sourceTooLong(problem.arguments.first()))
-            ProblemNumber.NESTED_TOO_DEEPLY -> Advice(messages.nestedTooDeeply())
-            else -> if (problem.isSyntax && word.isNotBlank()) Advice(messages.notUnderstood(shortened(word))) else null
+            }
+
+            ProblemNumber.PARSING_ERROR, ProblemNumber.PARSING_ERROR_INSERT_BEFORE -> {
+                expected(problem, word)
+            }
+
+            ProblemNumber.UNTERMINATED_STRING -> {
+                Advice(messages.unclosedText())
+            }
+
+            ProblemNumber.INVALID_CHARACTER_CONSTANT -> {
+                Advice(messages.wrongCharacter())
+            }
+
+            ProblemNumber.SOURCE_TOO_LONG -> {
+                Advice(messages.sourceTooLong(problem.arguments.first()))
+            }
+
+            ProblemNumber.NESTED_TOO_DEEPLY -> {
+                Advice(messages.nestedTooDeeply())
+            }
+
+            else -> {
+                if (problem.isSyntax && word.isNotBlank()) Advice(messages.notUnderstood(shortened(word))) else null
+            }
         }
     }
 
