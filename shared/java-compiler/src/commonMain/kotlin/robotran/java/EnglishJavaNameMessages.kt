@@ -6,7 +6,7 @@ internal object EnglishJavaNameMessages : JavaNameMessages {
 
     override fun unknownVariable(name: String) = "There is no variable ${quoted(name)}."
 
-    override fun unknownMethod(name: String, owner: String) = "${quoted(owner)} has no such method ${quoted(name)}."
+    override fun unknownMethod(name: String, owner: String) = "${quoted(owner)} has no method ${quoted(name)}."
 
     override fun unknownField(name: String, owner: String?) =
         if (owner == null) "There is no ${quoted(name)} here." else "${quoted(owner)} has no ${quoted(name)}."
