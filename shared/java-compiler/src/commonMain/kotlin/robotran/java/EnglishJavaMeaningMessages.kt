@@ -35,7 +35,8 @@ internal object EnglishJavaMeaningMessages : JavaMeaningMessages {
 
     override fun makeItStatic() = "Write \"static\" before it where it is declared."
 
-    override fun wrongFileName(className: String) = "A public class is in a file of its own name. Call the file ${quoted("$className.java")}."
+    override fun wrongFileName(className: String) =
+        "A public class is in a file of its own name. Call the file ${quoted("$className.java")}."
 
     override fun numberTooLarge(number: String) = "$number is too large. An \"int\" goes from -2147483648 to 2147483647."
 
