@@ -16,7 +16,7 @@ class JavaCompiler internal constructor(
     fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>): CompilationResult {
         val texts = sources.map { it.copy(text = it.text.removePrefix(BYTE_ORDER_MARK)) }
         val compilation = ecj.compile(texts, library)
-        val diagnostics = Diagnosis(texts, library.keys, messages).diagnostics(compilation)
+        val diagnostics = Diagnosis(texts, library.keys, compilation, messages).diagnostics()
         val mistakes = diagnostics.filter { it.severity == JavaSeverity.MISTAKE }
         return if (mistakes.isEmpty()) {
             CompilationResult.Compiled(compilation.classes, diagnostics, compilation.mainClasses)

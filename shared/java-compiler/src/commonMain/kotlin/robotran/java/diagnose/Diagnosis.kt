@@ -18,21 +18,27 @@ internal fun shortened(text: String) = if (text.length <= QUOTED_CHARACTERS) tex
 internal class Diagnosis(
     sources: List<JavaSource>,
     library: Set<String>,
+    private val compilation: EcjCompilation,
     private val messages: JavaMessages,
 ) {
     private val sources = sources.map(::SourceText)
-    private val names = NameAdvisor(LibraryNames(library), messages)
+    private val byPath = compilation.problems.groupBy { it.path }
+    private val names = NameAdvisor(LibraryNames(library), undeclaredNames(), messages)
     private val syntax = SyntaxAdvisor(messages)
     private val meaning = MeaningAdvisor(messages)
     private val brick = BrickAdvisor(messages)
 
     /** In the order of the sources. Never without a mistake if the compilation is of no use. */
-    fun diagnostics(compilation: EcjCompilation): List<JavaDiagnostic> {
-        val byPath = compilation.problems.groupBy { it.path }
+    fun diagnostics(): List<JavaDiagnostic> {
         val causes = sources.flatMap { source -> told(source, causes(source, byPath[source.path].orEmpty())) }
         val found = if (hasMistake(causes)) causes else sources.flatMap { told(it, byPath[it.path].orEmpty()) }
-        return if (compilation.completed || hasMistake(found)) found else found + compilerFailed()
+        val succeeded = compilation.completed && compilation.problems.none { it.isError }
+        return if (succeeded || hasMistake(found)) found else found + compilerFailed()
     }
+
+    private fun undeclaredNames(): Set<String> = sources.flatMap { source ->
+        byPath[source.path].orEmpty().filter { it.number in NameAdvisor.NUMBERS }.map { source.words(it.start, it.end) }
+    }.toSet()
 
     private fun told(source: SourceText, problems: List<EcjProblem>): List<JavaDiagnostic> {
         val all = problems.map { diagnostic(it, source) }
