@@ -106,10 +106,13 @@ internal class EcjRewriter {
             "$COMPILER/lookup/ProblemReferenceBinding.problemReasonString",
         )
 
-        /** None of them gives a value back, and none is reached while the compiler works on one thread. */
+        /**
+         * None of them gives a value back, and none is reached while the compiler works on one thread. A single one left would make TeaVM
+         * compile everything as coroutines, which exported functions cannot be.
+         */
         val THREAD_CALLS = setOf(
             "java/lang/Object.wait", "java/lang/Object.notify", "java/lang/Object.notifyAll", "java/lang/Thread.sleep",
-            "java/lang/Thread.start", "java/lang/Thread.yield",
+            "java/lang/Thread.start", "java/lang/Thread.yield", "java/lang/Thread.join",
         )
 
         const val TEXT_CONSTANT = "$COMPILER/impl/StringConstant.fromValue"
