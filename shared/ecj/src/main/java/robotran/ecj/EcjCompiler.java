@@ -73,8 +73,8 @@ public final class EcjCompiler {
     public EcjResult compile() {
         boolean crashed = false;
         if (problems.isEmpty()) {
-            CheckingCompiler compiler = new CheckingCompiler(library.environment(), options(), this::take, problems);
             try {
+                CheckingCompiler compiler = new CheckingCompiler(library.environment(), options(), this::take, problems);
                 compiler.compile(sources.toArray(new ICompilationUnit[0]));
                 crashed = compiler.crashed();
             } catch (RuntimeException | Error failure) {
