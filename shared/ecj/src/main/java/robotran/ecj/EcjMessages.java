@@ -11,12 +11,12 @@ import org.eclipse.jdt.internal.compiler.problem.DefaultProblem;
 
 /** ECJ's English sentences without resource bundles, which depend on the platform's language, and the short names beside them. */
 final class EcjMessages implements IProblemFactory {
-    private static final String TEXTS = "org/eclipse/jdt/internal/compiler/problem/messages.properties";
+    private static final String TEXTS = "/org/eclipse/jdt/internal/compiler/problem/messages.properties";
 
     private final Properties texts = new Properties();
 
     EcjMessages() {
-        try (InputStream file = EcjMessages.class.getClassLoader().getResourceAsStream(TEXTS)) {
+        try (InputStream file = EcjMessages.class.getResourceAsStream(TEXTS)) {
             texts.load(file);
         } catch (IOException unreadable) {
             throw new IllegalStateException("ECJ's messages cannot be read.", unreadable);
