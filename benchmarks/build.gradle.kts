@@ -11,7 +11,7 @@ kotlin {
         }
         jvmMain {
             // Texts to read and what must be true of them: the same as in the tests.
-            kotlin.srcDir("../shared/robolang/src/jvmTest/kotlin/robotran/robolang/fuzz")
+            kotlin.srcDir(rootProject.file("shared/robolang/src/jvmTest/kotlin/robotran/robolang/fuzz"))
         }
     }
 }

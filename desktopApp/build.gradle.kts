@@ -8,7 +8,7 @@ dependencies {
     implementation(libs.coroutines.swing)
     implementation(libs.clikt)
     implementation(libs.commons.compress)
-    testImplementation(libs.serialization.json)
+    implementation(libs.serialization.json)
 }
 
 application {

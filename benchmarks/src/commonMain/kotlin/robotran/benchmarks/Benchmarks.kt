@@ -8,6 +8,7 @@ internal val BENCHMARKS: Map<String, suspend () -> Figure> =
         "statements" to ::statementSpeed,
         "open-sheet" to ::openSheetSpeed,
         "walls" to ::wallsSpeed,
+        "against-dyn4j" to ::sessionAgainstDyn4j,
     )
 
 /** Measures [name] and tells the result in a line that begins with it. */

@@ -7,29 +7,49 @@ import robotran.world.Penbot
 import robotran.world.Session
 import robotran.world.SessionInput
 import robotran.world.World
+import robotran.world.physics.PhysicsEngine
 import robotran.world.physics.loadPhysicsEngine
+import kotlin.time.Duration
 import kotlin.time.Duration.Companion.minutes
 import kotlin.time.DurationUnit
 
 /** How many times as fast as real time a session runs that drives and draws all the time on a sheet with nothing on it. */
-internal suspend fun openSheetSpeed(): Figure = sessionSpeed(BuiltInWorlds.plain.copy(walls = emptyList()))
+internal suspend fun openSheetSpeed(): Figure = realTime(BuiltInWorlds.plain.copy(walls = emptyList()))
 
 /** The same among walls, which the robot runs into all the time. */
-internal suspend fun wallsSpeed(): Figure = sessionSpeed(BuiltInWorlds.plain)
+internal suspend fun wallsSpeed(): Figure = realTime(BuiltInWorlds.plain)
 
-private suspend fun sessionSpeed(world: World): Figure {
+/** How much longer the session among walls takes than dyn4j alone with as many bodies. */
+internal suspend fun sessionAgainstDyn4j(): Figure {
     val physics = loadPhysicsEngine()
-    val program = programOf(PROGRAM, Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
-    val time =
-        median {
-            val session = Session(world, listOf(program), physics)
-            session.apply(SessionInput.Press(BrickButton.RUN))
-            session.apply(SessionInput.Release(BrickButton.RUN))
-            session.advance(VIRTUAL_TIME.inWholeMilliseconds.toInt())
-            session.close()
-        }
-    return Figure(VIRTUAL_TIME / time, "times real time", "a minute in ${rounded(time.toDouble(DurationUnit.SECONDS))} s")
+    val session = driving(BuiltInWorlds.plain, physics)
+    val alone = median { pushABoxAbout(physics) }
+    return Figure(session / alone, "times as long as dyn4j alone", "a minute of dyn4j in ${seconds(alone)} s")
 }
 
+private suspend fun realTime(world: World): Figure {
+    val time = driving(world, loadPhysicsEngine())
+    return Figure(VIRTUAL_TIME / time, "times real time", "a minute in ${seconds(time)} s")
+}
+
+/** How long it takes to drive about in [world] for [VIRTUAL_TIME]. */
+private fun driving(
+    world: World,
+    physics: PhysicsEngine,
+): Duration {
+    val program = programOf(PROGRAM, Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    return median {
+        val session = Session(world, listOf(program), physics)
+        session.apply(SessionInput.Press(BrickButton.RUN))
+        session.apply(SessionInput.Release(BrickButton.RUN))
+        session.advance(VIRTUAL_TIME.inWholeMilliseconds.toInt())
+        session.close()
+    }
+}
+
+private fun seconds(time: Duration): String = rounded(time.toDouble(DurationUnit.SECONDS))
+
 private const val PROGRAM = "pen down\nrepeat 40 times\nforward 30\nturn right 97\nbackward 20\nend\n"
-private val VIRTUAL_TIME = 1.minutes
+
+/** How much virtual time is measured. */
+internal val VIRTUAL_TIME = 1.minutes

@@ -1,9 +1,16 @@
 package robotran.desktop.cli
 
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
 import robotran.rom.LcdGlass
-import robotran.rom.LcdIcon
+import robotran.rom.MotorState
 import robotran.rom.RunState
+import robotran.rom.SensorState
 import robotran.rom.SoundEvent
+import robotran.world.RecordedInput
 import robotran.world.Session
 import robotran.world.SessionInput
 
@@ -15,62 +22,79 @@ import robotran.world.SessionInput
  */
 internal fun brickReport(session: Session): String {
     val brick = session.state.brick
-    val motors = brick.motors.map { "\"${it.port.name}\": {\"mode\": ${quoted(it.mode.name.lowercase())}, \"power\": ${it.power}}" }
-    val sensors = brick.sensors.map { "{\"port\": ${it.port}, \"raw\": ${it.raw}, \"value\": ${it.value}, \"active\": ${it.active}}" }
-    return objectOf(
-        "poweredOn" to "${brick.poweredOn}",
-        "program" to "${brick.selectedSlot}",
-        "state" to quoted(stateName(brick.run)),
-        "line" to "${lineOf(brick.run)}",
-        "lcd" to lcd(brick.glass),
-        "explanation" to (brick.explanation?.let(::quoted) ?: "null"),
-        "motors" to motors.joinToString(", ", "{", "}"),
-        "sensors" to sensors.joinToString(", ", "[", "]"),
-        "batteryMillivolts" to "${brick.batteryMillivolts}",
-        "sounds" to lines(session.sounds.since(0).map(::sound)),
-        "inputs" to lines(session.inputs.map { "{\"milliseconds\": ${it.milliseconds}, ${input(it.input)}}" }),
-    )
+    val report =
+        buildJsonObject {
+            put("poweredOn", brick.poweredOn)
+            put("program", brick.selectedSlot)
+            put("state", stateName(brick.run))
+            put("line", lineOf(brick.run))
+            put("lcd", json(brick.glass))
+            put("explanation", brick.explanation)
+            put("motors", JsonObject(brick.motors.associate { it.port.name to json(it) }))
+            put("sensors", JsonArray(brick.sensors.map(::json)))
+            put("batteryMillivolts", brick.batteryMillivolts)
+            put("sounds", JsonArray(session.sounds.since(0).map(::json)))
+            put("inputs", JsonArray(session.inputs.map(::json)))
+        }
+    return jsonOutput.encodeToString(JsonObject.serializer(), report)
 }
 
-private fun objectOf(vararg fields: Pair<String, String>): String =
-    fields.joinToString(",\n", "{\n", "\n}") { (name, value) -> "    \"$name\": $value" }
-
-private fun lines(items: List<String>): String =
-    if (items.isEmpty()) "[]" else items.joinToString(",\n", "[\n", "\n    ]") { "        $it" }
-
-private fun stateName(run: RunState): String = when (run) {
-    RunState.Idle -> "idle"
-    is RunState.Running -> "running"
-    is RunState.Ended -> if (run.stopped) "stopped" else "ended"
-    is RunState.Failed -> "failed"
-}
-
-private fun lineOf(run: RunState): Int = when (run) {
-    RunState.Idle, is RunState.Ended -> 0
-    is RunState.Running -> run.sourceLine
-    is RunState.Failed -> run.failure.sourceLine
-}
-
-private fun lcd(glass: LcdGlass): String {
-    val icons = (glass.litIcons - PARTS_OF_THE_TEXT).map { quoted(it.words) }
-    return "{\"text\": ${quoted(glass.text)}, \"icons\": ${icons.joinToString(", ", "[", "]")}}"
-}
-
-private fun sound(event: SoundEvent): String = when (event) {
-    is SoundEvent.Tone -> {
-        "{\"milliseconds\": ${event.milliseconds}, \"hertz\": ${event.hertz}, \"duration\": ${event.durationMilliseconds}}"
+private fun stateName(run: RunState): String =
+    when (run) {
+        RunState.Idle -> "idle"
+        is RunState.Running -> "running"
+        is RunState.Ended -> if (run.stopped) "stopped" else "ended"
+        is RunState.Failed -> "failed"
     }
 
-    is SoundEvent.Cut -> {
-        "{\"milliseconds\": ${event.milliseconds}, \"cut\": true}"
+private fun lineOf(run: RunState): Int =
+    when (run) {
+        RunState.Idle, is RunState.Ended -> 0
+        is RunState.Running -> run.sourceLine
+        is RunState.Failed -> run.failure.sourceLine
     }
-}
 
-private fun input(input: SessionInput): String = when (input) {
-    is SessionInput.Press -> "\"press\": ${quoted(buttonName(input.button))}"
-    is SessionInput.Release -> "\"release\": ${quoted(buttonName(input.button))}"
-    SessionInput.Stop -> "\"stop\": true"
-}
+private fun json(glass: LcdGlass): JsonObject =
+    buildJsonObject {
+        put("text", glass.text)
+        put("icons", JsonArray(glass.iconsBesideText.map { JsonPrimitive(it.words) }))
+    }
 
-/** What [LcdGlass.text] tells already. */
-private val PARTS_OF_THE_TEXT = setOf(LcdIcon.MINUS, LcdIcon.POINT_1, LcdIcon.POINT_2, LcdIcon.POINT_3)
+private fun json(motor: MotorState): JsonObject =
+    buildJsonObject {
+        put("mode", motor.mode.name.lowercase())
+        put("power", motor.power)
+    }
+
+private fun json(sensor: SensorState): JsonObject =
+    buildJsonObject {
+        put("port", sensor.port)
+        put("raw", sensor.raw)
+        put("value", sensor.value)
+        put("active", sensor.active)
+    }
+
+private fun json(event: SoundEvent): JsonObject =
+    buildJsonObject {
+        put("milliseconds", event.milliseconds)
+        when (event) {
+            is SoundEvent.Tone -> {
+                put("hertz", event.hertz)
+                put("duration", event.durationMilliseconds)
+            }
+
+            is SoundEvent.Cut -> {
+                put("cut", true)
+            }
+        }
+    }
+
+private fun json(recorded: RecordedInput): JsonObject =
+    buildJsonObject {
+        put("milliseconds", recorded.milliseconds)
+        when (val input = recorded.input) {
+            is SessionInput.Press -> put("press", buttonName(input.button))
+            is SessionInput.Release -> put("release", buttonName(input.button))
+            SessionInput.Stop -> put("stop", true)
+        }
+    }

@@ -1,7 +1,11 @@
 package robotran.desktop.cli
 
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonObjectBuilder
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
 import robotran.robolang.Diagnostic
-import robotran.robolang.SourceFix
 import robotran.robolang.SourceRange
 
 /**
@@ -9,26 +13,41 @@ import robotran.robolang.SourceRange
  * run, or `error` for a file that cannot be read. Lines and columns count from 1, `endColumn` is behind the last character.
  */
 internal fun diagnosticsJson(files: List<Pair<String, RobolangFile>>): String =
-    files.joinToString(",\n", "[\n", "\n]") { (name, file) ->
-        val outcome =
-            when (file) {
-                is RobolangFile.Ready -> json(file.warnings)
-                is RobolangFile.Mistaken -> json(file.diagnostics)
-                is RobolangFile.Unreadable -> "\"error\": ${quoted(file.reason)}"
-            }
-        "  {\"file\": ${quoted(name)}, $outcome}"
+    jsonOutput.encodeToString(JsonArray.serializer(), JsonArray(files.map { (name, file) -> json(name, file) }))
+
+private fun json(
+    name: String,
+    file: RobolangFile,
+): JsonObject =
+    buildJsonObject {
+        put("file", name)
+        when (file) {
+            is RobolangFile.Ready -> put("diagnostics", JsonArray(file.warnings.map(::json)))
+            is RobolangFile.Mistaken -> put("diagnostics", JsonArray(file.diagnostics.map(::json)))
+            is RobolangFile.Unreadable -> put("error", file.reason)
+        }
     }
 
-private fun json(diagnostics: List<Diagnostic>): String =
-    "\"diagnostics\": " + if (diagnostics.isEmpty()) "[]" else diagnostics.joinToString(",\n", "[\n", "\n  ]", transform = ::json)
+private fun json(diagnostic: Diagnostic): JsonObject =
+    buildJsonObject {
+        put("code", diagnostic.code.id)
+        put("severity", diagnostic.severity.name.lowercase())
+        put(diagnostic.range)
+        put("text", diagnostic.text)
+        put("message", diagnostic.message)
+        diagnostic.fix?.let { fix ->
+            put(
+                "fix",
+                buildJsonObject {
+                    put(fix.range)
+                    put("replacement", fix.replacement)
+                },
+            )
+        }
+    }
 
-private fun json(diagnostic: Diagnostic): String {
-    val fix = diagnostic.fix?.let { ", \"fix\": ${json(it)}" }.orEmpty()
-    val kind = "\"code\": ${quoted(diagnostic.code.id)}, \"severity\": ${quoted(diagnostic.severity.name.lowercase())}"
-    return "    {$kind, ${json(diagnostic.range)}, " +
-        "\"text\": ${quoted(diagnostic.text)}, \"message\": ${quoted(diagnostic.message)}$fix}"
+private fun JsonObjectBuilder.put(range: SourceRange) {
+    put("line", range.line)
+    put("column", range.column)
+    put("endColumn", range.endColumn)
 }
-
-private fun json(fix: SourceFix): String = "{${json(fix.range)}, \"replacement\": ${quoted(fix.replacement)}}"
-
-private fun json(range: SourceRange): String = "\"line\": ${range.line}, \"column\": ${range.column}, \"endColumn\": ${range.endColumn}"

@@ -1,34 +1,16 @@
 package robotran.desktop.cli
 
-import robotran.desktop.ExitCode
-import java.io.File
-import java.nio.file.Files
-import java.nio.file.Path
-import kotlin.io.path.writeText
-import kotlin.test.AfterTest
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-class CheckCommandTest {
-    private val console = RememberingConsole()
-    private val commandLine = CommandLine(console) { ExitCode.NO_DISPLAY }
-    private val folder: Path = Files.createTempDirectory("robotran")
-    private val tree = File(System.getProperty("robotran.tree"))
-    private val square = tree.resolve("examples/square.robo").path
-
-    @AfterTest
-    fun tidyUp() {
-        folder.toFile().deleteRecursively()
-    }
-
+class CheckCommandTest : CommandTest() {
     private fun check(vararg arguments: String) = commandLine.execute(listOf("check") + arguments)
-
-    private fun program(
-        name: String,
-        text: String,
-    ) = folder.resolve(name).also { it.writeText(text) }.toString()
 
     @Test
     fun `every example has no mistakes`() {
@@ -40,8 +22,8 @@ class CheckCommandTest {
 
     @Test
     fun `all mistakes of all files are told with their places`() {
-        val first = program("first.robo", "foward 20\nbeep\nturn 90\n")
-        val second = program("second.robo", "pen\n")
+        val first = program("foward 20\nbeep\nturn 90\n", "first.robo")
+        val second = program("pen\n", "second.robo")
         assertEquals(1, check(first, square, second))
         val places = listOf("$first:1:1: ", "$first:3:5: ", "$second:1:4: ")
         assertEquals(places.size, console.complaints.size)
@@ -51,20 +33,28 @@ class CheckCommandTest {
 
     @Test
     fun `a file that cannot be read weighs more than mistakes`() {
-        assertEquals(2, check(program("wrong.robo", "hop\n"), "$folder/missing.robo"))
+        assertEquals(2, check(program("hop\n", "wrong.robo"), "$folder/missing.robo"))
         assertEquals(2, console.complaints.size)
     }
 
     @Test
     fun `JSON has every mistake with its code, its range and its fix`() {
-        val wrong = program("wrong.robo", "foward 20 // \"go\"\n")
+        val wrong = program("foward 20 // \"go\"\n", "wrong.robo")
         assertEquals(1, check(wrong, square, "--json"))
-        val json = console.said.single()
-        assertContains(json, "\"code\": \"unknown-command\", \"severity\": \"mistake\", ")
-        assertContains(json, "\"line\": 1, \"column\": 1, \"endColumn\": 7, \"text\": \"foward\"")
-        assertContains(json, "\\\"foward\\\"")
-        assertContains(json, "\"replacement\": \"forward\"")
-        assertContains(json, "\"diagnostics\": []")
+        val (mistaken, ready) = Json.parseToJsonElement(console.said.single()).jsonArray.map { it.jsonObject }
+        assertEquals(wrong, mistaken.getValue("file").jsonPrimitive.content)
+        val mistake = mistaken.getValue("diagnostics").jsonArray.single().jsonObject
+        val told = listOf("code", "severity", "line", "column", "endColumn", "text").map { mistake.getValue(it).jsonPrimitive.content }
+        assertEquals(listOf("unknown-command", "mistake", "1", "1", "7", "foward"), told)
+        assertContains(mistake.getValue("message").jsonPrimitive.content, "\"foward\"")
+        val fix = mistake.getValue("fix").jsonObject
+        assertEquals(
+            listOf("1", "1", "7", "forward"),
+            listOf("line", "column", "endColumn", "replacement").map {
+                fix.getValue(it).jsonPrimitive.content
+            },
+        )
+        assertEquals(0, ready.getValue("diagnostics").jsonArray.size)
         assertEquals(emptyList(), console.complaints)
     }
 

@@ -1,28 +1,14 @@
 package robotran.desktop.cli
 
-import robotran.desktop.ExitCode
-import java.io.File
-import java.nio.file.Files
-import java.nio.file.Path
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
-import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-class FormatCommandTest {
-    private val console = RememberingConsole()
-    private val commandLine = CommandLine(console) { ExitCode.NO_DISPLAY }
-    private val folder: Path = Files.createTempDirectory("robotran")
-    private val tree = File(System.getProperty("robotran.tree"))
+class FormatCommandTest : CommandTest() {
     private val untidy = folder.resolve("untidy.robo").also { it.writeText("REPEAT 2 times\nbeep   // once\nend\n") }
-
-    @AfterTest
-    fun tidyUp() {
-        folder.toFile().deleteRecursively()
-    }
 
     private fun format(vararg arguments: String) = commandLine.execute(listOf("format") + arguments)
 

@@ -2,16 +2,13 @@ package robotran.desktop.cli
 
 import org.apache.commons.compress.archivers.zip.ZipFile
 import org.w3c.dom.Element
-import robotran.desktop.ExitCode
 import java.io.File
-import java.nio.file.Files
 import java.nio.file.Path
 import java.time.LocalDateTime
 import java.util.TimeZone
 import javax.xml.parsers.DocumentBuilderFactory
 import kotlin.io.path.readBytes
 import kotlin.io.path.writeText
-import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertContentEquals
@@ -20,19 +17,9 @@ import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
 /** What `robotran translate --kit` writes. */
-class KitTest {
-    private val console = RememberingConsole()
-    private val commandLine = CommandLine(console) { ExitCode.NO_DISPLAY }
-    private val folder: Path = Files.createTempDirectory("robotran")
-    private val square = File(System.getProperty("robotran.tree")).resolve("examples/square.robo")
-
-    @AfterTest
-    fun tidyUp() {
-        folder.toFile().deleteRecursively()
-    }
-
+class KitTest : CommandTest() {
     private fun kit(
-        program: String = square.path,
+        program: String = square,
         name: String = "kit.zip",
     ): Path {
         val kit = folder.resolve(name)
@@ -45,7 +32,7 @@ class KitTest {
         val files = texts(kit())
         val names = listOf("Square.java", "square.robo", "README.txt", "build.xml", "download.sh", "download.bat")
         assertEquals(names.map { "Square/$it" }, files.keys.toList())
-        assertEquals(square.readText(), files["Square/square.robo"])
+        assertEquals(File(square).readText(), files["Square/square.robo"])
         assertContains(files.getValue("Square/Square.java"), "public class Square {")
     }
 

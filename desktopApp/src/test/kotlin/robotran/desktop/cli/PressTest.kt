@@ -5,29 +5,13 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
-import robotran.desktop.ExitCode
-import java.nio.file.Files
-import java.nio.file.Path
 import kotlin.io.path.readText
-import kotlin.io.path.writeText
-import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-class PressTest {
-    private val console = RememberingConsole()
-    private val commandLine = CommandLine(console) { ExitCode.NO_DISPLAY }
-    private val folder: Path = Files.createTempDirectory("robotran")
-
-    @AfterTest
-    fun tidyUp() {
-        folder.toFile().deleteRecursively()
-    }
-
-    private fun program(text: String) = folder.resolve("mine.robo").also { it.writeText(text) }.toString()
-
+class PressTest : CommandTest() {
     /** Presses the buttons and answers what the brick's report says. */
     private fun press(text: String, vararg presses: String, status: Int = 0): Brick {
         val file = folder.resolve("brick.json")
@@ -46,8 +30,6 @@ class PressTest {
         val inputs = json.getValue("inputs").jsonArray.map { it.jsonObject }
 
         fun pitches() = sounds.mapNotNull { it["hertz"]?.jsonPrimitive?.content?.toDouble()?.toInt() }
-
-        fun firstSoundAfter(milliseconds: Long) = sounds.first { time(it) >= milliseconds }
 
         private fun time(event: JsonObject) = event.getValue("milliseconds").jsonPrimitive.content.toLong()
 

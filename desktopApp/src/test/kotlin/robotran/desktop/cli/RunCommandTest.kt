@@ -1,36 +1,19 @@
 package robotran.desktop.cli
 
-import robotran.desktop.ExitCode
-import java.io.File
 import java.nio.file.Files
-import java.nio.file.Path
 import javax.imageio.ImageIO
 import kotlin.io.path.exists
 import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
-import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
-class RunCommandTest {
-    private val console = RememberingConsole()
-    private val commandLine = CommandLine(console) { ExitCode.NO_DISPLAY }
-    private val folder: Path = Files.createTempDirectory("robotran")
-    private val tree = File(System.getProperty("robotran.tree"))
-    private val square = tree.resolve("examples/square.robo").path
-
-    @AfterTest
-    fun tidyUp() {
-        folder.toFile().deleteRecursively()
-    }
-
+class RunCommandTest : CommandTest() {
     private fun run(vararg arguments: String) = commandLine.execute(listOf("run") + arguments)
-
-    private fun program(text: String) = folder.resolve("mine.robo").also { it.writeText(text) }.toString()
 
     private fun recorded(ending: String) = tree.resolve("shared/world/src/commonTest/resources/runs/square$ending").readText()
 

@@ -1,28 +1,13 @@
 package robotran.desktop.cli
 
-import robotran.desktop.ExitCode
-import java.io.File
-import java.nio.file.Files
-import java.nio.file.Path
 import kotlin.io.path.readText
-import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
 import kotlin.test.assertTrue
 
-class RunOutputsTest {
-    private val console = RememberingConsole()
-    private val commandLine = CommandLine(console) { ExitCode.NO_DISPLAY }
-    private val folder: Path = Files.createTempDirectory("robotran")
-    private val square = File(System.getProperty("robotran.tree")).resolve("examples/square.robo").path
-
-    @AfterTest
-    fun tidyUp() {
-        folder.toFile().deleteRecursively()
-    }
-
+class RunOutputsTest : CommandTest() {
     private fun run(vararg arguments: String) = commandLine.execute(listOf("run", square) + arguments)
 
     @Test

@@ -1,31 +1,15 @@
 package robotran.desktop.cli
 
-import robotran.desktop.ExitCode
-import java.io.File
-import java.nio.file.Files
-import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
-import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
-class TranslateCommandTest {
-    private val console = RememberingConsole()
-    private val commandLine = CommandLine(console) { ExitCode.NO_DISPLAY }
-    private val folder: Path = Files.createTempDirectory("robotran")
-    private val tree = File(System.getProperty("robotran.tree"))
-    private val square = tree.resolve("examples/square.robo").path
-
-    @AfterTest
-    fun tidyUp() {
-        folder.toFile().deleteRecursively()
-    }
-
+class TranslateCommandTest : CommandTest() {
     private fun translate(vararg arguments: String) = commandLine.execute(listOf("translate") + arguments)
 
     @Test

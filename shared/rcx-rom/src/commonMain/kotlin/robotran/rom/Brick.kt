@@ -43,7 +43,6 @@ class Brick(
             shell.selectedSlot,
             shell.runState,
             hardware.speaker.sounding,
-            hardware.speaker.track.total,
             hardware.sensors.states,
             Battery.millivolts(hardware.batteryRaw),
             InfraredState(hardware.serial.isSending, hardware.serial.range),
@@ -64,9 +63,6 @@ class Brick(
      * in which its pulsed power switches it off. A motor driven for N milliseconds by a program is driven for N calls of [tick].
      */
     fun motorOutput(port: MotorPort): MotorMode = hardware.motors.output(port)
-
-    /** Whether [port] is switched on, to drive or to brake, in this millisecond of its pulsed power. */
-    fun motorSwitchedOn(port: MotorPort): Boolean = motorOutput(port) != MotorMode.FLOAT
 
     /** A finger goes down on [button]. Does nothing if it is down already. */
     fun press(button: BrickButton) {

@@ -9,7 +9,6 @@ package robotran.rom
  * @property pressed the buttons that are held down.
  * @property selectedSlot the program that Run will start, from 0, as the LCD's program digit shows it.
  * @property sounding true while a tone is being played.
- * @property soundEvents how many events [Brick.sounds] has had, to see cheaply whether there are new ones.
  * @property sensors the input ports 1, 2 and 3, in this order, as the firmware read them last.
  * @property batteryMillivolts what the batteries give.
  * @property infrared what the infrared does.
@@ -24,7 +23,6 @@ data class BrickState(
     val selectedSlot: Int,
     val run: RunState,
     val sounding: Boolean,
-    val soundEvents: Long,
     val sensors: List<SensorState>,
     val batteryMillivolts: Int,
     val infrared: InfraredState,

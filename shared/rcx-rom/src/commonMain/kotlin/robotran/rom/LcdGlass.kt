@@ -18,6 +18,9 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
     /** The icons that are lit. */
     val litIcons: Set<LcdIcon> get() = LcdIcon.entries.filterTo(mutableSetOf(), ::isLit)
 
+    /** The icons that are lit and are no part of the [text], as its minus sign and its points are. */
+    val iconsBesideText: Set<LcdIcon> get() = litIcons - LcdLayout.POINTS.toSet() - LcdIcon.MINUS
+
     /**
      * The main number as a reader would read it: its four digits with their minus sign and decimal point, such as `-42`, `9.0` or
      * `0042`, without the blanks around them; letters that seven segments can form are read too, `?` stands for any other shape.
@@ -45,12 +48,11 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
         get() = (LcdLayout.DIGITS - 1 downTo 0).map { LcdGlyphs.read(digit(it)) }.joinToString("").trim()
 
     /**
-     * Everything there is to see, for somebody who cannot: the [text] and the names of the icons, such as
-     * `9.0 0, standing man`. Minus sign and points are part of the text; empty on a clear display.
+     * Everything there is to see, for somebody who cannot: the [text] and the names of the [iconsBesideText], such as
+     * `9.0 0, standing man`; empty on a clear display.
      */
     val description: String
-        get() = (listOf(text) + (litIcons - LcdLayout.POINTS.toSet() - LcdIcon.MINUS).map { it.words })
-            .filter { it.isNotEmpty() }.joinToString()
+        get() = (listOf(text) + iconsBesideText.map { it.words }).filter { it.isNotEmpty() }.joinToString()
 
     override fun equals(other: Any?): Boolean = other is LcdGlass && bytes == other.bytes
 

@@ -5,8 +5,7 @@ package robotran.rom
  * processor cannot read its own. Sources: leJOS `rom.h`, the re-implemented ROM of brickEmu.
  */
 internal object Registers {
-    /** Which pins of the ports 4, 5 and 6 are outputs. */
-    const val PORT_4_DIRECTIONS = 0xFD83
+    /** Which pins of the ports 5 and 6 are outputs. */
     const val PORT_5_DIRECTIONS = 0xFD84
     const val PORT_6_DIRECTIONS = 0xFD85
 

@@ -38,7 +38,6 @@ internal object SystemSounds {
     const val DOWN = 2
     const val UP = 3
     const val BUZZ = 4
-    const val FAST_UP = 5
 
     private val melodyDown =
         listOf(179, 192, 208, 227, 250).map { ToneTimer.hertz(it, ToneTimer.CONTROL_OF_32) } +

@@ -29,7 +29,4 @@ internal object ToneTimer {
         val (_, control) = CONTROL_OF_BAND.find { (band, _) -> hertz in band } ?: return Sound(Sound.PAUSE, duration, CONTROL_OF_PAUSE)
         return Sound(CLOCK_HERTZ / DIVISOR_OF_CONTROL.getValue(control) / hertz, duration, control)
     }
-
-    /** The frequency really given for [hertz]; null for those out of the timer's range, which are silent. */
-    fun realHertz(hertz: Int): Double? = sound(hertz, duration = 1).let { if (it.kind == Sound.PAUSE) null else hertz(it.kind, it.control) }
 }

@@ -85,7 +85,7 @@ internal class BrickScript(private val path: String, private val text: String) {
 
     private fun seen(word: String, rest: String): String = when (word) {
         "lcd" -> "\"${brick.state.glass.text}\""
-        "icons" -> (brick.state.glass.litIcons - LcdLayout.POINTS.toSet() - LcdIcon.MINUS).joinToString { it.words }.ifEmpty { "none" }
+        "icons" -> brick.state.glass.iconsBesideText.joinToString { it.words }.ifEmpty { "none" }
         "power" -> if (brick.state.poweredOn) "on" else "off"
         "program" -> wordFor(brick.state.run)
         "slot" -> brick.state.selectedSlot.toString()

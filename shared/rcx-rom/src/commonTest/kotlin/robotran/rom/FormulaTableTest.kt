@@ -53,7 +53,7 @@ class FormulaTableTest {
     @Test
     fun `the real frequency is never below the one asked for and hardly above it`() {
         for (hertz in 31..20_000) {
-            val real = checkNotNull(ToneTimer.realHertz(hertz))
+            val real = checkNotNull(realHertz(hertz))
             assertTrue(real >= hertz && real < hertz * 1.02, "$hertz Hz become $real")
         }
     }

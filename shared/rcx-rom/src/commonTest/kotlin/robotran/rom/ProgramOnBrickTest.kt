@@ -2,7 +2,6 @@ package robotran.rom
 
 import kotlin.test.Test
 import kotlin.test.assertEquals
-import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
 class ProgramOnBrickTest {
@@ -37,8 +36,7 @@ class ProgramOnBrickTest {
         }
         assertEquals(400, outputs.count { it == MotorMode.FORWARD })
         assertEquals(MotorMode.BRAKE, outputs.last())
-        assertTrue(brick.motorSwitchedOn(MotorPort.A))
-        assertFalse(brick.motorSwitchedOn(MotorPort.B))
+        assertEquals(MotorMode.FLOAT, brick.motorOutput(MotorPort.B))
     }
 
     @Test

@@ -82,7 +82,7 @@ class SoundRoutineTest {
             20_000 to 20_000.0,
         )
         for ((asked, given) in real) {
-            val hertz = ToneTimer.realHertz(asked)
+            val hertz = realHertz(asked)
             assertTrue(hertz != null && abs(given - hertz) < 0.001, "$asked became $hertz")
         }
     }

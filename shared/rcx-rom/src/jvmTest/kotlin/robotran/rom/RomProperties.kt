@@ -83,7 +83,7 @@ class RomProperties : StringSpec({
 
     "the real frequency of a tone is as near as the timer's counts allow" {
         checkAll(Exhaustive.ints(31..20_000)) { hertz ->
-            val real = checkNotNull(ToneTimer.realHertz(hertz))
+            val real = checkNotNull(realHertz(hertz))
             (real >= hertz) shouldBe true
             (abs(real - hertz) / hertz < 0.02) shouldBe true
         }

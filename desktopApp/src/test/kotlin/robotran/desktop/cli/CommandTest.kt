@@ -1,0 +1,28 @@
+package robotran.desktop.cli
+
+import robotran.desktop.ExitCode
+import java.io.File
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.writeText
+import kotlin.test.AfterTest
+
+/** What tests of the commands have in common: a console that remembers, a folder of their own, and the project's examples. */
+abstract class CommandTest {
+    internal val console = RememberingConsole()
+    internal val commandLine = CommandLine(console) { ExitCode.NO_DISPLAY }
+    protected val folder: Path = Files.createTempDirectory("robotran")
+    protected val tree = File(System.getProperty("robotran.tree"))
+    protected val square: String = tree.resolve("examples/square.robo").path
+
+    @AfterTest
+    fun tidyUp() {
+        folder.toFile().deleteRecursively()
+    }
+
+    /** Writes [text] into a file of the folder; the answer is its path. */
+    protected fun program(
+        text: String,
+        name: String = "mine.robo",
+    ): String = folder.resolve(name).also { it.writeText(text) }.toString()
+}
