@@ -11,8 +11,9 @@ dependencies {
     implementation(libs.plugin.compose)
     implementation(libs.plugin.kotlin.serialization)
     implementation(libs.asm)
-    // Only the worker that compiles the physics sees it at run time.
+    // Only the workers that compile to Wasm and for the brick see these at run time.
     compileOnly(libs.teavm.tooling)
+    compileOnly(libs.ecj)
     testImplementation(libs.kotlin.test)
 }
 
@@ -55,9 +56,21 @@ gradlePlugin {
             id = "robotran.physics-web"
             implementationClass = "robotran.build.physics.PhysicsWebPlugin"
         }
+        create("ecj") {
+            id = "robotran.ecj"
+            implementationClass = "robotran.build.ecj.EcjPlugin"
+        }
+        create("ecjWeb") {
+            id = "robotran.ecj-web"
+            implementationClass = "robotran.build.ecj.EcjWebPlugin"
+        }
         create("texts") {
             id = "robotran.texts"
             implementationClass = "robotran.build.texts.TextsPlugin"
+        }
+        create("lejosLibrary") {
+            id = "robotran.lejos-library"
+            implementationClass = "robotran.build.lejos.LejosLibraryPlugin"
         }
         create("android") {
             id = "robotran.android"

@@ -51,5 +51,7 @@ class RootPlugin : Plugin<Project> {
         project.fileTree(project.rootDir) {
             it.include(pattern)
             it.exclude("build/**", "*/build/**", "shared/*/build/**", "**/.*/**", "gradle/**")
+            // Java for the brick, not for the computer.
+            it.exclude("**/src/brick/**", "**/src/*/programs/**")
         }
 }

@@ -44,7 +44,7 @@ internal external interface PhysicsModule : JsAny {
 }
 
 /** A dynamic import, so that the module is fetched only when it is wanted, and so that bundlers find it. */
-internal fun importPhysicsModule(): Promise<PhysicsModule> = js("import('./physics.mjs').then(module => module.loadPhysics())")
+internal fun importPhysicsModule(): Promise<PhysicsModule> = js("import('./physics.mjs').then(module => module.loadModule())")
 
 internal fun DoubleArray.toJsArray(): JsAny = newFloat64Array(size).also { copy ->
     forEachIndexed { place, value -> put(copy, place, value) }

@@ -1,0 +1,123 @@
+package robotran.build.ecj
+
+import org.objectweb.asm.ClassReader
+import org.objectweb.asm.ClassVisitor
+import org.objectweb.asm.ClassWriter
+import org.objectweb.asm.Label
+import org.objectweb.asm.MethodVisitor
+import org.objectweb.asm.Opcodes
+import org.objectweb.asm.Type
+
+/**
+ * Fits ECJ's class files to a compiler that works in memory, on one thread, on untrusted sources and as WebAssembly: without monitors
+ * and pauses, without the methods that need reflection or files, and with constant texts kept short enough for a class file.
+ */
+internal class EcjRewriter {
+    private val seen = mutableSetOf<String>()
+
+    /** The methods that should have been changed but were not met. */
+    val missing: Set<String> get() = EMPTIED_METHODS + TEXT_CONSTANT - seen
+
+    fun rewrite(classFile: ByteArray): ByteArray {
+        val reader = ClassReader(classFile)
+        val writer = ClassWriter(0)
+        reader.accept(Fitting(reader.className, writer), 0)
+        return writer.toByteArray()
+    }
+
+    private inner class Fitting(private val className: String, writer: ClassWriter) : ClassVisitor(Opcodes.ASM9, writer) {
+        override fun visitMethod(
+            access: Int,
+            name: String,
+            descriptor: String,
+            signature: String?,
+            exceptions: Array<String>?,
+        ): MethodVisitor {
+            val target = super.visitMethod(access and Opcodes.ACC_SYNCHRONIZED.inv(), name, descriptor, signature, exceptions)
+            val method = "$className.$name"
+            seen += method
+            return when (method) {
+                in EMPTIED_METHODS -> Emptied(target, Type.getArgumentsAndReturnSizes(descriptor) shr 2, Type.getReturnType(descriptor))
+                TEXT_CONSTANT -> BoundedText(target)
+                else -> WithoutThreads(target)
+            }
+        }
+    }
+
+    /** Leaves nothing of a method, except that it returns null if it has to return something. */
+    private class Emptied(
+        private val target: MethodVisitor,
+        private val parameters: Int,
+        private val result: Type,
+    ) : MethodVisitor(Opcodes.ASM9) {
+        override fun visitCode() {
+            target.visitCode()
+            if (result == Type.VOID_TYPE) {
+                target.visitInsn(Opcodes.RETURN)
+            } else {
+                target.visitInsn(Opcodes.ACONST_NULL)
+                target.visitInsn(Opcodes.ARETURN)
+            }
+            target.visitMaxs(1, parameters)
+            target.visitEnd()
+        }
+    }
+
+    /** Refuses a text that no class file can hold, before a source that doubles it again and again fills the memory. */
+    private class BoundedText(target: MethodVisitor) : MethodVisitor(Opcodes.ASM9, target) {
+        override fun visitCode() {
+            super.visitCode()
+            val shortEnough = Label()
+            visitVarInsn(Opcodes.ALOAD, 0)
+            visitMethodInsn(Opcodes.INVOKEVIRTUAL, "java/lang/String", "length", "()I", false)
+            visitLdcInsn(LONGEST_TEXT)
+            visitJumpInsn(Opcodes.IF_ICMPLE, shortEnough)
+            visitTypeInsn(Opcodes.NEW, "java/lang/IllegalStateException")
+            visitInsn(Opcodes.DUP)
+            visitMethodInsn(Opcodes.INVOKESPECIAL, "java/lang/IllegalStateException", "<init>", "()V", false)
+            visitInsn(Opcodes.ATHROW)
+            visitLabel(shortEnough)
+            visitFrame(Opcodes.F_SAME, 0, null, 0, null)
+        }
+
+        override fun visitMaxs(maxStack: Int, maxLocals: Int) = super.visitMaxs(maxOf(maxStack, 2), maxLocals)
+    }
+
+    private class WithoutThreads(target: MethodVisitor) : MethodVisitor(Opcodes.ASM9, target) {
+        override fun visitInsn(opcode: Int) {
+            val monitor = opcode == Opcodes.MONITORENTER || opcode == Opcodes.MONITOREXIT
+            super.visitInsn(if (monitor) Opcodes.POP else opcode)
+        }
+
+        override fun visitMethodInsn(opcode: Int, owner: String, name: String, descriptor: String, isInterface: Boolean) {
+            if ("$owner.$name" in THREAD_CALLS) {
+                Type.getArgumentTypes(descriptor).forEach { super.visitInsn(if (it.size == 2) Opcodes.POP2 else Opcodes.POP) }
+                if (opcode != Opcodes.INVOKESTATIC) super.visitInsn(Opcodes.POP)
+            } else {
+                super.visitMethodInsn(opcode, owner, name, descriptor, isInterface)
+            }
+        }
+    }
+
+    private companion object {
+        const val COMPILER = "org/eclipse/jdt/internal/compiler"
+        val EMPTIED_METHODS = setOf(
+            "$COMPILER/lookup/ExternalAnnotationSuperimposer.apply",
+            "$COMPILER/lookup/ProblemReferenceBinding.problemReasonString",
+        )
+
+        /**
+         * None of them gives a value back, and none is reached while the compiler works on one thread. A single one left would make TeaVM
+         * compile everything as coroutines, which exported functions cannot be.
+         */
+        val THREAD_CALLS = setOf(
+            "java/lang/Object.wait", "java/lang/Object.notify", "java/lang/Object.notifyAll", "java/lang/Thread.sleep",
+            "java/lang/Thread.start", "java/lang/Thread.yield", "java/lang/Thread.join",
+        )
+
+        const val TEXT_CONSTANT = "$COMPILER/impl/StringConstant.fromValue"
+
+        /** A class file gives a text's length in 16 bits. */
+        const val LONGEST_TEXT = 65_535
+    }
+}

@@ -1,0 +1,29 @@
+package robotran.build.ecj
+
+import org.gradle.api.GradleException
+import org.gradle.api.tasks.CacheableTask
+import org.gradle.api.tasks.TaskAction
+import robotran.build.teavm.RewriteLibrary
+
+/** Copies ECJ's jar without what only its command line and its annotation processors need, see [EcjRewriter] for the rest. */
+@CacheableTask
+abstract class RewriteEcj : RewriteLibrary() {
+    @TaskAction
+    fun rewrite() {
+        val rewriter = EcjRewriter()
+        copy(isKept = { path -> LEFT_OUT.none { path.startsWith(it) } }, rewritten = rewriter::rewrite)
+        if (rewriter.missing.isNotEmpty()) {
+            throw GradleException("${library.singleFile.name} does not have ${rewriter.missing}")
+        }
+    }
+
+    private companion object {
+        val LEFT_OUT = listOf(
+            "META-INF/services/",
+            "org/eclipse/jdt/core/compiler/batch/",
+            "org/eclipse/jdt/internal/antadapter/",
+            "org/eclipse/jdt/internal/compiler/apt/",
+            "org/eclipse/jdt/internal/compiler/tool/",
+        )
+    }
+}

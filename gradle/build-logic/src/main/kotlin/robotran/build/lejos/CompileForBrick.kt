@@ -1,0 +1,54 @@
+package robotran.build.lejos
+
+import org.gradle.api.DefaultTask
+import org.gradle.api.file.ConfigurableFileCollection
+import org.gradle.api.file.ConfigurableFileTree
+import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.provider.Property
+import org.gradle.api.tasks.CacheableTask
+import org.gradle.api.tasks.Classpath
+import org.gradle.api.tasks.InputFiles
+import org.gradle.api.tasks.Internal
+import org.gradle.api.tasks.OutputDirectory
+import org.gradle.api.tasks.PathSensitive
+import org.gradle.api.tasks.PathSensitivity
+import org.gradle.api.tasks.TaskAction
+import org.gradle.workers.WorkerExecutor
+import javax.inject.Inject
+
+/**
+ * Compiles a class library of a brick, with its own `java.lang`, by ECJ into class files of version 45.3. The same sources give the same
+ * bytes. [textFolder] gets each class file once more, in Base64, as `NAME.class`, for generated Kotlin.
+ */
+@CacheableTask
+abstract class CompileForBrick : DefaultTask() {
+    /** ECJ; kept apart from Gradle's own classes. */
+    @get:Classpath
+    abstract val compiler: ConfigurableFileCollection
+
+    @get:Internal
+    abstract val sources: Property<ConfigurableFileTree>
+
+    @get:InputFiles
+    @get:PathSensitive(PathSensitivity.RELATIVE)
+    val files get() = sources.get()
+
+    @get:OutputDirectory
+    abstract val classFolder: DirectoryProperty
+
+    @get:OutputDirectory
+    abstract val textFolder: DirectoryProperty
+
+    @get:Inject
+    abstract val workers: WorkerExecutor
+
+    @TaskAction
+    fun compile() {
+        workers.classLoaderIsolation { it.classpath.from(compiler) }.submit(CompileForBrickAction::class.java) {
+            it.sources.from(files)
+            it.noClasses.set(temporaryDir)
+            it.classFolder.set(classFolder)
+            it.textFolder.set(textFolder)
+        }
+    }
+}

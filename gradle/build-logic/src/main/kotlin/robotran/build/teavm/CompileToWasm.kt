@@ -1,0 +1,56 @@
+package robotran.build.teavm
+
+import org.gradle.api.DefaultTask
+import org.gradle.api.file.ConfigurableFileCollection
+import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.provider.Property
+import org.gradle.api.tasks.CacheableTask
+import org.gradle.api.tasks.Classpath
+import org.gradle.api.tasks.Input
+import org.gradle.api.tasks.OutputDirectory
+import org.gradle.api.tasks.TaskAction
+import org.gradle.workers.WorkerExecutor
+import javax.inject.Inject
+
+/**
+ * Compiles Java class files with TeaVM to Wasm GC. [outputFolder] then holds `NAME.wasm`, TeaVM's loader `NAME-runtime.mjs`
+ * and `NAME.mjs`, whose `loadModule()` gives the exported functions.
+ */
+@CacheableTask
+abstract class CompileToWasm : DefaultTask() {
+    /** TeaVM itself and what it needs; kept apart from Gradle's own classes. */
+    @get:Classpath
+    abstract val compiler: ConfigurableFileCollection
+
+    /** The classes to compile, with TeaVM's class library. */
+    @get:Classpath
+    abstract val program: ConfigurableFileCollection
+
+    /** The class whose exported static methods the module offers. */
+    @get:Input
+    abstract val mainClass: Property<String>
+
+    @get:Input
+    abstract val moduleName: Property<String>
+
+    /** Whether a null or an index out of bounds is an exception that the program may catch, as in Java, and does not end the module. */
+    @get:Input
+    abstract val strict: Property<Boolean>
+
+    @get:OutputDirectory
+    abstract val outputFolder: DirectoryProperty
+
+    @get:Inject
+    abstract val workers: WorkerExecutor
+
+    @TaskAction
+    fun compile() {
+        workers.classLoaderIsolation { it.classpath.from(compiler) }.submit(CompileToWasmAction::class.java) {
+            it.program.from(program)
+            it.mainClass.set(mainClass)
+            it.moduleName.set(moduleName)
+            it.strict.set(strict)
+            it.outputFolder.set(outputFolder)
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package robotran.build.ecj
+
+import org.objectweb.asm.ClassReader
+import org.objectweb.asm.ClassVisitor
+import org.objectweb.asm.ClassWriter
+import org.objectweb.asm.MethodVisitor
+import org.objectweb.asm.Opcodes
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertFailsWith
+
+class EcjRewriterTest {
+    private val rewriter = EcjRewriter()
+
+    @Test
+    fun `monitors and pauses leave only what takes their values away`() {
+        val rewritten = rewriter.rewrite(
+            classWith("Some", "work", "()V") {
+                it.visitVarInsn(Opcodes.ALOAD, 0)
+                it.visitInsn(Opcodes.MONITORENTER)
+                it.visitLdcInsn(5L)
+                it.visitMethodInsn(Opcodes.INVOKESTATIC, "java/lang/Thread", "sleep", "(J)V", false)
+                it.visitVarInsn(Opcodes.ALOAD, 0)
+                it.visitMethodInsn(Opcodes.INVOKEVIRTUAL, "java/lang/Object", "notifyAll", "()V", false)
+                it.visitInsn(Opcodes.RETURN)
+            },
+        )
+        assertEquals(listOf(Opcodes.POP, Opcodes.POP2, Opcodes.POP, Opcodes.RETURN), instructions(rewritten))
+    }
+
+    @Test
+    fun `a text constant beyond what a class file holds is refused`() {
+        val owner = "org/eclipse/jdt/internal/compiler/impl/StringConstant"
+        val descriptor = "(Ljava/lang/String;)Ljava/lang/String;"
+        val rewritten = rewriter.rewrite(
+            classWith(owner, "fromValue", descriptor, Opcodes.ACC_PUBLIC or Opcodes.ACC_STATIC) {
+                it.visitVarInsn(Opcodes.ALOAD, 0)
+                it.visitInsn(Opcodes.ARETURN)
+            },
+        )
+        val loader = object : ClassLoader() {
+            fun define() = defineClass(owner.replace('/', '.'), rewritten, 0, rewritten.size)
+        }
+        val method = loader.define().getMethod("fromValue", String::class.java)
+        assertEquals("short", method.invoke(null, "short"))
+        assertFailsWith<ReflectiveOperationException> { method.invoke(null, "x".repeat(65_536)) }
+    }
+
+    @Test
+    fun `methods that another version of ECJ no longer has are noticed`() {
+        assertContains(rewriter.missing, "org/eclipse/jdt/internal/compiler/impl/StringConstant.fromValue")
+    }
+
+    private fun classWith(
+        owner: String,
+        method: String,
+        descriptor: String,
+        access: Int = Opcodes.ACC_PUBLIC,
+        body: (MethodVisitor) -> Unit,
+    ): ByteArray {
+        val writer = ClassWriter(0)
+        writer.visit(Opcodes.V1_8, Opcodes.ACC_PUBLIC, owner, null, "java/lang/Object", null)
+        val visitor = writer.visitMethod(access, method, descriptor, null, null)
+        visitor.visitCode()
+        body(visitor)
+        visitor.visitMaxs(2, 1)
+        visitor.visitEnd()
+        writer.visitEnd()
+        return writer.toByteArray()
+    }
+
+    private fun instructions(classFile: ByteArray): List<Int> {
+        val found = mutableListOf<Int>()
+        val collector = object : MethodVisitor(Opcodes.ASM9) {
+            override fun visitInsn(opcode: Int) {
+                found += opcode
+            }
+        }
+        val visitor = object : ClassVisitor(Opcodes.ASM9) {
+            override fun visitMethod(
+                access: Int,
+                name: String,
+                descriptor: String,
+                signature: String?,
+                exceptions: Array<String>?,
+            ) = collector
+        }
+        ClassReader(classFile).accept(visitor, 0)
+        return found
+    }
+}

@@ -1,0 +1,48 @@
+package robotran.ecj;
+
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.util.List;
+import org.eclipse.jdt.internal.compiler.CompilationResult;
+import org.eclipse.jdt.internal.compiler.Compiler;
+import org.eclipse.jdt.internal.compiler.DefaultErrorHandlingPolicies;
+import org.eclipse.jdt.internal.compiler.ICompilerRequestor;
+import org.eclipse.jdt.internal.compiler.ast.CompilationUnitDeclaration;
+import org.eclipse.jdt.internal.compiler.env.INameEnvironment;
+import org.eclipse.jdt.internal.compiler.impl.CompilerOptions;
+
+/** ECJ, with {@link BrickRules} checked on each source once its types are known, and silent when it fails. */
+final class CheckingCompiler extends Compiler {
+    private final List<EcjProblem> problems;
+    private boolean crashed;
+
+    CheckingCompiler(INameEnvironment library, CompilerOptions options, ICompilerRequestor results, List<EcjProblem> problems) {
+        super(library, DefaultErrorHandlingPolicies.proceedWithAllProblems(), options, results, new EcjMessages(), silence(), null);
+        this.problems = problems;
+        useSingleThread = true;
+    }
+
+    boolean crashed() {
+        return crashed;
+    }
+
+    @Override
+    public void process(CompilationUnitDeclaration unit, int place) {
+        super.process(unit, place);
+        BrickRules rules = new BrickRules(new String(unit.getFileName()));
+        unit.traverse(rules, unit.scope);
+        problems.addAll(rules.problems());
+    }
+
+    @Override
+    protected void handleInternalException(Throwable failure, CompilationUnitDeclaration unit, CompilationResult result) {
+        crashed = true;
+    }
+
+    private static PrintWriter silence() {
+        return new PrintWriter(new OutputStream() {
+            @Override
+            public void write(int octet) {}
+        });
+    }
+}

@@ -1,0 +1,184 @@
+package robotran.ecj;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.eclipse.jdt.core.compiler.CategorizedProblem;
+import org.eclipse.jdt.core.compiler.IProblem;
+import org.eclipse.jdt.internal.compiler.ClassFile;
+import org.eclipse.jdt.internal.compiler.CompilationResult;
+import org.eclipse.jdt.internal.compiler.classfmt.ClassFileReader;
+import org.eclipse.jdt.internal.compiler.classfmt.ClassFileConstants;
+import org.eclipse.jdt.internal.compiler.classfmt.ClassFormatException;
+import org.eclipse.jdt.internal.compiler.env.IBinaryMethod;
+import org.eclipse.jdt.internal.compiler.env.ICompilationUnit;
+import org.eclipse.jdt.internal.compiler.impl.CompilerOptions;
+
+/** The Eclipse compiler for Java in memory: sources of Java 1.3 in, class files of version 45.3 out, as the linker of leJOS reads them. */
+public final class EcjCompiler {
+    /** How many UTF-16 characters all sources may have together: some fifty times what fits into a brick. */
+    public static final int SOURCE_CHARACTERS = 200_000;
+
+    /** How many sources there may be. */
+    public static final int SOURCES = 100;
+
+    private static final String LANGUAGE = CompilerOptions.VERSION_1_3;
+    private static final String TARGET = CompilerOptions.VERSION_1_1;
+
+    private static final List<String> WARNINGS = Arrays.asList(
+            CompilerOptions.OPTION_ReportNoEffectAssignment,
+            CompilerOptions.OPTION_ReportPossibleAccidentalBooleanAssignment,
+            CompilerOptions.OPTION_ReportEmptyStatement,
+            CompilerOptions.OPTION_ReportComparingIdentical,
+            CompilerOptions.OPTION_ReportNullReference);
+
+    private static final List<String> DEBUGGING = Arrays.asList(
+            CompilerOptions.OPTION_LineNumberAttribute,
+            CompilerOptions.OPTION_LocalVariableAttribute,
+            CompilerOptions.OPTION_SourceFileAttribute);
+
+    private final Library library;
+    private final List<ICompilationUnit> sources = new ArrayList<>();
+    private final List<EcjProblem> problems = new ArrayList<>();
+    private final Map<String, byte[]> classes = new LinkedHashMap<>();
+    private final List<String> mainClasses = new ArrayList<>();
+    private final Map<String, String> texts = new HashMap<>();
+    private int characters;
+
+    public EcjCompiler(Library library) {
+        this.library = library;
+    }
+
+    /** @param path where the source is, with slashes; a public class in it must have the name of the file */
+    public void addSource(String path, String text) {
+        characters = Math.min(characters, SOURCE_CHARACTERS) + Math.min(text.length(), SOURCE_CHARACTERS + 1);
+        if (characters > SOURCE_CHARACTERS || sources.size() == SOURCES) {
+            report(path, BrickRules.SOURCE_TOO_LONG, 0, Collections.singletonList(Integer.toString(SOURCE_CHARACTERS)));
+            return;
+        }
+        int tooDeep = SourceBounds.tooDeep(text);
+        if (tooDeep >= 0) {
+            report(path, BrickRules.NESTED_TOO_DEEPLY, tooDeep, Collections.emptyList());
+            return;
+        }
+        texts.put(path, text);
+        sources.add(new SourceUnit(path, text));
+    }
+
+    /** Compiles the sources added so far; a compiler compiles once. Throws nothing, whatever the sources hold. */
+    public EcjResult compile() {
+        boolean crashed = false;
+        if (problems.isEmpty()) {
+            try {
+                CheckingCompiler compiler = new CheckingCompiler(library.environment(), options(), this::take, problems);
+                compiler.compile(sources.toArray(new ICompilationUnit[0]));
+                crashed = compiler.crashed();
+            } catch (RuntimeException | Error failure) {
+                crashed = true;
+            }
+        }
+        return new EcjResult(classes, mainClasses, problems, crashed);
+    }
+
+    private void take(CompilationResult result) {
+        CategorizedProblem[] found = result.getAllProblems();
+        if (found != null) {
+            for (CategorizedProblem problem : found) {
+                problems.add(described(problem));
+            }
+        }
+        if (result.hasErrors()) {
+            return;
+        }
+        for (ClassFile file : result.getClassFiles()) {
+            String name = new String(file.fileName());
+            byte[] bytes = file.getBytes();
+            classes.put(name, bytes);
+            if (hasMain(name, bytes)) {
+                mainClasses.add(name);
+            }
+        }
+    }
+
+    private void report(String path, int number, int start, List<String> arguments) {
+        problems.add(new EcjProblem(path, number, true, false, start, start, "", arguments, Collections.emptyList()));
+    }
+
+    private EcjProblem described(CategorizedProblem problem) {
+        String path = new String(problem.getOriginatingFileName());
+        List<String> arguments = problem.getArguments() == null ? Collections.emptyList() : Arrays.asList(problem.getArguments());
+        return new EcjProblem(
+                path,
+                problem.getID() & IProblem.IgnoreCategoriesMask,
+                problem.isError(),
+                (problem.getID() & IProblem.Syntax) != 0,
+                problem.getSourceStart(),
+                problem.getSourceEnd() + 1,
+                problem.getMessage(),
+                arguments,
+                members(problem, arguments, texts.getOrDefault(path, "")));
+    }
+
+    private List<String> members(CategorizedProblem problem, List<String> arguments, String text) {
+        if (problem.getID() == IProblem.UndefinedMethod) {
+            return library.memberNames(arguments.get(0));
+        }
+        if (problem.getID() == IProblem.UndefinedField) {
+            return library.memberNames(nameBefore(text, problem.getSourceStart()));
+        }
+        return Collections.emptyList();
+    }
+
+    /** The name before the point before {@code place}. */
+    private static String nameBefore(String text, int place) {
+        int end = Math.max(0, Math.min(place, text.length()) - 1);
+        int start = end;
+        while (start > 0 && Character.isJavaIdentifierPart(text.charAt(start - 1))) {
+            start--;
+        }
+        return text.substring(start, end);
+    }
+
+    private static boolean hasMain(String name, byte[] bytes) {
+        try {
+            IBinaryMethod[] methods = new ClassFileReader(bytes, name.toCharArray()).getMethods();
+            if (methods != null) {
+                for (IBinaryMethod method : methods) {
+                    int needed = ClassFileConstants.AccPublic | ClassFileConstants.AccStatic;
+                    boolean open = (method.getModifiers() & needed) == needed;
+                    if (open && new String(method.getSelector()).equals("main")
+                            && new String(method.getMethodDescriptor()).equals("([Ljava/lang/String;)V")) {
+                        return true;
+                    }
+                }
+            }
+            return false;
+        } catch (ClassFormatException impossible) {
+            throw new IllegalStateException("The compiler wrote a malformed class file.", impossible);
+        }
+    }
+
+    private static CompilerOptions options() {
+        CompilerOptions options = new CompilerOptions();
+        Map<String, String> settings = new HashMap<>();
+        for (Map.Entry<String, String> standard : options.getMap().entrySet()) {
+            boolean warns = CompilerOptions.WARNING.equals(standard.getValue());
+            settings.put(standard.getKey(), warns ? CompilerOptions.IGNORE : standard.getValue());
+        }
+        settings.put(CompilerOptions.OPTION_Source, LANGUAGE);
+        settings.put(CompilerOptions.OPTION_Compliance, LANGUAGE);
+        settings.put(CompilerOptions.OPTION_TargetPlatform, TARGET);
+        for (String attribute : DEBUGGING) {
+            settings.put(attribute, CompilerOptions.GENERATE);
+        }
+        for (String warning : WARNINGS) {
+            settings.put(warning, CompilerOptions.WARNING);
+        }
+        options.set(settings);
+        return options;
+    }
+}

@@ -1,0 +1,99 @@
+package robotran.ecj;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.eclipse.jdt.core.compiler.InvalidInputException;
+import org.eclipse.jdt.internal.compiler.parser.Scanner;
+import org.eclipse.jdt.internal.compiler.parser.TerminalTokens;
+
+/**
+ * Finds out before the compiler does whether a source has too much inside each other. The compiler walks its tree by recursion, and a
+ * stack that overflows cannot be caught on every platform. Each word since the last end of a statement may lead one level down
+ * ({@code !!!!x}, {@code a + b + c}, {@code if (a) if (b)}), and so may each {@code else} of a chain.
+ */
+final class SourceBounds {
+    /** How deep the compiler's tree may get at most: far more than a program needs, and a third of what the smallest stack bears. */
+    static final int LEVELS = 1_000;
+
+    /** How many brackets may be inside each other. */
+    static final int BRACKETS = 100;
+
+    private final List<Integer> levelsOutside = new ArrayList<>();
+    private int levels;
+    private int elses;
+    private boolean statementEnded;
+
+    /** The place of the first word that is too deep inside, or -1. */
+    static int tooDeep(String source) {
+        return new SourceBounds().scan(source);
+    }
+
+    private int scan(String source) {
+        Scanner scanner = new Scanner();
+        scanner.setSource(source.toCharArray());
+        for (int before = -1; scanner.currentPosition > before;) {
+            before = scanner.currentPosition;
+            int token;
+            try {
+                token = scanner.getNextToken();
+            } catch (InvalidInputException unreadable) {
+                continue;
+            }
+            if (token == TerminalTokens.TokenNameEOF) {
+                return -1;
+            }
+            count(token);
+            if (levels > LEVELS || levelsOutside.size() > BRACKETS) {
+                return scanner.startPosition;
+            }
+        }
+        return -1;
+    }
+
+    private void count(int token) {
+        if (statementEnded) {
+            elses = token == TerminalTokens.TokenNameelse ? elses + 1 : 0;
+            statementEnded = false;
+        }
+        switch (token) {
+            case TerminalTokens.TokenNameLPAREN:
+            case TerminalTokens.TokenNameLBRACE:
+            case TerminalTokens.TokenNameLBRACKET:
+                levelsOutside.add(levels);
+                levels++;
+                break;
+            case TerminalTokens.TokenNameRPAREN:
+            case TerminalTokens.TokenNameRBRACKET:
+                leave();
+                levels++;
+                break;
+            case TerminalTokens.TokenNameRBRACE:
+                leave();
+                endStatement();
+                break;
+            case TerminalTokens.TokenNameSEMICOLON:
+                endStatement();
+                break;
+            case TerminalTokens.TokenNameCOMMA:
+                levels = levelsAround();
+                break;
+            default:
+                levels++;
+        }
+    }
+
+    private void endStatement() {
+        levels = levelsAround() + elses;
+        statementEnded = true;
+    }
+
+    private void leave() {
+        if (!levelsOutside.isEmpty()) {
+            levels = levelsOutside.remove(levelsOutside.size() - 1);
+        }
+    }
+
+    private int levelsAround() {
+        return levelsOutside.isEmpty() ? 0 : levelsOutside.get(levelsOutside.size() - 1);
+    }
+}

@@ -1,0 +1,101 @@
+package robotran.java.diagnose
+
+import robotran.java.EcjCompilation
+import robotran.java.EcjProblem
+import robotran.java.JavaDiagnostic
+import robotran.java.JavaMessages
+import robotran.java.JavaRange
+import robotran.java.JavaSeverity
+import robotran.java.JavaSource
+import robotran.java.ProblemNumber
+
+/** So much of the source is quoted in a message at most. */
+private const val QUOTED_CHARACTERS = 40
+
+internal fun shortened(text: String) = if (text.length <= QUOTED_CHARACTERS) text else text.take(QUOTED_CHARACTERS - 2) + ".."
+
+/** Turns what ECJ says about [sources] into what a pupil is told: one thing a line, nothing that only follows from another mistake. */
+internal class Diagnosis(
+    sources: List<JavaSource>,
+    library: Set<String>,
+    private val compilation: EcjCompilation,
+    private val messages: JavaMessages,
+) {
+    private val sources = sources.map(::SourceText)
+    private val byPath = compilation.problems.groupBy { it.path }
+    private val names = NameAdvisor(LibraryNames(library), undeclaredNames(), messages)
+    private val syntax = SyntaxAdvisor(messages)
+    private val meaning = MeaningAdvisor(messages)
+    private val brick = BrickAdvisor(messages)
+
+    /** In the order of the sources. Never without a mistake if the compilation is of no use. */
+    fun diagnostics(): List<JavaDiagnostic> {
+        val causes = sources.flatMap { source -> told(source, causes(source, byPath[source.path].orEmpty())) }
+        val found = if (hasMistake(causes)) causes else sources.flatMap { told(it, byPath[it.path].orEmpty()) }
+        val succeeded = compilation.completed && compilation.problems.none { it.isError }
+        return if (succeeded || hasMistake(found)) found else found + compilerFailed()
+    }
+
+    private fun undeclaredNames(): Set<String> = sources.flatMap { source ->
+        byPath[source.path].orEmpty().filter { it.number in NameAdvisor.NUMBERS }.map { source.words(it.start, it.end) }
+    }.toSet()
+
+    private fun told(source: SourceText, problems: List<EcjProblem>): List<JavaDiagnostic> {
+        val all = problems.map { diagnostic(it, source) }
+        val order = compareBy<JavaDiagnostic> { it.range.line }.thenBy { it.severity }.thenBy { it.range.column }
+        return all.sortedWith(order).distinctBy { it.range.line }
+    }
+
+    private fun hasMistake(diagnostics: List<JavaDiagnostic>) = diagnostics.any { it.severity == JavaSeverity.MISTAKE }
+
+    /** The problems without those that only follow from others. */
+    private fun causes(source: SourceText, problems: List<EcjProblem>): List<EcjProblem> {
+        val unread = problems.filter { it.isSyntax && !BrickAdvisor.isOnlyNewer(it) }
+        val firstUnread = unread.minOfOrNull { it.start } ?: Int.MAX_VALUE
+        val unknown = mutableSetOf<String>()
+        return problems.filter { problem ->
+            val written = source.words(problem.start, problem.end)
+            when {
+                problem in unread || BrickAdvisor.isOnlyNewer(problem) -> true
+
+                problem.number == ProblemNumber.UNDEFINED_TYPE && newerWord(written) != null -> true
+
+                // What stands behind a place that could not be read may have been read wrongly.
+                problem.start >= firstUnread -> false
+
+                problem.number == ProblemNumber.IMPORT_NOT_FOUND -> unknown.add(written.substringAfterLast('.')) || true
+
+                problem.number == ProblemNumber.UNDEFINED_TYPE -> unknown.add(written)
+
+                problem.number == ProblemNumber.CLASS_MUST_BE_ABSTRACT -> problems.none { it.number == ProblemNumber.ABSTRACT_METHOD }
+
+                else -> true
+            }
+        }
+    }
+
+    private fun diagnostic(problem: EcjProblem, source: SourceText): JavaDiagnostic {
+        val advice = brick.advice(problem)
+            ?: names.advice(problem, source)
+            ?: meaning.advice(problem, source)
+            ?: syntax.advice(problem, source)
+            ?: Advice(problem.message.trim().removeSuffix(".") + ".")
+        return JavaDiagnostic(
+            path = source.path,
+            severity = if (problem.isError) JavaSeverity.MISTAKE else JavaSeverity.WARNING,
+            range = source.range(if (advice.atEnd) problem.end else problem.start, problem.end),
+            text = if (advice.atEnd) "" else source.words(problem.start, problem.end),
+            message = advice.message,
+            hint = advice.hint,
+            fix = advice.fix,
+        )
+    }
+
+    private fun compilerFailed() = JavaDiagnostic(
+        path = sources.firstOrNull()?.path.orEmpty(),
+        severity = JavaSeverity.MISTAKE,
+        range = JavaRange(1, 1, 1),
+        text = "",
+        message = messages.compilerFailed(),
+    )
+}

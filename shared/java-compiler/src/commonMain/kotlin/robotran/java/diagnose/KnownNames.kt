@@ -1,0 +1,47 @@
+package robotran.java.diagnose
+
+import robotran.java.AbsentFromBrick
+import robotran.java.NewerJava
+
+/** Classes, and methods with the class before them, that programs for computers use and a brick does not have. */
+private val ABSENT: Map<String, AbsentFromBrick> = buildMap {
+    fun put(what: AbsentFromBrick, names: String) = names.split(' ').forEach { put(it, what) }
+    put(AbsentFromBrick.PRINTING, "System.out System.err PrintStream")
+    put(AbsentFromBrick.KEYBOARD, "System.in Scanner BufferedReader InputStreamReader Console")
+    put(AbsentFromBrick.COLLECTIONS, "ArrayList List LinkedList Collection Collections Map HashMap TreeMap LinkedHashMap")
+    put(AbsentFromBrick.COLLECTIONS, "Set HashSet TreeSet Iterator Iterable Enumeration Arrays Deque ArrayDeque Comparable Comparator")
+    put(AbsentFromBrick.RUNNABLE, "Runnable Callable ExecutorService Executors")
+    put(AbsentFromBrick.FORMATTING, "String.format Formatter DecimalFormat NumberFormat")
+    put(AbsentFromBrick.TEXT_METHODS, "String.substring String.indexOf String.compareTo String.split String.trim String.isEmpty")
+    put(AbsentFromBrick.TEXT_METHODS, "String.toUpperCase String.toLowerCase String.equalsIgnoreCase String.replace String.contains")
+    put(AbsentFromBrick.TEXT_METHODS, "String.startsWith String.endsWith String.valueOf String.lastIndexOf String.concat")
+    put(AbsentFromBrick.PARSING, "Integer.parseInt Integer.valueOf Float.parseFloat Double.parseDouble")
+    put(AbsentFromBrick.WRAPPERS, "Boolean Byte Character Short Long Double Number BigInteger BigDecimal")
+    put(AbsentFromBrick.FILES, "File FileReader FileWriter FileInputStream FileOutputStream PrintWriter")
+    put(AbsentFromBrick.WINDOWS, "JFrame JPanel JButton JOptionPane Frame Graphics")
+    put(AbsentFromBrick.OTHER_BRICKS, "LightSensor TouchSensor UltrasonicSensor ColorSensor DifferentialPilot")
+    put(AbsentFromBrick.OTHER_BRICKS, "NXTRegulatedMotor MotorPort SensorPort")
+}
+
+/** Beginnings of imports that lead to them. */
+private val ABSENT_PACKAGES = listOf(
+    "lejos." to AbsentFromBrick.OTHER_BRICKS,
+    "javax.swing" to AbsentFromBrick.WINDOWS,
+    "java.awt" to AbsentFromBrick.WINDOWS,
+    "java.nio" to AbsentFromBrick.FILES,
+    "java.text" to AbsentFromBrick.FORMATTING,
+    "java.util.function" to AbsentFromBrick.RUNNABLE,
+    "java.util.concurrent" to AbsentFromBrick.RUNNABLE,
+    "java.util.stream" to AbsentFromBrick.COLLECTIONS,
+)
+
+/** Words that newer Java reads as commands and the brick's takes for names. */
+private val NEWER_WORDS = mapOf("enum" to NewerJava.ENUM, "assert" to NewerJava.ASSERT, "var" to NewerJava.VAR)
+
+/** [name] is a class or import, or a member of [owner]. */
+internal fun absent(name: String, owner: String? = null): AbsentFromBrick? {
+    if (owner != null) return ABSENT["$owner.$name"]
+    return ABSENT[name.substringAfterLast('.')] ?: ABSENT_PACKAGES.firstOrNull { name.startsWith(it.first) }?.second
+}
+
+internal fun newerWord(name: String): NewerJava? = NEWER_WORDS[name]

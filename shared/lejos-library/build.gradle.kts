@@ -1,0 +1,21 @@
+plugins {
+    id("robotran.core")
+    id("robotran.texts")
+    id("robotran.lejos-library")
+}
+
+texts {
+    constant("commonMain", "robotran.lejos.librarySources", "shared/lejos-library/src/brick/java", "**/*.java")
+    constant("jvmTest", "robotran.lejos.documentedNatives", "shared/lejos-library/src/brick", "natives.md")
+    constant("jvmTest", "robotran.lejos.testPrograms", "shared/lejos-library/src/test/programs", "**/*.java")
+    constant("jvmTest", "robotran.lejos.examplePrograms", "examples/lejos", "*.java")
+}
+
+kotlin {
+    sourceSets {
+        jvmTest.dependencies {
+            implementation(libs.bcel)
+            implementation(libs.ecj)
+        }
+    }
+}

@@ -1,0 +1,281 @@
+package java.lang;
+
+import java.util.Random;
+
+/**
+ * Mathematics, good for six to seven figures: a brick's double has only 32 bits.
+ *
+ * <p>Everything is worked out with 32-bit additions, multiplications and divisions, so that it is the same to the last bit everywhere.
+ */
+public final class Math {
+    /** Euler's number. */
+    public static final double E = 2.718281828459045;
+
+    /** How many times a circle's width goes around it. */
+    public static final double PI = 3.141592653589793;
+
+    /** What comes of a calculation without a result. */
+    public static final double NaN = 0.0 / 0.0;
+
+    /** From here on 32-bit numbers have no figures behind the point. */
+    private static final float WHOLE_FROM = 8388608f;
+
+    /** Beyond it a 32-bit number no longer knows where on a circle it is. */
+    private static final float LARGEST_ANGLE = 100000f;
+
+    // Half of pi and the natural logarithm of 2, each as a first part with few bits, whose multiples are exact, and the rest.
+    private static final float QUARTER_TURN = 1.5703125f;
+    private static final float QUARTER_TURN_REST = 4.838268e-4f;
+    private static final float LOGARITHM_OF_2 = 0.69335938f;
+    private static final float LOGARITHM_OF_2_REST = -2.1219444e-4f;
+
+    private static final float ROOT_OF_2 = 1.4142135f;
+    private static final float TANGENT_OF_EIGHTH = 0.41421357f;
+    private static final float HALF_PI = 1.5707964f;
+
+    private static Random generator;
+
+    private Math() {
+    }
+
+    /** Gives the number without its minus. */
+    public static int abs(int number) {
+        return number < 0 ? -number : number;
+    }
+
+    /** Gives the number without its minus. */
+    public static double abs(double number) {
+        return number < 0 ? -number : number;
+    }
+
+    /** Gives the smaller of two whole numbers. */
+    public static int min(int a, int b) {
+        return a < b ? a : b;
+    }
+
+    /** Gives the smaller of two numbers. */
+    public static double min(double a, double b) {
+        return a < b ? a : b;
+    }
+
+    /** Gives the larger of two whole numbers. */
+    public static int max(int a, int b) {
+        return a > b ? a : b;
+    }
+
+    /** Gives the larger of two numbers. */
+    public static double max(double a, double b) {
+        return a > b ? a : b;
+    }
+
+    /** Gives the largest whole number that is not above the number. */
+    public static double floor(double number) {
+        float value = (float) number;
+        if (!(value > -WHOLE_FROM && value < WHOLE_FROM)) return value;
+        int whole = (int) value;
+        return whole > value ? whole - 1 : whole;
+    }
+
+    /** Gives the smallest whole number that is not below the number. */
+    public static double ceil(double number) {
+        float value = (float) number;
+        if (!(value > -WHOLE_FROM && value < WHOLE_FROM)) return value;
+        int whole = (int) value;
+        return whole < value ? whole + 1 : whole;
+    }
+
+    /** Gives the nearest whole number; a half goes up. */
+    public static int round(float number) {
+        int below = (int) number;
+        if (below > number) below--;
+        return number - below >= 0.5f ? below + 1 : below;
+    }
+
+    /** Gives a number from 0 up to, but not including, 1 by chance. */
+    public static double random() {
+        if (generator == null) generator = new Random();
+        return (generator.nextInt() & 0xFFFFFF) / 16777216f;
+    }
+
+    /** Gives the square root, and NaN for a number below 0. */
+    public static double sqrt(double number) {
+        float value = (float) number;
+        int bits = Float.floatToIntBits(value);
+        if ((bits & 0x7FFFFFFF) == 0 || bits == 0x7F800000) return value;
+        if (bits < 0 || bits > 0x7F800000) return Float.intBitsToFloat(0x7FC00000);
+        int exponent = bits >> 23;
+        int rest = bits & 0x7FFFFF;
+        if (exponent == 0) {
+            exponent = 1;
+            while ((rest & 0x800000) == 0) {
+                rest <<= 1;
+                exponent--;
+            }
+        } else {
+            rest |= 0x800000;
+        }
+        exponent -= 127;
+        rest <<= (exponent & 1) + 1;
+        // The root's bits one by one, the first one first, with one more than fits so that the last can be rounded.
+        int root = 0;
+        int taken = 0;
+        for (int bit = 0x1000000; bit != 0; bit >>= 1) {
+            if (taken + bit <= rest) {
+                rest -= taken + bit;
+                taken += bit + bit;
+                root += bit;
+            }
+            rest <<= 1;
+        }
+        if (rest != 0) root += root & 1;
+        return Float.intBitsToFloat((root >> 1) + ((exponent >> 1) + 126 << 23));
+    }
+
+    /** Gives the sine of an angle in radians. */
+    public static double sin(double angle) {
+        return turned((float) angle, 0);
+    }
+
+    /** Gives the cosine of an angle in radians. */
+    public static double cos(double angle) {
+        return turned((float) angle, 1);
+    }
+
+    /** Gives the tangent of an angle in radians. */
+    public static double tan(double angle) {
+        return turned((float) angle, 0) / turned((float) angle, 1);
+    }
+
+    /** Gives the angle, in radians, that has this sine. */
+    public static double asin(double sine) {
+        float value = (float) sine;
+        return atan2(value, sqrt((1f - value) * (1f + value)));
+    }
+
+    /** Gives the angle, in radians, that has this cosine. */
+    public static double acos(double cosine) {
+        float value = (float) cosine;
+        return atan2(sqrt((1f - value) * (1f + value)), value);
+    }
+
+    /** Gives the angle, in radians, that has this tangent. */
+    public static double atan(double tangent) {
+        return atan2(tangent, 1f);
+    }
+
+    /** Gives the direction, in radians, of a point so far up and so far to the right. */
+    public static double atan2(double up, double right) {
+        float x = (float) right;
+        float y = (float) up;
+        float width = x < 0f ? -x : x;
+        float height = y < 0f ? -y : y;
+        float angle = 0f;
+        if (height > width) {
+            angle = HALF_PI - arcOf(width / height);
+        } else if (width > 0f) {
+            angle = arcOf(height / width);
+        }
+        if (x < 0f) angle = (float) PI - angle;
+        return y < 0f ? -angle : angle;
+    }
+
+    /** Gives Euler's number to this power. */
+    public static double exp(double power) {
+        float value = (float) power;
+        if (value > 89f) return Float.intBitsToFloat(0x7F800000);
+        if (value < -104f) return 0f;
+        int twos = round(value * 1.442695f);
+        float rest = value - twos * LOGARITHM_OF_2 - twos * LOGARITHM_OF_2_REST;
+        float result = 1f;
+        for (int divisor = 8; divisor >= 1; divisor--) result = 1f + rest / divisor * result;
+        int half = twos / 2;
+        return result * powerOfTwo(half) * powerOfTwo(twos - half);
+    }
+
+    /** Gives the natural logarithm. */
+    public static double log(double number) {
+        float value = (float) number;
+        int bits = Float.floatToIntBits(value);
+        if ((bits & 0x7FFFFFFF) == 0) return Float.intBitsToFloat(0xFF800000);
+        if (bits < 0) return Float.intBitsToFloat(0x7FC00000);
+        if (bits >= 0x7F800000) return value;
+        int twos = 0;
+        if (bits < 0x800000) {
+            bits = Float.floatToIntBits(value * WHOLE_FROM);
+            twos = -23;
+        }
+        twos += (bits >> 23) - 127;
+        float mantissa = Float.intBitsToFloat((bits & 0x7FFFFF) | 0x3F800000);
+        if (mantissa > ROOT_OF_2) {
+            mantissa /= 2f;
+            twos++;
+        }
+        float s = (mantissa - 1f) / (mantissa + 1f);
+        float square = s * s;
+        float sum = 0f;
+        for (int divisor = 11; divisor >= 1; divisor -= 2) sum = 1f / divisor + square * sum;
+        return twos * LOGARITHM_OF_2 + (twos * LOGARITHM_OF_2_REST + 2f * s * sum);
+    }
+
+    /** Gives a number to the power of another. */
+    public static double pow(double number, double power) {
+        float base = (float) number;
+        float exponent = (float) power;
+        int whole = (int) exponent;
+        if (whole != exponent) {
+            if (base == 0f) return exponent > 0f ? 0f : 1f / base;
+            return exp(exponent * log(base));
+        }
+        float factor = base;
+        float product = 1f;
+        for (int rest = abs(whole); rest != 0; rest >>>= 1) {
+            if ((rest & 1) == 1) product *= factor;
+            factor *= factor;
+        }
+        return whole < 0 ? 1f / product : product;
+    }
+
+    /** Turns an angle in radians into one in degrees. */
+    public static double toDegrees(double radians) {
+        return (float) radians * 57.29578f;
+    }
+
+    /** Turns an angle in degrees into one in radians. */
+    public static double toRadians(double degrees) {
+        return (float) degrees * 0.017453292f;
+    }
+
+    /** The sine of an angle that is so many quarters of a turn larger. */
+    private static float turned(float angle, int quarters) {
+        if (!(angle > -LARGEST_ANGLE && angle < LARGEST_ANGLE)) return quarters;
+        int whole = round(angle / HALF_PI);
+        float x = angle - whole * QUARTER_TURN - whole * QUARTER_TURN_REST;
+        float square = x * x;
+        int quarter = whole + quarters & 3;
+        float result;
+        if ((quarter & 1) == 0) {
+            result = x * (1f - square / 6f * (1f - square / 20f * (1f - square / 42f * (1f - square / 72f))));
+        } else {
+            result = 1f - square / 2f * (1f - square / 12f * (1f - square / 30f * (1f - square / 56f)));
+        }
+        return quarter > 1 ? -result : result;
+    }
+
+    /** The angle, in radians, whose tangent is from 0 to 1. */
+    private static float arcOf(float tangent) {
+        if (tangent > TANGENT_OF_EIGHTH) return HALF_PI / 2f + smallArcOf((tangent - 1f) / (tangent + 1f));
+        return smallArcOf(tangent);
+    }
+
+    private static float smallArcOf(float tangent) {
+        float square = tangent * tangent;
+        float sum = 0f;
+        for (int divisor = 17; divisor >= 1; divisor -= 2) sum = 1f / divisor - square * sum;
+        return tangent * sum;
+    }
+
+    /** 2 to a power from -126 to 127. */
+    private static float powerOfTwo(int power) {
+        return Float.intBitsToFloat(power + 127 << 23);
+    }
+}

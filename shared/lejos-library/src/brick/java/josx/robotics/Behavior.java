@@ -1,0 +1,13 @@
+package josx.robotics;
+
+/** One thing a robot can do, and when it wants to do it; an Arbitrator chooses. */
+public interface Behavior {
+    /** Says whether this behaviour wants the robot now. */
+    boolean takeControl();
+
+    /** Does what the behaviour is for; it ends soon after suppress was called. */
+    void action();
+
+    /** Is called when another behaviour takes over: let action end. */
+    void suppress();
+}

@@ -1,0 +1,26 @@
+package josx.util;
+
+/** An object that can be used again and remembers which one waits behind it. */
+public abstract class AbstractRecyclable implements Recyclable {
+    private Recyclable next;
+
+    /** Makes one. */
+    public AbstractRecyclable() {
+    }
+
+    /** Is called when the object is used anew. */
+    public abstract void init();
+
+    /** Is called when nobody needs the object for now. */
+    public abstract void release();
+
+    /** Gives the object that setNextRecyclable was told. */
+    public Recyclable getNextRecyclable() {
+        return next;
+    }
+
+    /** Remembers the next object that waits to be used again. */
+    public void setNextRecyclable(Recyclable next) {
+        this.next = next;
+    }
+}

@@ -1,0 +1,7 @@
+package josx.util;
+
+/** Is told each time a Timer has run down. */
+public interface TimerListener {
+    /** Is called each time the timer has run down. */
+    void timedOut();
+}

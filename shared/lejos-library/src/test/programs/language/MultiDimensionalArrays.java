@@ -1,0 +1,25 @@
+import josx.platform.rcx.LCD;
+
+public class MultiDimensionalArrays {
+    public static void main(String[] arguments) {
+        int[][] table = new int[3][4];
+        for (int row = 0; row < 3; row++) {
+            for (int column = 0; column < 4; column++) table[row][column] = row * 10 + column;
+        }
+        LCD.showNumber(table[2][3]); // shows: 23
+        LCD.showNumber(table.length * table[0].length); // shows: 12
+        int[][] triangle = {{1}, {2, 3}, {4, 5, 6}};
+        int sum = 0;
+        for (int row = 0; row < triangle.length; row++) {
+            for (int column = 0; column < triangle[row].length; column++) sum += triangle[row][column];
+        }
+        LCD.showNumber(sum); // shows: 21
+        char[][] open = new char[2][];
+        LCD.showNumber(open[1] == null ? 1 : 0); // shows: 1
+        open[1] = "four".toCharArray();
+        LCD.showNumber(open[1].length); // shows: 4
+        byte[][][] deep = new byte[2][2][2];
+        deep[1][0][1] = 9;
+        LCD.showNumber(deep[1][0][1] + deep[0][1][0]); // shows: 9
+    }
+}

@@ -1,0 +1,25 @@
+import josx.platform.rcx.LCD;
+
+public class Recursion {
+    static int factorial(int n) {
+        return n < 2 ? 1 : n * factorial(n - 1);
+    }
+
+    static int fibonacci(int n) {
+        return n < 2 ? n : fibonacci(n - 1) + fibonacci(n - 2);
+    }
+
+    static boolean isEven(int n) {
+        return n == 0 || isOdd(n - 1);
+    }
+
+    static boolean isOdd(int n) {
+        return n != 0 && isEven(n - 1);
+    }
+
+    public static void main(String[] arguments) {
+        LCD.showNumber(factorial(7)); // shows: 5040
+        LCD.showNumber(fibonacci(10)); // shows: 55
+        LCD.showNumber(isEven(10) ? 1 : 0); // shows: 1
+    }
+}

@@ -1,0 +1,21 @@
+import josx.platform.rcx.LCD;
+
+public class Sorting {
+    static void sort(int[] numbers) {
+        for (int last = numbers.length - 1; last > 0; last--) {
+            for (int index = 0; index < last; index++) {
+                if (numbers[index] > numbers[index + 1]) {
+                    int larger = numbers[index];
+                    numbers[index] = numbers[index + 1];
+                    numbers[index + 1] = larger;
+                }
+            }
+        }
+    }
+
+    public static void main(String[] arguments) {
+        int[] numbers = {5, 2, 9, 1, 7};
+        sort(numbers);
+        for (int index = 0; index < numbers.length; index++) LCD.showNumber(numbers[index]); // shows: 1 2 5 7 9
+    }
+}

@@ -1,0 +1,10 @@
+// mode: brick
+import josx.platform.rcx.LCD;
+
+public class LongestArrays {
+    public static void main(String[] arguments) {
+        LCD.showNumber(new byte[511].length); // shows: 511
+        LCD.showNumber(new byte[512].length);
+    }
+}
+// fails 7 OutOfMemoryError

@@ -1,0 +1,17 @@
+// mode: brick
+import josx.platform.rcx.LCD;
+
+public class NothingIsCollected {
+    public static void main(String[] arguments) {
+        int arrays = 0;
+        try {
+            while (arrays < 1000) {
+                int[] forgotten = new int[100];
+                arrays++;
+            }
+        } catch (OutOfMemoryError full) {
+            LCD.showNumber(arrays < 60 ? 1 : 0); // shows: 1
+        }
+        if (arrays == 1000) LCD.showNumber(2);
+    }
+}

@@ -1,0 +1,10 @@
+// mode: brick
+import josx.platform.rcx.LCD;
+
+public class SixteenBitIndices {
+    public static void main(String[] arguments) {
+        int[] numbers = {5, 6};
+        int index = 65537;
+        LCD.showNumber(numbers[index]); // shows: 6
+    }
+}

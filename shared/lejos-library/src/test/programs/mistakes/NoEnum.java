@@ -1,0 +1,7 @@
+public class NoEnum {
+    enum Colour { RED, BLUE }
+
+    public static void main(String[] arguments) {
+    }
+}
+// error 2

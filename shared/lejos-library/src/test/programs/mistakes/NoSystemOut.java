@@ -1,0 +1,6 @@
+public class NoSystemOut {
+    public static void main(String[] arguments) {
+        System.out.println("Hello");
+    }
+}
+// error 3

@@ -1,0 +1,6 @@
+public class UnhandledException {
+    public static void main(String[] arguments) {
+        Thread.sleep(100);
+    }
+}
+// error 3

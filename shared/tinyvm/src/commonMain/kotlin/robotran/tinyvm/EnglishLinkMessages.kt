@@ -1,0 +1,92 @@
+package robotran.tinyvm
+
+/** What is said in English of a class that cannot be put on the brick. */
+internal object EnglishLinkMessages : LinkMessages {
+    override fun noMainMethod() = "There is nothing to start: write a method \"public static void main(String[] args)\" in one class."
+
+    override fun classMissing(name: String) = "There is no class $name on the brick."
+
+    override fun fieldMissing(className: String, name: String) = when (className to name) {
+        "java.lang.System" to "out" -> "The brick has no System.out. Show texts with TextLCD.print, and numbers with LCD.showNumber."
+        else -> "On the brick, $className has no \"$name\"."
+    }
+
+    override fun methodMissing(className: String, name: String) = "On the brick, $className has no method \"$name\"."
+
+    override fun classTwice(name: String) = "There are two classes called $name. Give one another name."
+
+    override fun classLoop(name: String) = "The class $name cannot extend itself."
+
+    override fun tooMany(counted: Counted, limit: Int) = "A brick takes at most $limit ${nameOf(counted)}."
+
+    override fun nativeMethod(name: String) = "The brick has no built-in method \"$name\". Write it in Java, without \"native\"."
+
+    override fun lacks(feature: LackedFeature) = when (feature) {
+        LackedFeature.SWITCH -> {
+            "The brick does not know \"switch\". Use \"if\" and \"else if\" instead."
+        }
+
+        LackedFeature.LONG_ARITHMETIC -> {
+            "The brick cannot calculate with long numbers or compare them. Turn them into int first: " +
+                "(int) time."
+        }
+
+        LackedFeature.DECIMAL_REMAINDER -> {
+            "The brick knows % only for whole numbers."
+        }
+
+        LackedFeature.FAR_JUMP -> {
+            "This method is too long for the brick. Move parts of it into other methods."
+        }
+
+        LackedFeature.MANY_LOCALS -> {
+            "A method can have at most 255 variables on the brick."
+        }
+
+        LackedFeature.LARGE_STEP -> {
+            "The brick cannot add or subtract more than 127 with += or -=. Write x = x + 1000 instead."
+        }
+
+        LackedFeature.MANY_CONSTANTS -> {
+            "This class has too many different texts and large numbers for the brick. Move some into " +
+                "another class."
+        }
+
+        LackedFeature.INVOKE_DYNAMIC -> {
+            "The brick does not know lambdas or newer ways to join texts. Compile for an older Java, or " +
+                "write a class."
+        }
+
+        LackedFeature.ARRAY_TEST -> {
+            "The brick cannot test or cast arrays. Keep the array in a variable of its own type."
+        }
+
+        LackedFeature.CLASS_LITERAL -> {
+            "On the brick, classes are no objects: there is no \".class\"."
+        }
+
+        LackedFeature.INTERFACE_CODE -> {
+            "On the brick, an interface only names methods, it has no code in it."
+        }
+
+        LackedFeature.NESTED_FINALLY -> {
+            "Too many \"finally\" blocks are inside each other here. Move some into other methods."
+        }
+    }
+
+    override fun codeUnsound() = "This class file is damaged, its code makes no sense: compile the program again."
+
+    private fun nameOf(counted: Counted) = when (counted) {
+        Counted.CLASSES -> "classes in a program, those of leJOS included"
+        Counted.ARRAY_TYPES -> "kinds of arrays in a program"
+        Counted.FIELDS -> "fields in a class"
+        Counted.METHODS -> "methods in a class"
+        Counted.LOCALS -> "variables in a method"
+        Counted.OPERANDS -> "values inside one calculation"
+        Counted.PARAMETERS -> "parameters of a method, with \"this\" counted and long and double counted twice"
+        Counted.HANDLERS -> "\"catch\" and \"finally\" in a method"
+        Counted.CODE_BYTES -> "bytes of code in a method"
+        Counted.TEXT_CHARACTERS -> "characters in a text"
+        Counted.ANCESTORS -> "classes and interfaces above a class"
+    }
+}

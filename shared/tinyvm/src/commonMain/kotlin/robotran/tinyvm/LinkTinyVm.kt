@@ -1,0 +1,30 @@
+package robotran.tinyvm
+
+import robotran.tinyvm.classfile.DamagedClassFile
+import robotran.tinyvm.link.ClassFiles
+import robotran.tinyvm.link.Linker
+import robotran.tinyvm.natives.NativeMethods
+
+/**
+ * Links a Java program for the brick, whatever the bytes are.
+ *
+ * @param name the name a pupil knows it by.
+ * @param program its class files by any names.
+ * @param library the class files of leJOS by their names with slashes, such as `java/lang/Object`.
+ * @param mainClass the class to begin with, its name with slashes; null for the first that has a main method.
+ */
+fun linkTinyVm(
+    name: String,
+    program: Map<String, ByteArray>,
+    library: Map<String, ByteArray>,
+    mainClass: String? = null,
+    mode: TinyVmMode = TinyVmMode.BRICK,
+    messages: TinyVmMessages = EnglishTinyVmMessages,
+): TinyVmResult = try {
+    val linker = Linker(ClassFiles(program, library, messages), messages) { NativeMethods.find(it) != null }
+    TinyVmResult.Ready(TinyVmProgram(name, linker.link(mainClass), mode, messages))
+} catch (refused: RefusalException) {
+    TinyVmResult.Refused(refused.refusal)
+} catch (_: DamagedClassFile) {
+    TinyVmResult.Refused(Refusal(messages.classFileDamaged(), mainClass.orEmpty()))
+}

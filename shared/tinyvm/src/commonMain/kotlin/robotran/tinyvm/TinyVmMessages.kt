@@ -1,0 +1,74 @@
+package robotran.tinyvm
+
+/** The table of everything the virtual machine says to a learner, one function a message. Another language is another implementation. */
+interface TinyVmMessages :
+    ClassFileMessages,
+    LinkMessages,
+    RunMessages
+
+/** What is said of a file that is no usable class. */
+interface ClassFileMessages {
+    fun notAClassFile(): String
+
+    fun classFileTooLong(limit: Int): String
+
+    fun classFileTooNew(): String
+
+    fun classFileDamaged(): String
+}
+
+/** What is said of a class that cannot be put on the brick; names of classes come with dots. */
+interface LinkMessages {
+    fun noMainMethod(): String
+
+    fun classMissing(name: String): String
+
+    fun fieldMissing(className: String, name: String): String
+
+    fun methodMissing(className: String, name: String): String
+
+    fun classTwice(name: String): String
+
+    fun classLoop(name: String): String
+
+    fun tooMany(counted: Counted, limit: Int): String
+
+    fun nativeMethod(name: String): String
+
+    fun lacks(feature: LackedFeature): String
+
+    fun codeUnsound(): String
+}
+
+/** What there can be too much of in a program. */
+enum class Counted { CLASSES, ARRAY_TYPES, FIELDS, METHODS, LOCALS, OPERANDS, PARAMETERS, HANDLERS, CODE_BYTES, TEXT_CHARACTERS, ANCESTORS }
+
+/** What Java has and a TinyVM lacks. */
+enum class LackedFeature {
+    SWITCH,
+    LONG_ARITHMETIC,
+    DECIMAL_REMAINDER,
+    FAR_JUMP,
+    MANY_LOCALS,
+
+    /** `x += 1000`, for which compilers use an instruction that leJOS does not know. */
+    LARGE_STEP,
+    MANY_CONSTANTS,
+    INVOKE_DYNAMIC,
+    ARRAY_TEST,
+    CLASS_LITERAL,
+    INTERFACE_CODE,
+    NESTED_FINALLY,
+}
+
+/** What is said while a program runs. */
+interface RunMessages {
+    /** An exception that nobody caught; [text] is its message, empty if it has none. */
+    fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String
+
+    /** What the brick does, in brick mode. */
+    fun bites(quirk: Quirk): String
+
+    /** What a brick would do instead, in forgiving mode. */
+    fun wouldBite(quirk: Quirk): String
+}

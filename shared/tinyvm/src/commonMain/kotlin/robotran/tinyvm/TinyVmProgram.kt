@@ -1,0 +1,16 @@
+package robotran.tinyvm
+
+import robotran.rom.RcxProgram
+import robotran.rom.Rom
+import robotran.tinyvm.link.LinkedProgram
+import robotran.tinyvm.run.TinyVmRun
+
+/** A linked leJOS program, ready to be loaded into a brick; [linkTinyVm] makes it. Never changes. */
+class TinyVmProgram internal constructor(
+    override val name: String,
+    internal val linked: LinkedProgram,
+    private val mode: TinyVmMode,
+    private val messages: RunMessages,
+) : RcxProgram {
+    override fun start(rom: Rom): JavaRun = TinyVmRun(linked, rom, mode, messages)
+}

@@ -1,0 +1,10 @@
+package robotran.tinyvm
+
+/** What came of linking classes. */
+sealed interface TinyVmResult {
+    /** [program] can be loaded into a brick. */
+    data class Ready(val program: TinyVmProgram) : TinyVmResult
+
+    /** It cannot run. */
+    data class Refused(val refusal: Refusal) : TinyVmResult
+}

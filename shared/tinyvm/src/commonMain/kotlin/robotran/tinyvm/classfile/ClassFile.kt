@@ -1,0 +1,52 @@
+package robotran.tinyvm.classfile
+
+/**
+ * A class as its file describes it. Names are internal ones, with slashes.
+ *
+ * @property superName null only for `java/lang/Object`.
+ */
+internal class ClassFile(
+    val name: String,
+    val superName: String?,
+    val flags: Int,
+    val interfaces: List<String>,
+    val fields: List<FieldEntry>,
+    val methods: List<MethodEntry>,
+    val constants: ConstantPool,
+) {
+    val isInterface: Boolean get() = flags and AccessFlag.INTERFACE != 0
+}
+
+/** @property constantIndex where a static field's first value stands in the pool, 0 for none. */
+internal class FieldEntry(val name: String, val descriptor: String, val flags: Int, val constantIndex: Int) {
+    val isStatic: Boolean get() = flags and AccessFlag.STATIC != 0
+}
+
+/** @property code null for abstract and native methods. */
+internal class MethodEntry(val name: String, val descriptor: String, val flags: Int, val code: CodeEntry?)
+
+/** A method's code, not looked into yet. */
+internal class CodeEntry(
+    val maxStack: Int,
+    val maxLocals: Int,
+    val bytes: ByteArray,
+    val handlers: List<HandlerEntry>,
+    val lines: LineTable,
+    val variables: List<LocalVariable>,
+)
+
+/** @property catchType the class it catches, null if it catches everything. */
+internal class HandlerEntry(val start: Int, val end: Int, val target: Int, val catchType: String?)
+
+/** A variable as the source knows it, in [slot] between the bytes [start] and [end] of the code. */
+internal data class LocalVariable(val name: String, val descriptor: String, val slot: Int, val start: Int, val end: Int)
+
+/** The bits of access flags that matter. */
+internal object AccessFlag {
+    const val PRIVATE = 0x0002
+    const val STATIC = 0x0008
+    const val SYNCHRONIZED = 0x0020
+    const val NATIVE = 0x0100
+    const val INTERFACE = 0x0200
+    const val ABSTRACT = 0x0400
+}

@@ -1,0 +1,78 @@
+package robotran.tinyvm.debug
+
+import robotran.rom.CallFrame
+import robotran.rom.VariableScope
+import robotran.rom.VariableView
+import robotran.tinyvm.ThreadActivity
+import robotran.tinyvm.ThreadView
+import robotran.tinyvm.link.LinkedClass
+import robotran.tinyvm.run.Frame
+import robotran.tinyvm.run.Heap
+import robotran.tinyvm.run.Machine
+import robotran.tinyvm.run.ThreadState
+import robotran.tinyvm.run.VmThread
+
+/** Looks into a run as its source sees it. Looking changes nothing. */
+internal class Inspector(private val machine: Machine) {
+    private val values = ValueTexts(machine)
+
+    fun threadView(thread: VmThread) = ThreadView(
+        if (thread.isMain) "main" else (machine.heap.typeOf(thread.reference) as LinkedClass).sourceName,
+        thread.priority,
+        thread.isDaemon,
+        when (thread.state) {
+            ThreadState.SLEEPING -> ThreadActivity.SLEEPING
+            ThreadState.WAITING -> ThreadActivity.WAITING_FOR_NOTIFICATION
+            ThreadState.BLOCKED -> ThreadActivity.WAITING_FOR_MONITOR
+            else -> ThreadActivity.RUNNABLE
+        },
+        callStack(thread),
+    )
+
+    /** The program's own methods that [thread] is inside of, the innermost first. */
+    fun callStack(thread: VmThread?): List<CallFrame> = ownFrames(thread).map {
+        CallFrame(
+            nameOf(it),
+            if (it ===
+                thread?.frame
+            ) {
+                it.upcomingLine
+            } else {
+                it.line
+            },
+        )
+    }
+
+    /** What the innermost own method of [thread] knows: its variables, the fields of `this`, the static fields of its class. */
+    fun variables(thread: VmThread?): List<VariableScope> {
+        val frame = ownFrames(thread).firstOrNull() ?: return emptyList()
+        val owner = frame.method.owner
+        val statics = owner.fields.filter { it.isStatic }.map { VariableView(it.name, values.of(it.descriptor, machine.statics[it.slot])) }
+        return listOf(
+            VariableScope(nameOf(frame), locals(thread, frame)),
+            VariableScope("this", fieldsOfThis(thread, frame)),
+            VariableScope(owner.sourceName, statics),
+        ).filter { it.variables.isNotEmpty() }
+    }
+
+    private fun locals(thread: VmThread?, frame: Frame): List<VariableView> = frame.body.variablesAt(frame.next)
+        .filter { it.name != "this" && it.slot < frame.method.maxLocals }
+        .map { VariableView(it.name, values.of(it.descriptor, thread?.stack?.get(frame.base + it.slot) ?: 0)) }
+
+    private fun fieldsOfThis(thread: VmThread?, frame: Frame): List<VariableView> {
+        if (frame.method.isStatic || thread == null) return emptyList()
+        val reference = thread.stack[frame.base]
+        val type = frame.method.owner
+        if (!machine.heap.isObject(reference) || !machine.heap.typeOf(reference).isA(type)) return emptyList()
+        return generateSequence(type) { it.superclass }.toList().asReversed().flatMap { it.fields }.filter { !it.isStatic }
+            .map { VariableView(it.name, values.of(it.descriptor, machine.heap.words[reference + Heap.HEADER_WORDS + it.slot])) }
+    }
+
+    private fun ownFrames(thread: VmThread?): List<Frame> = thread?.callStack.orEmpty().filter { it.method.owner.isOfProgram }
+
+    private fun nameOf(frame: Frame): String = when (frame.method.name) {
+        "<init>" -> "new ${frame.method.owner.sourceName}"
+        "<clinit>" -> "static ${frame.method.owner.sourceName}"
+        else -> "${frame.method.owner.sourceName}.${frame.method.name}"
+    }
+}

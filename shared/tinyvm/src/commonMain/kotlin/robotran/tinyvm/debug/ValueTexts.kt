@@ -1,0 +1,41 @@
+package robotran.tinyvm.debug
+
+import robotran.tinyvm.link.ArrayType
+import robotran.tinyvm.link.LinkedClass
+import robotran.tinyvm.run.Heap
+import robotran.tinyvm.run.Machine
+
+/** Writes values as a Java program would. A variable may not have been given its value yet, so a reference need not be one. */
+internal class ValueTexts(private val machine: Machine) {
+    /** The value [word] of a variable of the type [descriptor]. */
+    fun of(descriptor: String, word: Int): String = when (descriptor[0]) {
+        'Z' -> if (word != 0) "true" else "false"
+        'C' -> "'${word.toChar()}'"
+        'F', 'D' -> Float.fromBits(word).toString()
+        'L', '[' -> reference(word)
+        else -> word.toString()
+    }
+
+    private fun reference(word: Int): String {
+        if (word == 0) return "null"
+        if (!machine.heap.isObject(word)) return "?"
+        return when (val type = machine.heap.typeOf(word)) {
+            machine.program.text -> "\"${machine.textOf(word)}\""
+            is ArrayType -> array(type, word)
+            is LinkedClass -> type.sourceName
+        }
+    }
+
+    private fun array(type: ArrayType, array: Int): String {
+        val length = machine.heap.length(array)
+        val shown = (0 until minOf(length, MOST_ELEMENTS)).map {
+            val element = machine.heap.words[array + Heap.HEADER_WORDS + it]
+            if (type.element is ArrayType && element != 0) "[..]" else of(type.elementDescriptor, element)
+        }
+        return (if (length > MOST_ELEMENTS) shown + ".." else shown).joinToString(", ", "[", "]")
+    }
+
+    private companion object {
+        const val MOST_ELEMENTS = 100
+    }
+}

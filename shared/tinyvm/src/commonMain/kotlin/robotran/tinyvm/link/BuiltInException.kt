@@ -1,0 +1,16 @@
+package robotran.tinyvm.link
+
+/** What the machine itself throws. @property className the class's name with slashes. Source: leJOS `exceptions.c`. */
+internal enum class BuiltInException(val className: String) {
+    NULL_POINTER("java/lang/NullPointerException"),
+    ARITHMETIC("java/lang/ArithmeticException"),
+    ARRAY_INDEX("java/lang/ArrayIndexOutOfBoundsException"),
+    CLASS_CAST("java/lang/ClassCastException"),
+    ILLEGAL_ARGUMENT("java/lang/IllegalArgumentException"),
+    ILLEGAL_STATE("java/lang/IllegalStateException"),
+    ILLEGAL_MONITOR_STATE("java/lang/IllegalMonitorStateException"),
+    INTERRUPTED("java/lang/InterruptedException"),
+    NO_SUCH_METHOD("java/lang/NoSuchMethodError"),
+    OUT_OF_MEMORY("java/lang/OutOfMemoryError"),
+    STACK_OVERFLOW("java/lang/StackOverflowError"),
+}

@@ -1,0 +1,37 @@
+package robotran.tinyvm.link
+
+import robotran.tinyvm.RefusalException
+import robotran.tinyvm.TinyVmMessages
+import robotran.tinyvm.classfile.ClassFile
+import robotran.tinyvm.classfile.ClassFileResult
+import robotran.tinyvm.classfile.readClassFile
+
+/** The class files a program is linked from: all of its own, and those of the [library] that are asked for. */
+internal class ClassFiles(
+    program: Map<String, ByteArray>,
+    private val library: Map<String, ByteArray>,
+    private val messages: TinyVmMessages,
+) {
+    private val own = LinkedHashMap<String, ClassFile>()
+
+    /** The names of the program's classes, with slashes. */
+    val ownNames: Set<String> get() = own.keys
+
+    init {
+        for ((name, bytes) in program) {
+            val file = read(bytes, name)
+            if (own.put(file.name, file) != null) Place(file.name).refuse(messages.classTwice(file.name.replace('/', '.')))
+        }
+    }
+
+    fun isOwn(name: String): Boolean = name in own
+
+    /** The class with the internal name [name], a program's own before the library's; null if there is none. */
+    fun find(name: String): ClassFile? = own[name] ?: library[name]?.let { read(it, name) }?.takeIf { it.name == name }
+
+    private fun read(bytes: ByteArray, name: String): ClassFile =
+        when (val result = readClassFile(bytes, name.replace('/', '.'), messages)) {
+            is ClassFileResult.Read -> result.classFile
+            is ClassFileResult.Refused -> throw RefusalException(result.refusal)
+        }
+}

@@ -1,0 +1,52 @@
+package robotran.tinyvm.link
+
+/** Collects operations and operands, and from which byte of the class file each came. */
+internal class CodeWriter {
+    private var words = IntArray(SMALLEST)
+    private var places = IntArray(SMALLEST)
+    private val branches = ArrayList<Int>()
+
+    var size = 0
+        private set
+
+    /** From which place the next words come. */
+    var place = 0
+
+    fun write(word: Int) {
+        if (size == words.size) {
+            words = words.copyOf(size * 2)
+            places = places.copyOf(size * 2)
+        }
+        words[size] = word
+        places[size++] = place
+    }
+
+    fun write(operation: Int, operand: Int) {
+        write(operation)
+        write(operand)
+    }
+
+    fun write(operation: Int, first: Int, second: Int) {
+        write(operation, first)
+        write(second)
+    }
+
+    /** Writes an operation whose operand is where the instruction at [target] will be. */
+    fun writeBranch(operation: Int, target: Int) {
+        write(operation)
+        branches += size
+        write(target)
+    }
+
+    /** The words written, with the branches' targets looked up in [positions]. */
+    fun finish(positions: IntArray): IntArray {
+        for (branch in branches) words[branch] = positions[words[branch]]
+        return words.copyOf(size)
+    }
+
+    fun finishedPlaces(): IntArray = places.copyOf(size)
+
+    private companion object {
+        const val SMALLEST = 64
+    }
+}

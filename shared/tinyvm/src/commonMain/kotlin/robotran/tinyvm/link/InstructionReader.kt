@@ -1,0 +1,128 @@
+package robotran.tinyvm.link
+
+import robotran.tinyvm.LackedFeature
+import robotran.tinyvm.LinkMessages
+import robotran.tinyvm.classfile.ByteReader
+import robotran.tinyvm.classfile.CodeEntry
+import robotran.tinyvm.classfile.DamagedClassFile
+
+/** Splits a method's code into instructions and refuses those that no TinyVM knows. */
+internal class InstructionReader(
+    private val code: CodeEntry,
+    private val messages: LinkMessages,
+    private val placeOf: (Int) -> Place,
+) {
+    private val reader = ByteReader(code.bytes)
+
+    /** The instructions by the places where they begin. */
+    fun read(): Array<Instruction?> {
+        val instructions = arrayOfNulls<Instruction>(code.bytes.size)
+        while (!reader.isAtEnd) {
+            val place = reader.position
+            instructions[place] = try {
+                readInstruction(place)
+            } catch (_: DamagedClassFile) {
+                placeOf(place).unsound(messages)
+            }
+        }
+        return instructions
+    }
+
+    private fun readInstruction(place: Int): Instruction {
+        val opcode = reader.unsignedByte()
+        val isLargeStep = opcode == Opcode.WIDE && code.bytes.getOrNull(place + 1) == Opcode.IINC.toByte()
+        if (isLargeStep) placeOf(place).refuse(messages.lacks(LackedFeature.LARGE_STEP))
+        LACKED[opcode]?.let { placeOf(place).refuse(messages.lacks(it)) }
+        if (SIMPLE_INSTRUCTIONS[opcode] != null) return made(opcode, place)
+        return when (opcode) {
+            1 -> {
+                made(opcode, place)
+            }
+
+            BIPUSH -> {
+                made(opcode, place, reader.signedByte())
+            }
+
+            SIPUSH -> {
+                made(opcode, place, reader.signedShort())
+            }
+
+            Opcode.LDC -> {
+                made(opcode, place, reader.unsignedByte())
+            }
+
+            in Opcode.ILOAD..Opcode.ALOAD, in Opcode.ISTORE..Opcode.ASTORE, Opcode.RET, Opcode.NEWARRAY -> {
+                made(opcode, place, reader.unsignedByte())
+            }
+
+            in Opcode.ILOAD_0..Opcode.ALOAD_3 -> {
+                shortForm(Opcode.ILOAD, opcode - Opcode.ILOAD_0, place)
+            }
+
+            in Opcode.ISTORE_0..Opcode.ASTORE_3 -> {
+                shortForm(Opcode.ISTORE, opcode - Opcode.ISTORE_0, place)
+            }
+
+            Opcode.IINC -> {
+                val local = reader.unsignedByte()
+                val step = reader.signedByte()
+                made(opcode, place, local, step)
+            }
+
+            in Opcode.IFEQ..Opcode.JSR, Opcode.IFNULL, Opcode.IFNONNULL -> {
+                made(opcode, place, place + reader.signedShort())
+            }
+
+            Opcode.LDC2_W, in Opcode.GETSTATIC..Opcode.INVOKESTATIC, Opcode.NEW, Opcode.ANEWARRAY, Opcode.CHECKCAST, Opcode.INSTANCEOF -> {
+                made(opcode, place, reader.unsignedShort())
+            }
+
+            Opcode.INVOKEINTERFACE -> {
+                val constant = reader.unsignedShort()
+                reader.unsignedShort()
+                made(opcode, place, constant)
+            }
+
+            Opcode.MULTIANEWARRAY -> {
+                val constant = reader.unsignedShort()
+                val dimensions = reader.unsignedByte()
+                made(opcode, place, constant, dimensions)
+            }
+
+            in WITHOUT_OPERANDS -> {
+                made(opcode, place)
+            }
+
+            else -> {
+                placeOf(place).unsound(messages)
+            }
+        }
+    }
+
+    private fun shortForm(first: Int, index: Int, place: Int) = made(first + index / SHORT_FORMS, place, index % SHORT_FORMS)
+
+    private fun made(opcode: Int, place: Int, operand: Int = 0, second: Int = 0) =
+        Instruction(opcode, place, reader.position, operand, second)
+
+    private companion object {
+        const val BIPUSH = 16
+        const val SIPUSH = 17
+        const val SHORT_FORMS = 4
+
+        val WITHOUT_OPERANDS: Set<Int> = (Opcode.IALOAD..Opcode.SALOAD).toSet() + (Opcode.IASTORE..Opcode.SWAP) +
+            (Opcode.IRETURN..Opcode.RETURN) + Opcode.ARRAYLENGTH + Opcode.ATHROW + Opcode.MONITORENTER + Opcode.MONITOREXIT
+
+        /** Source: leJOS `CodeUtilities.java`. */
+        val LACKED: Map<Int, LackedFeature> = mapOf(
+            Opcode.TABLESWITCH to LackedFeature.SWITCH,
+            Opcode.LOOKUPSWITCH to LackedFeature.SWITCH,
+            Opcode.WIDE to LackedFeature.MANY_LOCALS,
+            Opcode.LDC_W to LackedFeature.MANY_CONSTANTS,
+            Opcode.GOTO_W to LackedFeature.FAR_JUMP,
+            Opcode.JSR_W to LackedFeature.FAR_JUMP,
+            Opcode.INVOKEDYNAMIC to LackedFeature.INVOKE_DYNAMIC,
+            114 to LackedFeature.DECIMAL_REMAINDER,
+            115 to LackedFeature.DECIMAL_REMAINDER,
+        ) + listOf(97, 101, 105, 109, 113, 117, 121, 123, 125, 127, 129, 131, 148).associateWith { LackedFeature.LONG_ARITHMETIC }
+    }
+}

@@ -1,0 +1,88 @@
+package robotran.tinyvm.link
+
+import robotran.tinyvm.Counted
+import robotran.tinyvm.LackedFeature
+import robotran.tinyvm.TinyVmLimits
+import robotran.tinyvm.TinyVmMessages
+import robotran.tinyvm.classfile.CodeEntry
+
+/**
+ * Links a program: its main class, and whatever that needs, of its own and of the library.
+ *
+ * @param nativeMethods whether there is a native method with this name: class, a dot, name and descriptor.
+ */
+internal class Linker(
+    private val files: ClassFiles,
+    private val messages: TinyVmMessages,
+    private val nativeMethods: (String) -> Boolean,
+) {
+    private val types = TypeTable(files, messages)
+    private val texts = TextTable()
+    private val budget = VerifierBudget(TinyVmLimits.VERIFIED_WORDS)
+
+    /** @param mainClass where to begin, with slashes; null for the first class that has a main method. */
+    fun link(mainClass: String?): LinkedProgram {
+        val start = Place(mainClass ?: files.ownNames.firstOrNull().orEmpty())
+        val main = findMain(mainClass) ?: start.refuse(messages.noMainMethod())
+        val exceptions = BuiltInException.entries.map { types.classNamed(it.className, start) }
+        if (exceptions.any { !it.isA(types.throwable) }) start.unsound(messages)
+        val text = types.text
+        val textField = text.findField("characters", "[C", isStatic = false) ?: start.unsound(messages)
+        val thread = types.classNamed("java/lang/Thread", start)
+        val run = thread.findMethod("run", "()V")?.takeIf { it.virtualIndex >= 0 } ?: start.unsound(messages)
+        val characters = types.typeOf("[C", start) as ArrayType
+        linkBodies()
+        types.members.completeInterfaces(types.classes)
+        return LinkedProgram(
+            main, types.types, types.classes, types.members.methods, types.members.statics, texts.texts,
+            exceptions, text, textField, characters, thread, run, types.throwable,
+        )
+    }
+
+    private fun findMain(mainClass: String?): LinkedMethod? {
+        val names = if (mainClass == null) files.ownNames.sorted() else listOf(mainClass).filter { files.isOwn(it) }
+        val name = names.firstOrNull { name ->
+            files.find(name)?.methods?.any { it.name == MAIN && it.descriptor == MAIN_DESCRIPTOR } == true
+        } ?: return null
+        return types.classNamed(name, Place(name)).methods.find { it.name == MAIN && it.descriptor == MAIN_DESCRIPTOR && it.isStatic }
+    }
+
+    /** Linking a body may bring in more classes, which come behind the others. */
+    private fun linkBodies() {
+        var next = 0
+        while (next < types.members.methods.size) linkBody(types.members.methods[next++])
+    }
+
+    private fun linkBody(method: LinkedMethod) {
+        val place = Place(method.owner.name, method.name)
+        val entry = method.entry.code
+        when {
+            method.isNative -> {
+                if (!nativeMethods("${method.owner.name}.${method.signature}")) place.refuse(messages.nativeMethod(method.name))
+            }
+
+            entry != null -> {
+                checkSizes(method, entry, place)
+                val code = Verifier(method, entry, types, messages, budget).verify()
+                method.body = Translator(method, entry, code, types, texts).translate()
+            }
+        }
+    }
+
+    private fun checkSizes(method: LinkedMethod, entry: CodeEntry, place: Place) {
+        fun check(count: Int, limit: Int, counted: Counted) {
+            if (count > limit) place.refuse(messages.tooMany(counted, limit))
+        }
+        check(entry.maxLocals, TinyVmLimits.LOCALS, Counted.LOCALS)
+        check(entry.maxStack, TinyVmLimits.OPERANDS, Counted.OPERANDS)
+        check(entry.handlers.size, TinyVmLimits.EXCEPTION_HANDLERS, Counted.HANDLERS)
+        check(entry.bytes.size, TinyVmLimits.CODE_BYTES, Counted.CODE_BYTES)
+        if (method.owner.isInterface && !method.isStatic) place.refuse(messages.lacks(LackedFeature.INTERFACE_CODE))
+        if (entry.maxLocals < method.argumentWords) place.unsound(messages)
+    }
+
+    private companion object {
+        const val MAIN = "main"
+        const val MAIN_DESCRIPTOR = "([Ljava/lang/String;)V"
+    }
+}

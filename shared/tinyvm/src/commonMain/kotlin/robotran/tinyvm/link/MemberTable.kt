@@ -1,0 +1,103 @@
+package robotran.tinyvm.link
+
+import robotran.tinyvm.Counted
+import robotran.tinyvm.LackedFeature
+import robotran.tinyvm.LinkMessages
+import robotran.tinyvm.TinyVmLimits
+import robotran.tinyvm.classfile.Constant
+import robotran.tinyvm.classfile.FieldEntry
+
+/** Gives the fields and methods of classes their places. */
+internal class MemberTable(private val messages: LinkMessages) {
+    private val allMethods = ArrayList<LinkedMethod>()
+    private val allStatics = ArrayList<LinkedField>()
+    private val interfaceNumbers = HashMap<String, Int>()
+
+    val methods: List<LinkedMethod> get() = allMethods
+
+    /** The static fields of all classes, each at its slot. */
+    val statics: List<LinkedField> get() = allStatics
+
+    /** The number by which an interface's method with this [signature] is found in each class. */
+    fun interfaceNumber(signature: String): Int = interfaceNumbers.getOrPut(signature) { interfaceNumbers.size }
+
+    /** Gives the members of [linked], whose superclass has its own, their places. */
+    fun place(linked: LinkedClass) {
+        val file = linked.file
+        val place = Place(file.name)
+        if (file.fields.size > TinyVmLimits.FIELDS) place.refuse(messages.tooMany(Counted.FIELDS, TinyVmLimits.FIELDS))
+        if (file.methods.size > TinyVmLimits.METHODS) place.refuse(messages.tooMany(Counted.METHODS, TinyVmLimits.METHODS))
+        placeFields(linked)
+        placeMethods(linked, place)
+    }
+
+    /** Fills [HeapType.interfaceMethods] of [classes] once every interface method has its number. */
+    fun completeInterfaces(classes: List<LinkedClass>) {
+        for (linked in classes) {
+            val methods = arrayOfNulls<LinkedMethod>(interfaceNumbers.size)
+            for (method in linked.virtualMethods) interfaceNumbers[method.signature]?.let { methods[it] = method }
+            linked.interfaceMethods = methods
+        }
+    }
+
+    private fun placeFields(linked: LinkedClass) {
+        var words = linked.superclass?.fieldWords ?: 0
+        var bytes = linked.superclass?.brickBytes ?: BRICK_HEADER_BYTES
+        val references = linked.superclass?.referenceWords?.toMutableList() ?: mutableListOf()
+        linked.fields = linked.file.fields.map { entry ->
+            val field = LinkedField(
+                linked, entry.name, entry.descriptor, entry.isStatic,
+                if (entry.isStatic) allStatics.size else words++, initialValue(linked, entry),
+            )
+            if (entry.isStatic) allStatics += field else bytes += brickBytesOf(entry.descriptor)
+            if (!entry.isStatic && field.isReference) references += field.slot
+            field
+        }
+        linked.fieldWords = words
+        linked.referenceWords = references.toIntArray()
+        linked.brickBytes = bytes
+    }
+
+    private fun initialValue(linked: LinkedClass, entry: FieldEntry): InitialValue? {
+        if (entry.constantIndex == 0 || !entry.isStatic) return null
+        val constants = linked.file.constants
+        return when (val constant = constants.constant(entry.constantIndex)) {
+            is Constant.Whole -> InitialValue.Word(constant.value)
+            is Constant.Decimal -> InitialValue.Word(constant.value.toBits())
+            is Constant.Long -> InitialValue.Word(constant.value.toInt())
+            is Constant.Double -> InitialValue.Word(constant.value.toFloat().toBits())
+            is Constant.StringText -> InitialValue.Text(constants.string(constant)).takeIf { entry.descriptor == "Ljava/lang/String;" }
+            else -> null
+        }.takeIf { it !is InitialValue.Word || !isReferenceDescriptor(entry.descriptor) }
+    }
+
+    private fun placeMethods(linked: LinkedClass, place: Place) {
+        val virtual = linked.superclass?.virtualMethods.orEmpty().toMutableList()
+        linked.methods = linked.file.methods.mapIndexed { index, entry ->
+            val method = LinkedMethod(linked, entry, allMethods.size, index)
+            allMethods += method
+            if (method.argumentWords > TinyVmLimits.PARAMETERS) {
+                Place(linked.name, method.name).refuse(messages.tooMany(Counted.PARAMETERS, TinyVmLimits.PARAMETERS))
+            }
+            if (linked.isInterface && entry.code != null &&
+                entry.name != "<clinit>"
+            ) {
+                place.refuse(messages.lacks(LackedFeature.INTERFACE_CODE))
+            }
+            if (!method.isStatic && !method.isConstructor && !linked.isInterface) placeVirtual(method, virtual)
+            method
+        }
+        linked.virtualMethods = virtual
+    }
+
+    private fun placeVirtual(method: LinkedMethod, virtual: MutableList<LinkedMethod>) {
+        val overridden = virtual.indexOfFirst { it.signature == method.signature && !it.isPrivate }
+        method.virtualIndex = if (overridden >= 0) overridden else virtual.size
+        if (overridden >= 0) virtual[overridden] = method else virtual += method
+    }
+
+    private companion object {
+        /** Source: leJOS `memory.h`, HEADER_SIZE. */
+        const val BRICK_HEADER_BYTES = 4
+    }
+}

@@ -1,0 +1,145 @@
+package robotran.tinyvm.link
+
+/**
+ * The operations that the interpreter executes, each followed by its operands. They stand for one bytecode each, save [STATEMENT], which
+ * costs nothing. A long or a double lies on the stack as its word and an unused one above it.
+ */
+internal object Operation {
+    /** Operand: the line. Only in a program's own classes, before the first bytecode of each line. */
+    const val STATEMENT = 0
+    const val NOTHING = 1
+
+    /** Operand: the value. */
+    const val PUSH = 2
+    const val PUSH_WIDE = 3
+
+    /** Operand: the number of the text. */
+    const val PUSH_TEXT = 4
+
+    /** Operand: the local. */
+    const val LOAD = 5
+    const val STORE = 6
+    const val LOAD_WIDE = 7
+    const val STORE_WIDE = 8
+
+    /** Operands: the local and what to add. */
+    const val INCREMENT = 9
+    const val ELEMENT = 10
+    const val ELEMENT_WIDE = 11
+    const val SET_ELEMENT = 12
+    const val SET_BYTE = 13
+    const val SET_CHARACTER = 14
+    const val SET_SHORT = 15
+    const val SET_REFERENCE = 16
+    const val SET_WIDE = 17
+    const val POP = 18
+    const val POP_2 = 19
+    const val DUPLICATE = 20
+    const val DUPLICATE_BELOW_1 = 21
+    const val DUPLICATE_BELOW_2 = 22
+    const val DUPLICATE_2 = 23
+    const val DUPLICATE_2_BELOW_1 = 24
+    const val DUPLICATE_2_BELOW_2 = 25
+    const val SWAP = 26
+    const val ADD = 27
+    const val SUBTRACT = 28
+    const val MULTIPLY = 29
+    const val DIVIDE = 30
+    const val REMAINDER = 31
+    const val NEGATE = 32
+    const val SHIFT_LEFT = 33
+    const val SHIFT_RIGHT = 34
+    const val SHIFT_RIGHT_UNSIGNED = 35
+    const val AND = 36
+    const val OR = 37
+    const val XOR = 38
+    const val ADD_DECIMAL = 39
+    const val SUBTRACT_DECIMAL = 40
+    const val MULTIPLY_DECIMAL = 41
+    const val DIVIDE_DECIMAL = 42
+    const val NEGATE_DECIMAL = 43
+    const val ADD_DOUBLE = 44
+    const val SUBTRACT_DOUBLE = 45
+    const val MULTIPLY_DOUBLE = 46
+    const val DIVIDE_DOUBLE = 47
+    const val NEGATE_DOUBLE = 48
+    const val COMPARE_DECIMAL_LOW = 49
+    const val COMPARE_DECIMAL_HIGH = 50
+    const val COMPARE_DOUBLE_LOW = 51
+    const val COMPARE_DOUBLE_HIGH = 52
+    const val WIDEN = 53
+    const val NARROW = 54
+    const val TO_DECIMAL = 55
+    const val TO_WIDE_DECIMAL = 56
+    const val WIDE_TO_DECIMAL = 57
+    const val WIDE_TO_WIDE_DECIMAL = 58
+    const val DECIMAL_TO_WHOLE = 59
+    const val DECIMAL_TO_WIDE = 60
+    const val DOUBLE_TO_WHOLE = 61
+    const val DOUBLE_TO_WIDE = 62
+    const val TO_BYTE = 63
+    const val TO_CHARACTER = 64
+    const val TO_SHORT = 65
+
+    /** Operand of this and the next twelve: where to go on. */
+    const val IF_ZERO = 66
+    const val IF_NOT_ZERO = 67
+    const val IF_NEGATIVE = 68
+    const val IF_NOT_NEGATIVE = 69
+    const val IF_POSITIVE = 70
+    const val IF_NOT_POSITIVE = 71
+    const val IF_EQUAL = 72
+    const val IF_NOT_EQUAL = 73
+    const val IF_LESS = 74
+    const val IF_NOT_LESS = 75
+    const val IF_GREATER = 76
+    const val IF_NOT_GREATER = 77
+    const val JUMP = 78
+
+    /** Operand: where the subroutine begins. */
+    const val SUBROUTINE = 79
+
+    /** Operand: the local with the place to go back to. */
+    const val END_SUBROUTINE = 80
+
+    /** Operand: the slot. */
+    const val STATIC = 81
+    const val STATIC_WIDE = 82
+    const val SET_STATIC = 83
+    const val SET_STATIC_WIDE = 84
+
+    /** Operand: the number of the class that must be ready before the next operation. */
+    const val INITIALIZE = 85
+
+    /** Operand: the word of the object. */
+    const val FIELD = 86
+    const val FIELD_WIDE = 87
+    const val SET_FIELD = 88
+    const val SET_FIELD_WIDE = 89
+
+    /** Operand: the number of the method. */
+    const val CALL_STATIC = 90
+    const val CALL_EXACTLY = 91
+
+    /** Operands: the place among the virtual methods or the number of the interface method, and the words of the arguments. */
+    const val CALL_VIRTUAL = 92
+    const val CALL_INTERFACE = 93
+    const val RETURN = 94
+    const val RETURN_VALUE = 95
+    const val RETURN_WIDE = 96
+
+    /** Operand: the type. */
+    const val NEW = 97
+    const val NEW_ARRAY = 98
+
+    /** Operands: the type and how many dimensions are made. */
+    const val NEW_ARRAYS = 99
+    const val LENGTH = 100
+    const val THROW = 101
+
+    /** Operand: the type. */
+    const val CAST = 102
+    const val IS_INSTANCE = 103
+    const val ENTER_MONITOR = 104
+    const val EXIT_MONITOR = 105
+}

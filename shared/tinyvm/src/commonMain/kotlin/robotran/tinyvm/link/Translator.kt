@@ -1,0 +1,252 @@
+package robotran.tinyvm.link
+
+import robotran.tinyvm.classfile.CodeEntry
+import robotran.tinyvm.classfile.Constant
+
+/** Turns what the verifier let pass into the form that is executed. Code that cannot be reached is left out. */
+internal class Translator(
+    private val method: LinkedMethod,
+    private val entry: CodeEntry,
+    private val code: ResolvedCode,
+    private val types: TypeTable,
+    private val texts: TextTable,
+) {
+    private val constants = method.owner.file.constants
+    private val writer = CodeWriter()
+
+    fun translate(): MethodBody {
+        val positions = IntArray(entry.bytes.size + 1)
+        val statements = if (method.owner.isOfProgram) entry.lines.beginnings else emptySet()
+        for (place in entry.bytes.indices) {
+            positions[place] = writer.size
+            val instruction = code.reached[place] ?: continue
+            writer.place = place
+            if (place in statements && code.beginsStatement[place]) writer.write(Operation.STATEMENT, entry.lines.lineAt(place))
+            translate(instruction)
+        }
+        positions[entry.bytes.size] = writer.size
+        return MethodBody(writer.finish(positions), handlers(positions), writer.finishedPlaces(), entry.lines, entry.variables)
+    }
+
+    private fun handlers(positions: IntArray): IntArray = entry.handlers
+        .filter { it.target in code.reached.indices && code.reached[it.target] != null && it.start < it.end }
+        .flatMap { handler ->
+            val type = handler.catchType?.let { types.classNamed(it, Place(method.owner.name, method.name)).id } ?: CATCHES_ALL
+            val end = minOf(handler.end, entry.bytes.size)
+            listOf(positions[handler.start], positions[end], positions[handler.target], type)
+        }.toIntArray()
+
+    private fun translate(instruction: Instruction) {
+        val opcode = instruction.opcode
+        val simple = SIMPLE_INSTRUCTIONS[opcode]
+        when {
+            simple?.constant != null -> writer.write(simple.operation, simple.constant)
+            simple != null -> writer.write(simple.operation)
+            opcode in Opcode.IFEQ..Opcode.JSR || opcode == Opcode.IFNULL || opcode == Opcode.IFNONNULL -> branch(instruction)
+            opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> field(instruction)
+            opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> call(instruction)
+            opcode in WITH_TYPE -> typed(instruction)
+            else -> other(instruction)
+        }
+    }
+
+    private fun other(instruction: Instruction) {
+        val opcode = instruction.opcode
+        when (opcode) {
+            ACONST_NULL -> {
+                writer.write(Operation.PUSH, 0)
+            }
+
+            BIPUSH, SIPUSH -> {
+                writer.write(Operation.PUSH, instruction.operand)
+            }
+
+            Opcode.LDC, Opcode.LDC2_W -> {
+                constant(constants.constant(instruction.operand))
+            }
+
+            in Opcode.ILOAD..Opcode.ALOAD -> {
+                writer.write(
+                    if ((opcode - Opcode.ILOAD) % 2 == 1 &&
+                        opcode != Opcode.ALOAD
+                    ) {
+                        Operation.LOAD_WIDE
+                    } else {
+                        Operation.LOAD
+                    },
+                    instruction.operand,
+                )
+            }
+
+            in Opcode.ISTORE..Opcode.ASTORE -> {
+                writer.write(if ((opcode - Opcode.ISTORE) % 2 == 1) Operation.STORE_WIDE else Operation.STORE, instruction.operand)
+            }
+
+            in Opcode.IALOAD..Opcode.SALOAD -> {
+                writer.write(if (isWideElement(opcode - Opcode.IALOAD)) Operation.ELEMENT_WIDE else Operation.ELEMENT)
+            }
+
+            in Opcode.IASTORE..Opcode.SASTORE -> {
+                writer.write(STORES[opcode - Opcode.IASTORE])
+            }
+
+            in Opcode.POP..Opcode.SWAP -> {
+                writer.write(Operation.POP + opcode - Opcode.POP)
+            }
+
+            Opcode.IINC -> {
+                writer.write(Operation.INCREMENT, instruction.operand, instruction.second)
+            }
+
+            Opcode.RET -> {
+                writer.write(Operation.END_SUBROUTINE, instruction.operand)
+            }
+
+            Opcode.RETURN -> {
+                writer.write(Operation.RETURN)
+            }
+
+            in Opcode.IRETURN..Opcode.ARETURN -> {
+                writer.write(if (method.resultWords == 2) Operation.RETURN_WIDE else Operation.RETURN_VALUE)
+            }
+
+            Opcode.ARRAYLENGTH -> {
+                writer.write(Operation.LENGTH)
+            }
+
+            Opcode.ATHROW -> {
+                writer.write(Operation.THROW)
+            }
+
+            Opcode.MONITORENTER -> {
+                writer.write(Operation.ENTER_MONITOR)
+            }
+
+            Opcode.MONITOREXIT -> {
+                writer.write(Operation.EXIT_MONITOR)
+            }
+
+            else -> {
+                error("no operation for bytecode $opcode")
+            }
+        }
+    }
+
+    private fun constant(constant: Constant) = when (constant) {
+        is Constant.Whole -> writer.write(Operation.PUSH, constant.value)
+        is Constant.Decimal -> writer.write(Operation.PUSH, constant.value.toBits())
+        is Constant.Long -> writer.write(Operation.PUSH_WIDE, constant.value.toInt())
+        is Constant.Double -> writer.write(Operation.PUSH_WIDE, constant.value.toFloat().toBits())
+        is Constant.StringText -> writer.write(Operation.PUSH_TEXT, texts.numberOf(constants.string(constant)))
+        else -> error("no constant that can be pushed")
+    }
+
+    private fun branch(instruction: Instruction) {
+        val operation = when (val opcode = instruction.opcode) {
+            Opcode.IFNULL -> Operation.IF_ZERO
+            Opcode.IFNONNULL -> Operation.IF_NOT_ZERO
+            Opcode.IF_ACMPEQ -> Operation.IF_EQUAL
+            Opcode.IF_ACMPNE -> Operation.IF_NOT_EQUAL
+            Opcode.GOTO -> Operation.JUMP
+            Opcode.JSR -> Operation.SUBROUTINE
+            in Opcode.IFEQ..Opcode.IFLE -> IF_ZERO_OPERATIONS[opcode - Opcode.IFEQ]
+            else -> IF_EQUAL_OPERATIONS[opcode - Opcode.IF_ICMPEQ]
+        }
+        writer.writeBranch(operation, instruction.operand)
+    }
+
+    private fun field(instruction: Instruction) {
+        val field = code.fields.getValue(instruction.place)
+        if (field.isStatic) initialize(field.owner)
+        val plain = when (instruction.opcode) {
+            Opcode.GETSTATIC -> Operation.STATIC
+            Opcode.PUTSTATIC -> Operation.SET_STATIC
+            Opcode.GETFIELD -> Operation.FIELD
+            else -> Operation.SET_FIELD
+        }
+        writer.write(if (field.isWide) plain + 1 else plain, field.slot)
+    }
+
+    private fun call(instruction: Instruction) {
+        val called = code.methods.getValue(instruction.place)
+        when {
+            instruction.opcode == Opcode.INVOKESTATIC -> {
+                initialize(called.owner)
+                writer.write(Operation.CALL_STATIC, called.number)
+            }
+
+            instruction.opcode == Opcode.INVOKESPECIAL -> {
+                writer.write(Operation.CALL_EXACTLY, called.number)
+            }
+
+            called.owner.isInterface -> {
+                writer.write(Operation.CALL_INTERFACE, types.members.interfaceNumber(called.signature), called.argumentWords)
+            }
+
+            else -> {
+                writer.write(Operation.CALL_VIRTUAL, called.virtualIndex, called.argumentWords)
+            }
+        }
+    }
+
+    private fun typed(instruction: Instruction) {
+        val type = code.types.getValue(instruction.place)
+        when (instruction.opcode) {
+            Opcode.NEW -> {
+                initialize(type as LinkedClass)
+                writer.write(Operation.NEW, type.id)
+            }
+
+            Opcode.MULTIANEWARRAY -> {
+                writer.write(Operation.NEW_ARRAYS, type.id, instruction.second)
+            }
+
+            Opcode.CHECKCAST -> {
+                writer.write(Operation.CAST, type.id)
+            }
+
+            Opcode.INSTANCEOF -> {
+                writer.write(Operation.IS_INSTANCE, type.id)
+            }
+
+            else -> {
+                writer.write(Operation.NEW_ARRAY, type.id)
+            }
+        }
+    }
+
+    /** Sees to it that [used] is ready; the method's own class and those above it are. */
+    private fun initialize(used: LinkedClass) {
+        if (used.needsInitializing && !method.owner.isA(used)) writer.write(Operation.INITIALIZE, used.number)
+    }
+
+    private fun isWideElement(index: Int) = index == 1 || index == 3
+
+    companion object {
+        /** The type of a handler that catches everything. */
+        const val CATCHES_ALL = -1
+
+        private const val ACONST_NULL = 1
+        private const val BIPUSH = 16
+        private const val SIPUSH = 17
+        private val WITH_TYPE = setOf(
+            Opcode.NEW, Opcode.NEWARRAY, Opcode.ANEWARRAY, Opcode.MULTIANEWARRAY, Opcode.CHECKCAST, Opcode.INSTANCEOF,
+        )
+
+        /** For int, long, float, double, objects, bytes, characters and shorts. */
+        private val STORES = listOf(
+            Operation.SET_ELEMENT, Operation.SET_WIDE, Operation.SET_ELEMENT, Operation.SET_WIDE,
+            Operation.SET_REFERENCE, Operation.SET_BYTE, Operation.SET_CHARACTER, Operation.SET_SHORT,
+        )
+
+        /** In the order of the bytecodes: equal, not equal, less, not less, greater, not greater. */
+        private val IF_ZERO_OPERATIONS = listOf(
+            Operation.IF_ZERO, Operation.IF_NOT_ZERO, Operation.IF_NEGATIVE,
+            Operation.IF_NOT_NEGATIVE, Operation.IF_POSITIVE, Operation.IF_NOT_POSITIVE,
+        )
+        private val IF_EQUAL_OPERATIONS = listOf(
+            Operation.IF_EQUAL, Operation.IF_NOT_EQUAL, Operation.IF_LESS,
+            Operation.IF_NOT_LESS, Operation.IF_GREATER, Operation.IF_NOT_GREATER,
+        )
+    }
+}

@@ -1,0 +1,53 @@
+package robotran.tinyvm.link
+
+/** How the types of values relate. An interface counts as Object, because the brick does not check casts to it. */
+internal class TypeRelations(private val types: TypeTable) {
+    /** What is known of a value that is either [first] or [second]. */
+    fun merge(first: Int, second: Int): Int = when {
+        first == second -> first
+        !ValueType.isReference(first) || !ValueType.isReference(second) -> ValueType.UNUSABLE
+        first == ValueType.NULL -> second
+        second == ValueType.NULL -> first
+        else -> ValueType.reference(common(typeOf(first), typeOf(second)))
+    }
+
+    /** Whether [value], a reference, may stand where one of type [target] is wanted. */
+    fun fits(value: Int, target: HeapType): Boolean =
+        value == ValueType.NULL || (ValueType.isReference(value) && isSubtype(typeOf(value), target))
+
+    /** The type of objects that [value], a reference, points to, null for null itself. */
+    fun typeOrNull(value: Int): HeapType? = if (value == ValueType.NULL) null else typeOf(value)
+
+    private fun typeOf(value: Int): HeapType = types.types[ValueType.typeId(value)]
+
+    private fun isSubtype(type: HeapType, target: HeapType): Boolean = when {
+        type === target || target === types.root -> {
+            true
+        }
+
+        target is LinkedClass && target.isInterface -> {
+            true
+        }
+
+        type is ArrayType && target is ArrayType -> {
+            val element = type.element
+            val targetElement = target.element
+            element != null && targetElement != null && isSubtype(element, targetElement)
+        }
+
+        else -> {
+            type.isA(target)
+        }
+    }
+
+    private fun common(first: HeapType, second: HeapType): HeapType {
+        if (isRealSubtype(first, second)) return second
+        if (isRealSubtype(second, first)) return first
+        var superclass = (first as? LinkedClass)?.superclass
+        while (superclass != null && !second.isA(superclass)) superclass = superclass.superclass
+        return superclass ?: types.root
+    }
+
+    private fun isRealSubtype(type: HeapType, target: HeapType): Boolean =
+        !(target is LinkedClass && target.isInterface) && type.isA(target)
+}

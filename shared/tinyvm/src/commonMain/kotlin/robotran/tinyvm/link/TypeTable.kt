@@ -1,0 +1,81 @@
+package robotran.tinyvm.link
+
+import robotran.tinyvm.Counted
+import robotran.tinyvm.LinkMessages
+import robotran.tinyvm.TinyVmLimits
+import robotran.tinyvm.classfile.endOfType
+
+/** All classes and kinds of arrays of a program, each linked when it is first asked for. */
+internal class TypeTable(private val files: ClassFiles, private val messages: LinkMessages) {
+    private val byDescriptor = HashMap<String, HeapType>()
+    private val beingLinked = LinkedHashSet<String>()
+    private val allTypes = ArrayList<HeapType>()
+    private val allClasses = ArrayList<LinkedClass>()
+    private var arrayTypes = 0
+
+    /** The places of fields and methods. */
+    val members = MemberTable(messages)
+
+    val types: List<HeapType> get() = allTypes
+
+    val classes: List<LinkedClass> get() = allClasses
+
+    val root: LinkedClass get() = classNamed(ROOT, Place(ROOT))
+
+    val throwable: LinkedClass get() = classNamed("java/lang/Throwable", Place(ROOT))
+
+    val text: LinkedClass get() = classNamed("java/lang/String", Place(ROOT))
+
+    /** The type of an object that [descriptor] names. */
+    fun typeOf(descriptor: String, place: Place): HeapType = byDescriptor[descriptor] ?: when (descriptor[0]) {
+        'L' -> classNamed(descriptor.substring(1, descriptor.length - 1), place)
+        else -> arrayType(descriptor, place)
+    }
+
+    /** The type that a class constant names: a class by its name, an array by its descriptor. */
+    fun typeNamed(name: String, place: Place): HeapType = when {
+        !name.startsWith("[") -> classNamed(name, place)
+        endOfType(name, 0) == name.length -> typeOf(name, place)
+        else -> place.unsound(messages)
+    }
+
+    /** The class with the internal name [name]. */
+    fun classNamed(name: String, place: Place): LinkedClass = byDescriptor["L$name;"] as LinkedClass? ?: link(name, place)
+
+    private fun arrayType(descriptor: String, place: Place): ArrayType {
+        if (descriptor.takeWhile { it == '[' }.length > TinyVmLimits.ARRAY_DIMENSIONS) place.unsound(messages)
+        val elementDescriptor = descriptor.drop(1)
+        val element = if (isReferenceDescriptor(elementDescriptor)) typeOf(elementDescriptor, place) else null
+        if (++arrayTypes > TinyVmLimits.ARRAY_TYPES) place.refuse(messages.tooMany(Counted.ARRAY_TYPES, TinyVmLimits.ARRAY_TYPES))
+        val root = root
+        return ArrayType(allTypes.size, descriptor, element, root).also { add(it) }
+    }
+
+    private fun link(name: String, place: Place): LinkedClass {
+        val file = files.find(name) ?: place.refuse(messages.classMissing(name.replace('/', '.')))
+        val own = Place(name)
+        if (!beingLinked.add(name)) own.refuse(messages.classLoop(name.replace('/', '.')))
+        if (beingLinked.size > TinyVmLimits.ANCESTORS) own.refuse(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
+        if (file.superName == null && name != ROOT) own.unsound(messages)
+        val superclass = file.superName?.let { classNamed(it, own) }
+        val interfaces = file.interfaces.map { classNamed(it, own) }
+        if (superclass?.isInterface == true || interfaces.any { !it.isInterface }) own.unsound(messages)
+        val linked = LinkedClass(allTypes.size, allClasses.size, file, superclass, interfaces, files.isOwn(name))
+        if (linked.ancestorCount > TinyVmLimits.ANCESTORS) own.refuse(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
+        add(linked)
+        allClasses += linked
+        if (allClasses.size > TinyVmLimits.CLASSES) own.refuse(messages.tooMany(Counted.CLASSES, TinyVmLimits.CLASSES))
+        beingLinked -= name
+        members.place(linked)
+        return linked
+    }
+
+    private fun add(type: HeapType) {
+        byDescriptor[type.descriptor] = type
+        allTypes += type
+    }
+
+    private companion object {
+        const val ROOT = "java/lang/Object"
+    }
+}

@@ -1,0 +1,45 @@
+package robotran.tinyvm.natives
+
+import robotran.rom.RomCall
+import robotran.tinyvm.link.BuiltInException
+import robotran.tinyvm.run.Machine
+import robotran.tinyvm.run.VmThread
+
+private const val WORD = 0xFFFF
+private const val MOST_ARGUMENTS = 4
+
+/** `josx.platform.rcx.ROM` and `Memory`. Source: leJOS `native.c`. */
+internal val memoryMethods: Map<String, NativeMethod> = (0..MOST_ARGUMENTS).associate { arguments ->
+    "josx/platform/rcx/ROM.call(S${"S".repeat(arguments)})V" to
+        action { machine, thread, first -> callRom(machine, thread, first, arguments) }
+} + mapOf(
+    "josx/platform/rcx/Memory.readByte(I)B" to NativeMethod { machine, thread, first ->
+        val address = thread.stack[first] and WORD
+        machine.arrays.around(listOf(address)) { machine.rom.memory.readByte(address).toByte().toInt() }
+    },
+    "josx/platform/rcx/Memory.writeByte(IB)V" to action { machine, thread, first ->
+        val address = thread.stack[first] and WORD
+        val value = thread.stack[first + 1]
+        machine.arrays.around(listOf(address)) { machine.rom.memory.writeByte(address, value) }
+    },
+    "josx/platform/rcx/Memory.setBit(III)V" to action { machine, thread, first ->
+        val address = thread.stack[first] and WORD
+        val bit = 1 shl (thread.stack[first + 1] and 7)
+        val isSet = thread.stack[first + 2] != 0
+        machine.arrays.around(listOf(address)) {
+            val byte = machine.rom.memory.readByte(address)
+            machine.rom.memory.writeByte(address, if (isSet) byte or bit else byte and bit.inv())
+        }
+    },
+    "josx/platform/rcx/Memory.getDataAddress(Ljava/lang/Object;)I" to NativeMethod { machine, thread, first ->
+        val reference = thread.stack[first]
+        if (reference == 0) machine.raise(thread, BuiltInException.NULL_POINTER)
+        if (reference == 0) 0 else machine.arrays.addressOf(reference)
+    },
+)
+
+private fun callRom(machine: Machine, thread: VmThread, first: Int, arguments: Int) {
+    val words = List(arguments) { thread.stack[first + 1 + it] and WORD }
+    val line = machine.lineOf(thread)
+    machine.arrays.around(words) { machine.rom.call(RomCall(thread.stack[first] and WORD, words), line) }
+}

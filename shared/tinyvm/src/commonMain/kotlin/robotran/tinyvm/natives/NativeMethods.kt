@@ -1,0 +1,8 @@
+package robotran.tinyvm.natives
+
+/** All native methods by class, a dot, name and descriptor. */
+internal object NativeMethods {
+    private val all: Map<String, NativeMethod> = objectMethods + threadMethods + systemMethods + memoryMethods + sensorMethods
+
+    fun find(name: String): NativeMethod? = all[name]
+}

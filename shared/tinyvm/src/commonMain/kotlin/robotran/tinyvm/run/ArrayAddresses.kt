@@ -1,0 +1,78 @@
+package robotran.tinyvm.run
+
+import robotran.rom.RcxMemory
+import robotran.tinyvm.link.ArrayType
+import robotran.tinyvm.link.brickBytesOf
+
+/**
+ * Shows arrays in the brick's memory to ROM routines, which take and leave results at addresses. An array has an address from the moment it
+ * is asked for; its elements are copied to the memory before somebody looks there, and back afterwards.
+ */
+internal class ArrayAddresses(private val heap: Heap, private val memory: RcxMemory) {
+    private class Shown(val array: Int, val address: Int, val elementBytes: Int, val length: Int) {
+        val end: Int get() = address + length * elementBytes
+    }
+
+    private val shown = LinkedHashMap<Int, Shown>()
+    private var nextAddress = MachineConstants.FIRST_ARRAY_ADDRESS
+
+    /** Where the first element of [reference] is; of an object that is no array of numbers just a number of its own. */
+    fun addressOf(reference: Int): Int {
+        val type = heap.typeOf(reference)
+        if (type !is ArrayType || type.element != null) return reference
+        return (shown[reference] ?: show(reference, type)).address
+    }
+
+    /** Does [work], which may look at or change the memory at [addresses]. */
+    fun <T> around(addresses: List<Int>, work: () -> T): T {
+        val touched = shown.values.filter { array -> addresses.any { it in array.address until array.end } }
+        touched.forEach { copyOut(it) }
+        val result = work()
+        touched.forEach { copyBack(it) }
+        return result
+    }
+
+    /** Takes the addresses of arrays away that are no more. */
+    fun forget(isGone: (Int) -> Boolean) {
+        shown.keys.filter(isGone).forEach { shown -= it }
+    }
+
+    private fun show(array: Int, type: ArrayType): Shown {
+        val elementBytes = brickBytesOf(type.elementDescriptor)
+        val length = minOf(heap.length(array), (MachineConstants.LAST_ARRAY_ADDRESS - MachineConstants.FIRST_ARRAY_ADDRESS) / elementBytes)
+        if (nextAddress + length * elementBytes > MachineConstants.LAST_ARRAY_ADDRESS) nextAddress = MachineConstants.FIRST_ARRAY_ADDRESS
+        val added = Shown(array, nextAddress, elementBytes, length)
+        shown.values.filter { (it.address < added.end && added.address < it.end) || it.address == added.address }
+            .forEach { shown -= it.array }
+        nextAddress = (added.end + 2) and 1.inv()
+        shown[array] = added
+        return added
+    }
+
+    private fun copyOut(array: Shown) {
+        for (index in 0 until array.length) {
+            val element = heap.words[array.array + Heap.HEADER_WORDS + index]
+            for (byte in 0 until array.elementBytes) memory.writeByte(addressOf(array, index, byte), element shr shiftOf(array, byte))
+        }
+    }
+
+    private fun copyBack(array: Shown) {
+        for (index in 0 until array.length) {
+            var element = 0
+            for (byte in 0 until array.elementBytes) element = element shl BYTE_BITS or memory.readByte(addressOf(array, index, byte))
+            heap.words[array.array + Heap.HEADER_WORDS + index] = when (array.elementBytes) {
+                1 -> element.toByte().toInt()
+                2 -> element.toShort().toInt()
+                else -> element
+            }
+        }
+    }
+
+    private fun addressOf(array: Shown, index: Int, byte: Int) = array.address + index * array.elementBytes + byte
+
+    private fun shiftOf(array: Shown, byte: Int) = (minOf(array.elementBytes, 4) - 1 - byte).coerceAtLeast(0) * BYTE_BITS
+
+    private companion object {
+        const val BYTE_BITS = 8
+    }
+}

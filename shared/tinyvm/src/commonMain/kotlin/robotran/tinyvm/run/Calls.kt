@@ -1,0 +1,177 @@
+package robotran.tinyvm.run
+
+import robotran.tinyvm.link.BuiltInException
+import robotran.tinyvm.link.LinkedClass
+import robotran.tinyvm.link.LinkedMethod
+import robotran.tinyvm.link.Translator
+import robotran.tinyvm.natives.NativeMethod
+
+/**
+ * Enters and leaves methods, whose arguments and results lie on the thread's stack, and finds who catches an exception.
+ *
+ * @param natives by the numbers of the methods.
+ * @param uncaught told of an exception that nobody in a thread catches, before the thread's frames are gone.
+ */
+internal class Calls(
+    private val machine: Machine,
+    private val natives: Array<NativeMethod?>,
+    private val uncaught: (VmThread, Int) -> Unit,
+) {
+    /**
+     * Calls [method], whose arguments are the topmost operands, from [caller], whose `next` is behind the call, as its `top` is behind the
+     * arguments. If the method has to wait for a monitor, `next` is put back by [callWords] so that the call is made again.
+     */
+    fun call(thread: VmThread, caller: Frame, method: LinkedMethod, callWords: Int) {
+        val first = caller.top - method.argumentWords
+        val body = method.body
+        val native = natives[method.number]
+        when {
+            body != null -> {
+                val lock = lockOf(thread, method, first)
+                if (lock != 0 && !machine.monitors.enter(lock, thread)) {
+                    caller.next -= callWords
+                    block(thread, lock)
+                    return
+                }
+                caller.top = first
+                if (!enter(thread, method, first, lock)) throwNew(thread, BuiltInException.STACK_OVERFLOW)
+            }
+
+            native != null -> {
+                callNative(thread, caller, method, native, first)
+            }
+
+            else -> {
+                throwNew(thread, BuiltInException.NO_SUCH_METHOD)
+            }
+        }
+    }
+
+    /** Begins the first method of [thread], whose only argument is [argument]; false if it has to wait for a monitor. */
+    fun begin(thread: VmThread, method: LinkedMethod, argument: Int): Boolean {
+        thread.stack[0] = argument
+        val lock = lockOf(thread, method, 0)
+        if (lock != 0 && !machine.monitors.enter(lock, thread)) {
+            block(thread, lock)
+            return false
+        }
+        if (method.body == null || !enter(thread, method, 0, lock)) {
+            machine.end(thread)
+            return false
+        }
+        return true
+    }
+
+    /** Lets [thread] wait for the monitor [lock]. */
+    fun block(thread: VmThread, lock: Int) {
+        thread.waitsFor = lock
+        thread.state = ThreadState.BLOCKED
+    }
+
+    /** Leaves the innermost method with [words] of result on the top of its operands; the thread ends with its first method. */
+    fun leave(thread: VmThread, words: Int) {
+        val frame = thread.frame
+        val first = frame.top - words
+        drop(thread, frame)
+        if (thread.depth == 0) {
+            machine.end(thread)
+            return
+        }
+        val caller = thread.frame
+        for (word in 0 until words) thread.stack[caller.top++] = thread.stack[first + word]
+    }
+
+    /** Makes [type] and what is above it ready, one class at a time: the operation that needs it is executed again. */
+    fun initialize(thread: VmThread, type: LinkedClass) {
+        var unready = type
+        var above = unready.superclass
+        while (above != null) {
+            if (!machine.isReady[above.number]) unready = above
+            above = above.superclass
+        }
+        machine.isReady[unready.number] = true
+        val initializer = unready.initializer ?: return
+        if (initializer.body == null || !enter(thread, initializer, thread.frame.top, 0)) throwNew(thread, BuiltInException.STACK_OVERFLOW)
+    }
+
+    fun throwNew(thread: VmThread, kind: BuiltInException) = throwObject(thread, machine.exception(kind))
+
+    /** Goes on where somebody catches [exception], or ends the thread. */
+    fun throwObject(thread: VmThread, exception: Int) {
+        if (thread.callStack.none { targetOf(it, exception) >= 0 }) {
+            uncaught(thread, exception)
+            while (thread.depth > 0) drop(thread, thread.frame)
+            machine.end(thread)
+            return
+        }
+        while (true) {
+            val frame = thread.frame
+            val target = targetOf(frame, exception)
+            if (target >= 0) {
+                frame.next = target
+                frame.top = frame.base + frame.method.maxLocals
+                thread.stack[frame.top++] = exception
+                return
+            }
+            drop(thread, frame)
+        }
+    }
+
+    private fun targetOf(frame: Frame, exception: Int): Int {
+        val handlers = frame.body.handlers
+        val at = frame.next - 1
+        for (index in handlers.indices step HANDLER_NUMBERS) {
+            if (at < handlers[index] || at >= handlers[index + 1]) continue
+            val type = handlers[index + 3]
+            if (type == Translator.CATCHES_ALL ||
+                machine.heap.typeOf(exception).isA(machine.program.types[type])
+            ) {
+                return handlers[index + 2]
+            }
+        }
+        return -1
+    }
+
+    private fun callNative(thread: VmThread, caller: Frame, method: LinkedMethod, native: NativeMethod, first: Int) {
+        if (!method.isStatic && thread.stack[first] == 0) {
+            throwNew(thread, BuiltInException.NULL_POINTER)
+            return
+        }
+        val result = native.call(machine, thread, first)
+        caller.top = first
+        if (thread.pending != 0) return
+        if (method.resultWords > 0) thread.stack[caller.top++] = result
+        if (method.resultWords > 1) thread.stack[caller.top++] = 0
+    }
+
+    private fun enter(thread: VmThread, method: LinkedMethod, base: Int, lock: Int): Boolean {
+        val body = method.body ?: return false
+        val frame = thread.push(base, method.maxLocals + method.maxStack)
+        if (frame == null) {
+            if (lock != 0) machine.monitors.exit(lock, thread)
+            return false
+        }
+        frame.method = method
+        frame.body = body
+        frame.next = 0
+        frame.base = base
+        frame.top = base + method.maxLocals
+        frame.lock = lock
+        return true
+    }
+
+    private fun drop(thread: VmThread, frame: Frame) {
+        if (frame.lock != 0) machine.monitors.exit(frame.lock, thread)
+        thread.pop()
+    }
+
+    private fun lockOf(thread: VmThread, method: LinkedMethod, first: Int): Int = when {
+        !method.isSynchronized -> 0
+        method.isStatic -> -1 - method.owner.number
+        else -> thread.stack[first]
+    }
+
+    private companion object {
+        const val HANDLER_NUMBERS = 4
+    }
+}

@@ -1,0 +1,144 @@
+package robotran.tinyvm.run
+
+import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.link.ArrayType
+import robotran.tinyvm.link.HeapType
+import robotran.tinyvm.link.LinkedClass
+import robotran.tinyvm.link.brickBytesOf
+
+/**
+ * The memory for objects. A reference is the place of an object's first word in [words], 0 for null: the id of its type, the number of its
+ * elements (0 if it is no array), then its fields or elements, a word each. On a brick, what an object takes of the memory is counted in
+ * the brick's own bytes, and nothing ever comes back.
+ *
+ * @param types by their ids.
+ */
+internal class Heap(private val types: List<HeapType>, private val mode: TinyVmMode) {
+    val words = IntArray(
+        if (mode == TinyVmMode.BRICK) MachineConstants.BRICK_HEAP_BYTES + FIRST_OBJECT else MachineConstants.FORGIVING_HEAP_WORDS,
+    )
+    private val begins = BitSet(words.size)
+    private val marked = BitSet(words.size)
+    private var free = FreeBlocks(words.size)
+    private val toVisit = IntStack()
+
+    /** Bytes of a brick that the objects made so far would take. */
+    var brickBytes = 0
+        private set
+
+    /** Bytes that are left, as the program is told. */
+    val freeBytes: Int
+        get() = if (mode == TinyVmMode.BRICK) MachineConstants.BRICK_HEAP_BYTES - brickBytes else free.words * WORD_BYTES
+
+    val totalBytes: Int
+        get() = if (mode == TinyVmMode.BRICK) MachineConstants.BRICK_HEAP_BYTES else words.size * WORD_BYTES
+
+    fun typeOf(reference: Int): HeapType = types[words[reference]]
+
+    fun length(array: Int): Int = words[array + 1]
+
+    /** A new instance with all fields 0; 0 if there is no room. */
+    fun newObject(type: LinkedClass): Int = take(type, 0, type.fieldWords, type.brickBytes)
+
+    /** A new array with all elements 0; 0 if there is no room. */
+    fun newArray(type: ArrayType, length: Int): Int =
+        take(type, length, length, ARRAY_HEADER_BYTES + length * brickBytesOf(type.elementDescriptor))
+
+    /** Takes [bytes] of a brick's memory for something that is no object; false if there are too few. */
+    fun reserve(bytes: Int): Boolean {
+        if (mode == TinyVmMode.BRICK && brickBytes + bytes > MachineConstants.BRICK_HEAP_BYTES) return false
+        brickBytes += bytes
+        return true
+    }
+
+    /** Gives back what was reserved. */
+    fun release(bytes: Int) {
+        brickBytes -= bytes
+    }
+
+    /** Whether [word] could be a reference to an object. */
+    fun isObject(word: Int): Boolean = word in FIRST_OBJECT until words.size && begins[word]
+
+    /**
+     * Makes the room of all objects free again that cannot be reached from [roots], which may hold any other number, too.
+     * Returns false if so little came free that it is not worth going on. Afterwards [wasKept] tells which are left.
+     */
+    fun collect(roots: ((Int) -> Unit) -> Unit): Boolean {
+        marked.clear()
+        roots(::mark)
+        while (!toVisit.isEmpty) visit(toVisit.pop())
+        free = sweep()
+        return free.words >= words.size / MachineConstants.LEAST_FREED_PART
+    }
+
+    fun wasKept(reference: Int): Boolean = marked[reference]
+
+    private fun take(type: HeapType, length: Int, content: Int, bytes: Int): Int {
+        val evenBytes = bytes + (bytes and 1)
+        if (mode == TinyVmMode.BRICK && brickBytes + evenBytes > MachineConstants.BRICK_HEAP_BYTES) return 0
+        val place = free.take(HEADER_WORDS + content)
+        if (place == 0) return 0
+        if (brickBytes <= MachineConstants.BRICK_HEAP_BYTES) brickBytes += evenBytes
+        words.fill(0, place, place + HEADER_WORDS + content)
+        words[place] = type.id
+        words[place + 1] = length
+        begins.set(place)
+        return place
+    }
+
+    private fun mark(word: Int) {
+        if (!isObject(word) || marked[word]) return
+        marked.set(word)
+        toVisit.push(word)
+    }
+
+    private fun visit(reference: Int) {
+        when (val type = typeOf(reference)) {
+            is LinkedClass -> for (field in type.referenceWords) mark(words[reference + HEADER_WORDS + field])
+
+            is ArrayType -> if (type.element != null) {
+                for (index in 0 until length(reference)) mark(words[reference + HEADER_WORDS + index])
+            }
+        }
+    }
+
+    private fun sweep(): FreeBlocks {
+        val blocks = FreeBlocks()
+        var place = FIRST_OBJECT
+        var gap = place
+        while (place < words.size) {
+            if (!begins[place]) {
+                place++
+                continue
+            }
+            val size = sizeOf(place)
+            if (marked[place]) {
+                blocks.add(gap, place)
+                gap = place + size
+            } else {
+                begins.remove(place)
+            }
+            place += size
+        }
+        blocks.add(gap, words.size)
+        return blocks
+    }
+
+    private fun sizeOf(reference: Int): Int = HEADER_WORDS + when (val type = typeOf(reference)) {
+        is LinkedClass -> type.fieldWords
+        is ArrayType -> length(reference)
+    }
+
+    companion object {
+        /** Words before an object's fields or elements. */
+        const val HEADER_WORDS = 2
+
+        /** The first place an object can be, behind what would be null's. */
+        const val FIRST_OBJECT = 2
+
+        private const val WORD_BYTES = 4
+
+        /** Source: leJOS `memory.h`, HEADER_SIZE. */
+        private const val ARRAY_HEADER_BYTES = 4
+    }
+}

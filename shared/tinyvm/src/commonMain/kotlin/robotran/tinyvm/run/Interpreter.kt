@@ -1,0 +1,499 @@
+package robotran.tinyvm.run
+
+import robotran.rom.StatementWatch
+import robotran.tinyvm.link.BuiltInException
+import robotran.tinyvm.link.LinkedClass
+import robotran.tinyvm.link.Operation
+
+/**
+ * Executes the operations of one thread until its budget is used up, it cannot go on, or it is to pause before a statement. The verifier
+ * has seen to it that no operation meets anything it cannot work on, so nothing is checked here that depends on the code alone.
+ */
+internal class Interpreter(private val machine: Machine, private val calls: Calls) {
+    private val heap = machine.heap
+    private val words = machine.heap.words
+    private val statics = machine.statics
+    private val methods = machine.program.methods.toTypedArray()
+    private val types = machine.program.types.toTypedArray()
+    private val arithmetic = QuirkyArithmetic(machine)
+    private val places = ElementPlaces(machine, arithmetic)
+    private val numbers = NumberOperations(machine, arithmetic)
+    private val objects = ObjectOperations(machine, calls, places)
+    private var isPassed = false
+
+    /** Bytecodes that may still be executed. */
+    var budget = 0
+
+    /** Whether it stopped because [watch] said so. */
+    var isPaused = false
+        private set
+
+    /** How many statements of the program have been begun. */
+    var statementsBegun = 0L
+        private set
+
+    /** Asked before each statement once. */
+    var watch: StatementWatch? = null
+
+    /** How deep a thread is inside the program's own methods, for [watch]. */
+    var depthOf: (VmThread) -> Int = { 0 }
+
+    /** Goes on with [thread], which is ready. */
+    fun run(thread: VmThread) {
+        isPaused = false
+        while (budget > 0 && thread.state == ThreadState.READY && !isPaused && !machine.isYielding && !machine.isExited) {
+            when {
+                thread.pending != 0 -> throwPending(thread)
+                thread.depth == 0 -> begin(thread)
+                else -> execute(thread)
+            }
+        }
+    }
+
+    private fun begin(thread: VmThread) {
+        val main = machine.program.main
+        if (thread.isMain) {
+            if (calls.begin(thread, main, 0) && !machine.isReady[main.owner.number]) makeReady(thread, main.owner)
+        } else {
+            val run = heap.typeOf(thread.reference).virtualMethods[machine.program.threadRun.virtualIndex]
+            calls.begin(thread, run, thread.reference)
+        }
+    }
+
+    /** Above the frame of main, so that it is done before. */
+    private fun makeReady(thread: VmThread, type: LinkedClass) {
+        while (!machine.isReady[type.number] && thread.pending == 0 && thread.depth == 1) calls.initialize(thread, type)
+    }
+
+    private fun throwPending(thread: VmThread) {
+        val exception = thread.pending
+        thread.pending = 0
+        if (thread.depth > 0) calls.throwObject(thread, exception)
+    }
+
+    private fun mayBegin(thread: VmThread, line: Int): Boolean {
+        val watch = watch
+        if (watch != null && !isPassed) {
+            isPassed = true
+            if (watch.pausesBefore(line, depthOf(thread))) return false
+        }
+        isPassed = false
+        statementsBegun++
+        return true
+    }
+
+    /** Executes operations of the innermost frame until another becomes the innermost, or the thread stops. */
+    private fun execute(thread: VmThread) {
+        val frame = thread.frame
+        val code = frame.body.code
+        val stack = thread.stack
+        val words = words
+        val base = frame.base
+        var next = frame.next
+        var top = frame.top
+        var left = budget
+        while (left > 0) {
+            left--
+            when (code[next++]) {
+                Operation.STATEMENT -> {
+                    left++
+                    if (watch != null) {
+                        frame.next = next - 1
+                        frame.top = top
+                        budget = left
+                        if (!mayBegin(thread, code[next])) {
+                            isPaused = true
+                            return
+                        }
+                    } else {
+                        isPassed = false
+                        statementsBegun++
+                    }
+                    next++
+                }
+
+                Operation.PUSH -> {
+                    stack[top++] = code[next++]
+                }
+
+                Operation.LOAD -> {
+                    stack[top++] = stack[base + code[next++]]
+                }
+
+                Operation.STORE -> {
+                    stack[base + code[next++]] = stack[--top]
+                }
+
+                Operation.INCREMENT -> {
+                    val local = base + code[next++]
+                    stack[local] += code[next++]
+                }
+
+                Operation.ELEMENT -> {
+                    top--
+                    val place = places.find(stack[top - 1], stack[top])
+                    if (place <= 0) {
+                        frame.next = next
+                        frame.top = top
+                        budget = left
+                        calls.throwNew(thread, places.failure(place))
+                        return
+                    }
+                    stack[top - 1] = words[place]
+                }
+
+                Operation.SET_ELEMENT -> {
+                    top -= 3
+                    val place = places.find(stack[top], stack[top + 1])
+                    if (place <= 0) {
+                        frame.next = next
+                        frame.top = top
+                        budget = left
+                        calls.throwNew(thread, places.failure(place))
+                        return
+                    }
+                    words[place] = stack[top + 2]
+                }
+
+                Operation.SET_BYTE -> {
+                    top -= 3
+                    val place = places.find(stack[top], stack[top + 1])
+                    if (place <= 0) {
+                        frame.next = next
+                        frame.top = top
+                        budget = left
+                        calls.throwNew(thread, places.failure(place))
+                        return
+                    }
+                    words[place] = stack[top + 2].toByte().toInt()
+                }
+
+                Operation.SET_CHARACTER -> {
+                    top -= 3
+                    val place = places.find(stack[top], stack[top + 1])
+                    if (place <= 0) {
+                        frame.next = next
+                        frame.top = top
+                        budget = left
+                        calls.throwNew(thread, places.failure(place))
+                        return
+                    }
+                    words[place] = stack[top + 2] and 0xFFFF
+                }
+
+                Operation.POP -> {
+                    top--
+                }
+
+                Operation.DUPLICATE -> {
+                    stack[top] = stack[top - 1]
+                    top++
+                }
+
+                Operation.ADD -> {
+                    top--
+                    stack[top - 1] = stack[top - 1] + stack[top]
+                }
+
+                Operation.SUBTRACT -> {
+                    top--
+                    stack[top - 1] = stack[top - 1] - stack[top]
+                }
+
+                Operation.MULTIPLY -> {
+                    top--
+                    stack[top - 1] = stack[top - 1] * stack[top]
+                }
+
+                Operation.SHIFT_LEFT -> {
+                    top--
+                    stack[top - 1] = stack[top - 1] shl stack[top]
+                }
+
+                Operation.SHIFT_RIGHT -> {
+                    top--
+                    stack[top - 1] = stack[top - 1] shr stack[top]
+                }
+
+                Operation.SHIFT_RIGHT_UNSIGNED -> {
+                    top--
+                    stack[top - 1] = stack[top - 1] ushr stack[top]
+                }
+
+                Operation.AND -> {
+                    top--
+                    stack[top - 1] = stack[top - 1] and stack[top]
+                }
+
+                Operation.OR -> {
+                    top--
+                    stack[top - 1] = stack[top - 1] or stack[top]
+                }
+
+                Operation.XOR -> {
+                    top--
+                    stack[top - 1] = stack[top - 1] xor stack[top]
+                }
+
+                Operation.NEGATE -> {
+                    stack[top - 1] = -stack[top - 1]
+                }
+
+                Operation.DIVIDE -> {
+                    val divisor = stack[top - 1]
+                    if (divisor in 1..LARGEST_SHORT) {
+                        top--
+                        stack[top - 1] = stack[top - 1] / divisor
+                    } else {
+                        frame.next = next
+                        frame.top = top
+                        budget = left
+                        divide(thread, frame, isRemainder = false)
+                        if (thread.depth == 0 || thread.frame !== frame) return
+                        next = frame.next
+                        top = frame.top
+                    }
+                }
+
+                Operation.REMAINDER -> {
+                    val divisor = stack[top - 1]
+                    if (divisor in 1..LARGEST_SHORT) {
+                        top--
+                        stack[top - 1] = stack[top - 1] % divisor
+                    } else {
+                        frame.next = next
+                        frame.top = top
+                        budget = left
+                        divide(thread, frame, isRemainder = true)
+                        if (thread.depth == 0 || thread.frame !== frame) return
+                        next = frame.next
+                        top = frame.top
+                    }
+                }
+
+                Operation.ADD_DECIMAL -> {
+                    top--
+                    stack[top - 1] = (Float.fromBits(stack[top - 1]) + Float.fromBits(stack[top])).toBits()
+                }
+
+                Operation.SUBTRACT_DECIMAL -> {
+                    top--
+                    stack[top - 1] = (Float.fromBits(stack[top - 1]) - Float.fromBits(stack[top])).toBits()
+                }
+
+                Operation.MULTIPLY_DECIMAL -> {
+                    top--
+                    stack[top - 1] = (Float.fromBits(stack[top - 1]) * Float.fromBits(stack[top])).toBits()
+                }
+
+                Operation.DIVIDE_DECIMAL -> {
+                    top--
+                    stack[top - 1] = (Float.fromBits(stack[top - 1]) / Float.fromBits(stack[top])).toBits()
+                }
+
+                Operation.TO_BYTE -> {
+                    stack[top - 1] = stack[top - 1].toByte().toInt()
+                }
+
+                Operation.TO_DECIMAL -> {
+                    stack[top - 1] = stack[top - 1].toFloat().toBits()
+                }
+
+                Operation.IF_ZERO -> {
+                    next = if (stack[--top] == 0) code[next] else next + 1
+                }
+
+                Operation.IF_NOT_ZERO -> {
+                    next = if (stack[--top] != 0) code[next] else next + 1
+                }
+
+                Operation.IF_NEGATIVE -> {
+                    next = if (stack[--top] < 0) code[next] else next + 1
+                }
+
+                Operation.IF_NOT_NEGATIVE -> {
+                    next = if (stack[--top] >= 0) code[next] else next + 1
+                }
+
+                Operation.IF_POSITIVE -> {
+                    next = if (stack[--top] > 0) code[next] else next + 1
+                }
+
+                Operation.IF_NOT_POSITIVE -> {
+                    next = if (stack[--top] <= 0) code[next] else next + 1
+                }
+
+                Operation.IF_EQUAL -> {
+                    top -= 2
+                    next = if (stack[top] == stack[top + 1]) code[next] else next + 1
+                }
+
+                Operation.IF_NOT_EQUAL -> {
+                    top -= 2
+                    next = if (stack[top] != stack[top + 1]) code[next] else next + 1
+                }
+
+                Operation.IF_LESS -> {
+                    top -= 2
+                    next = if (stack[top] < stack[top + 1]) code[next] else next + 1
+                }
+
+                Operation.IF_NOT_LESS -> {
+                    top -= 2
+                    next = if (stack[top] >= stack[top + 1]) code[next] else next + 1
+                }
+
+                Operation.IF_GREATER -> {
+                    top -= 2
+                    next = if (stack[top] > stack[top + 1]) code[next] else next + 1
+                }
+
+                Operation.IF_NOT_GREATER -> {
+                    top -= 2
+                    next = if (stack[top] <= stack[top + 1]) code[next] else next + 1
+                }
+
+                Operation.JUMP -> {
+                    next = code[next]
+                }
+
+                Operation.STATIC -> {
+                    stack[top++] = statics[code[next++]]
+                }
+
+                Operation.SET_STATIC -> {
+                    statics[code[next++]] = stack[--top]
+                }
+
+                Operation.INITIALIZE -> {
+                    left++
+                    if (machine.isReady[code[next]]) {
+                        next++
+                    } else {
+                        frame.next = next - 1
+                        frame.top = top
+                        budget = left
+                        calls.initialize(thread, machine.program.classes[code[next]])
+                        return
+                    }
+                }
+
+                Operation.FIELD -> {
+                    val reference = stack[top - 1]
+                    if (reference == 0) {
+                        frame.next = next
+                        budget = left
+                        calls.throwNew(thread, BuiltInException.NULL_POINTER)
+                        return
+                    }
+                    stack[top - 1] = words[reference + Heap.HEADER_WORDS + code[next++]]
+                }
+
+                Operation.SET_FIELD -> {
+                    top -= 2
+                    val reference = stack[top]
+                    if (reference == 0) {
+                        frame.next = next
+                        budget = left
+                        calls.throwNew(thread, BuiltInException.NULL_POINTER)
+                        return
+                    }
+                    words[reference + Heap.HEADER_WORDS + code[next++]] = stack[top + 1]
+                }
+
+                Operation.CALL_STATIC -> {
+                    frame.next = next + 1
+                    frame.top = top
+                    budget = left
+                    calls.call(thread, frame, methods[code[next]], OPERAND_AND_OPERATION)
+                    return
+                }
+
+                Operation.CALL_EXACTLY -> {
+                    val method = methods[code[next]]
+                    frame.next = next + 1
+                    frame.top = top
+                    budget = left
+                    if (stack[top - method.argumentWords] == 0) {
+                        calls.throwNew(thread, BuiltInException.NULL_POINTER)
+                    } else {
+                        calls.call(thread, frame, method, OPERAND_AND_OPERATION)
+                    }
+                    return
+                }
+
+                Operation.CALL_VIRTUAL -> {
+                    val receiver = stack[top - code[next + 1]]
+                    frame.next = next + 2
+                    frame.top = top
+                    budget = left
+                    if (receiver == 0) {
+                        calls.throwNew(thread, BuiltInException.NULL_POINTER)
+                    } else {
+                        calls.call(thread, frame, types[words[receiver]].virtualMethods[code[next]], TWO_OPERANDS_AND_OPERATION)
+                    }
+                    return
+                }
+
+                Operation.RETURN -> {
+                    frame.top = top
+                    budget = left
+                    calls.leave(thread, 0)
+                    return
+                }
+
+                Operation.RETURN_VALUE -> {
+                    frame.top = top
+                    budget = left
+                    calls.leave(thread, 1)
+                    return
+                }
+
+                Operation.LENGTH -> {
+                    val array = stack[top - 1]
+                    if (array == 0) {
+                        frame.next = next
+                        budget = left
+                        calls.throwNew(thread, BuiltInException.NULL_POINTER)
+                        return
+                    }
+                    stack[top - 1] = words[array + 1]
+                }
+
+                Operation.NOTHING -> {}
+
+                else -> {
+                    frame.next = next
+                    frame.top = top
+                    budget = left
+                    if (!numbers.execute(frame, stack, code[next - 1])) objects.execute(thread, frame, code[next - 1])
+                    if (thread.pending != 0 || thread.state != ThreadState.READY || thread.frame !== frame) return
+                    next = frame.next
+                    top = frame.top
+                    left = budget
+                }
+            }
+        }
+        frame.next = next
+        frame.top = top
+        budget = left
+    }
+
+    private fun divide(thread: VmThread, frame: Frame, isRemainder: Boolean) {
+        val stack = thread.stack
+        var divisor = stack[--frame.top]
+        if (divisor != divisor.toShort().toInt()) divisor = arithmetic.largeDivisor(divisor)
+        val dividend = stack[frame.top - 1]
+        when (divisor) {
+            0 -> calls.throwNew(thread, BuiltInException.ARITHMETIC)
+            -1 -> stack[frame.top - 1] = if (isRemainder) 0 else -dividend
+            else -> stack[frame.top - 1] = if (isRemainder) dividend % divisor else dividend / divisor
+        }
+    }
+
+    private companion object {
+        const val LARGEST_SHORT = 32_767
+        const val OPERAND_AND_OPERATION = 2
+        const val TWO_OPERANDS_AND_OPERATION = 3
+    }
+}

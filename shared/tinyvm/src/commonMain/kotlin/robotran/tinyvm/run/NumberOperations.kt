@@ -1,0 +1,148 @@
+package robotran.tinyvm.run
+
+import robotran.tinyvm.link.Operation
+
+/** The operations on numbers and on the stack that are too seldom for the interpreter's loop. None of them throws. */
+internal class NumberOperations(machine: Machine, private val arithmetic: QuirkyArithmetic) {
+    private val statics = machine.statics
+
+    /** Executes [operation], behind which `next` of [frame] is; false if it is not among these. */
+    fun execute(frame: Frame, stack: IntArray, operation: Int): Boolean {
+        val code = frame.body.code
+        when (operation) {
+            Operation.PUSH_WIDE -> {
+                stack[frame.top++] = code[frame.next++]
+                stack[frame.top++] = 0
+            }
+
+            Operation.LOAD_WIDE -> {
+                stack[frame.top++] = stack[frame.base + code[frame.next++]]
+                stack[frame.top++] = 0
+            }
+
+            Operation.STORE_WIDE -> {
+                frame.top -= 2
+                stack[frame.base + code[frame.next++]] = stack[frame.top]
+            }
+
+            Operation.POP_2 -> {
+                frame.top -= 2
+            }
+
+            in Operation.DUPLICATE_BELOW_1..Operation.SWAP -> {
+                frame.top =
+                    shuffle(stack, frame.top, operation)
+            }
+
+            Operation.ADD_DOUBLE, Operation.SUBTRACT_DOUBLE, Operation.MULTIPLY_DOUBLE, Operation.DIVIDE_DOUBLE -> {
+                frame.top -= 2
+                val left = Float.fromBits(stack[frame.top - 2])
+                stack[frame.top - 2] = calculate(left, Float.fromBits(stack[frame.top]), operation).toBits()
+            }
+
+            Operation.NEGATE_DECIMAL -> {
+                stack[frame.top - 1] = (-Float.fromBits(stack[frame.top - 1])).toBits()
+            }
+
+            Operation.NEGATE_DOUBLE -> {
+                stack[frame.top - 2] = (-Float.fromBits(stack[frame.top - 2])).toBits()
+            }
+
+            Operation.COMPARE_DECIMAL_LOW, Operation.COMPARE_DECIMAL_HIGH -> {
+                frame.top--
+                val withoutNumber = if (operation == Operation.COMPARE_DECIMAL_LOW) -1 else 1
+                stack[frame.top - 1] = compare(Float.fromBits(stack[frame.top - 1]), Float.fromBits(stack[frame.top]), withoutNumber)
+            }
+
+            Operation.COMPARE_DOUBLE_LOW, Operation.COMPARE_DOUBLE_HIGH -> {
+                frame.top -= 3
+                val withoutNumber = if (operation == Operation.COMPARE_DOUBLE_LOW) -1 else 1
+                stack[frame.top - 1] = compare(Float.fromBits(stack[frame.top - 1]), Float.fromBits(stack[frame.top + 1]), withoutNumber)
+            }
+
+            Operation.WIDEN -> {
+                stack[frame.top++] = 0
+            }
+
+            Operation.NARROW -> {
+                frame.top--
+            }
+
+            Operation.TO_WIDE_DECIMAL -> {
+                stack[frame.top - 1] = stack[frame.top - 1].toFloat().toBits()
+                stack[frame.top++] = 0
+            }
+
+            Operation.WIDE_TO_DECIMAL -> {
+                frame.top--
+                stack[frame.top - 1] = stack[frame.top - 1].toFloat().toBits()
+            }
+
+            Operation.WIDE_TO_WIDE_DECIMAL -> {
+                stack[frame.top - 2] = stack[frame.top - 2].toFloat().toBits()
+            }
+
+            Operation.DECIMAL_TO_WHOLE -> {
+                stack[frame.top - 1] = Float.fromBits(stack[frame.top - 1]).toInt()
+            }
+
+            Operation.DECIMAL_TO_WIDE -> {
+                stack[frame.top - 1] = Float.fromBits(stack[frame.top - 1]).toInt()
+                stack[frame.top++] = 0
+            }
+
+            Operation.DOUBLE_TO_WHOLE -> {
+                frame.top--
+                stack[frame.top - 1] = Float.fromBits(stack[frame.top - 1]).toInt()
+            }
+
+            Operation.DOUBLE_TO_WIDE -> {
+                stack[frame.top - 2] = Float.fromBits(stack[frame.top - 2]).toInt()
+            }
+
+            Operation.TO_CHARACTER -> {
+                val value = stack[frame.top - 1]
+                stack[frame.top - 1] = if (value and SIXTEENTH_BIT == 0) value and 0xFFFF else arithmetic.largeCharacter(value)
+            }
+
+            Operation.TO_SHORT -> {
+                stack[frame.top - 1] = stack[frame.top - 1].toShort().toInt()
+            }
+
+            Operation.SUBROUTINE -> {
+                stack[frame.top++] = frame.next + 1
+                frame.next = code[frame.next]
+            }
+
+            Operation.END_SUBROUTINE -> {
+                frame.next = stack[frame.base + code[frame.next]]
+            }
+
+            Operation.STATIC_WIDE -> {
+                stack[frame.top++] = statics[code[frame.next++]]
+                stack[frame.top++] = 0
+            }
+
+            Operation.SET_STATIC_WIDE -> {
+                frame.top -= 2
+                statics[code[frame.next++]] = stack[frame.top]
+            }
+
+            else -> {
+                return false
+            }
+        }
+        return true
+    }
+
+    private fun compare(left: Float, right: Float, withoutNumber: Int): Int = when {
+        left < right -> -1
+        left > right -> 1
+        left == right -> 0
+        else -> arithmetic.compareWithoutNumber(withoutNumber)
+    }
+
+    private companion object {
+        const val SIXTEENTH_BIT = 0x8000
+    }
+}

@@ -1,0 +1,81 @@
+package robotran.tinyvm.run
+
+import robotran.tinyvm.TinyVmLimits
+
+/**
+ * Decides which thread runs: always one of the highest priority, those of the same in turns.
+ *
+ * @param clock the brick's milliseconds.
+ */
+internal class Scheduler(private val monitors: Monitors, private val clock: () -> Long) {
+    private val living = ArrayList<VmThread>()
+    private var last = -1
+
+    /** The threads that were started and have not ended, in the order of their start. */
+    val threads: List<VmThread> get() = living
+
+    /** Whether a thread is left that keeps the program going. */
+    val isOccupied: Boolean get() = living.any { !it.isDaemon }
+
+    val hasRoom: Boolean get() = living.size < TinyVmLimits.THREADS
+
+    fun start(thread: VmThread) {
+        thread.state = ThreadState.READY
+        living += thread
+    }
+
+    fun end(thread: VmThread) {
+        thread.state = ThreadState.DEAD
+        monitors.releaseAll(thread)
+        val index = living.indexOf(thread)
+        if (index < 0) return
+        living.removeAt(index)
+        if (index <= last) last--
+    }
+
+    /** The thread whose turn it is, null if all wait. */
+    fun choose(): VmThread? {
+        var best = -1
+        for (step in 1..living.size) {
+            val index = (last + step).mod(living.size)
+            wake(living[index])
+            if (canRun(living[index]) && (best < 0 || living[index].priority > living[best].priority)) best = index
+        }
+        if (best < 0) return null
+        last = best
+        return living[best].also { enterAgain(it) }
+    }
+
+    /** When the first of the threads that all wait now wakes by itself; null if none does. */
+    val nextWake: Long?
+        get() = living.filter { it.wakesAt > 0 && (it.state == ThreadState.SLEEPING || it.state == ThreadState.WAITING) }
+            .minOfOrNull { it.wakesAt }
+
+    /** Wakes one thread that waits for [lock], or all. */
+    fun notify(lock: Int, all: Boolean) {
+        for (thread in living) {
+            if (thread.state != ThreadState.WAITING || thread.waitsFor != lock) continue
+            thread.state = ThreadState.BLOCKED
+            if (!all) return
+        }
+    }
+
+    private fun wake(thread: VmThread) {
+        val isTime = thread.wakesAt in 1..clock()
+        when (thread.state) {
+            ThreadState.SLEEPING -> if (isTime) thread.state = ThreadState.READY
+            ThreadState.WAITING -> if (isTime) thread.state = ThreadState.BLOCKED
+            else -> return
+        }
+    }
+
+    private fun canRun(thread: VmThread): Boolean =
+        thread.state == ThreadState.READY || (thread.state == ThreadState.BLOCKED && monitors.isFree(thread.waitsFor))
+
+    private fun enterAgain(thread: VmThread) {
+        if (thread.state != ThreadState.BLOCKED) return
+        thread.state = ThreadState.READY
+        if (thread.givenUp > 0) monitors.takeBack(thread.waitsFor, thread, thread.givenUp)
+        thread.givenUp = 0
+    }
+}

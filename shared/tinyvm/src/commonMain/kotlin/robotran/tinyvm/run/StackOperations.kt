@@ -1,0 +1,48 @@
+package robotran.tinyvm.run
+
+import robotran.tinyvm.link.Operation
+
+/** Moves the topmost operands of [stack], which end before [top], as [operation] says; returns where they end then. */
+internal fun shuffle(stack: IntArray, top: Int, operation: Int): Int = when (operation) {
+    Operation.DUPLICATE_BELOW_1 -> {
+        repeatBelow(stack, top, 1, 1)
+    }
+
+    Operation.DUPLICATE_BELOW_2 -> {
+        repeatBelow(stack, top, 1, 2)
+    }
+
+    Operation.DUPLICATE_2 -> {
+        repeatBelow(stack, top, 2, 0)
+    }
+
+    Operation.DUPLICATE_2_BELOW_1 -> {
+        repeatBelow(stack, top, 2, 1)
+    }
+
+    Operation.DUPLICATE_2_BELOW_2 -> {
+        repeatBelow(stack, top, 2, 2)
+    }
+
+    else -> {
+        val upper = stack[top - 1]
+        stack[top - 1] = stack[top - 2]
+        stack[top - 2] = upper
+        top
+    }
+}
+
+/** Puts the topmost [count] operands once more below the [below] ones under them. */
+private fun repeatBelow(stack: IntArray, top: Int, count: Int, below: Int): Int {
+    for (place in top - 1 downTo top - count - below) stack[place + count] = stack[place]
+    for (index in 0 until count) stack[top - count - below + index] = stack[top + index]
+    return top + count
+}
+
+/** What [operation], one for doubles, gives: a brick's doubles have 32 bits. */
+internal fun calculate(left: Float, right: Float, operation: Int): Float = when (operation) {
+    Operation.ADD_DOUBLE -> left + right
+    Operation.SUBTRACT_DOUBLE -> left - right
+    Operation.MULTIPLY_DOUBLE -> left * right
+    else -> left / right
+}

@@ -1,0 +1,102 @@
+package robotran.tinyvm.run
+
+import robotran.rom.CallFrame
+import robotran.rom.ProgramStatus
+import robotran.rom.Rom
+import robotran.rom.StatementWatch
+import robotran.rom.VariableScope
+import robotran.tinyvm.JavaRun
+import robotran.tinyvm.Remark
+import robotran.tinyvm.RunMessages
+import robotran.tinyvm.ThreadView
+import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.debug.Inspector
+import robotran.tinyvm.link.LinkedProgram
+import robotran.tinyvm.natives.NativeMethod
+import robotran.tinyvm.natives.NativeMethods
+
+/** One run of a linked program. */
+internal class TinyVmRun(
+    program: LinkedProgram,
+    private val rom: Rom,
+    mode: TinyVmMode,
+    messages: RunMessages,
+) : JavaRun {
+    internal val machine = Machine(program, rom, mode, messages)
+    private val failures = Failures(machine, messages)
+    private val calls = Calls(machine, nativesOf(program), failures::add)
+    private val interpreter = Interpreter(machine, calls)
+    private val inspector = Inspector(machine)
+    private var sliceEnds = 0L
+
+    /** Bytecodes of the last step that were left after a pause are not done twice. */
+    private var debt = 0
+
+    override var watch: StatementWatch? by interpreter::watch
+
+    override val statementsBegun: Long get() = interpreter.statementsBegun
+
+    override val remarks: List<Remark> get() = machine.remarks.all
+
+    override val threads: List<ThreadView> get() = machine.scheduler.threads.map { inspector.threadView(it) }
+
+    override val callStack: List<CallFrame> get() = inspector.callStack(focus)
+
+    override val variables: List<VariableScope> get() = inspector.variables(focus)
+
+    override val sourceLine: Int get() = callStack.firstOrNull()?.sourceLine ?: failures.lastLine
+
+    override val isBeforeStatement: Boolean
+        get() = focus?.takeIf { it.depth > 0 }?.frame?.isBeforeStatement ?: false
+
+    /** Whom the debugger looks at: the thread that is being executed, otherwise the first. */
+    private val focus: VmThread? get() = machine.current?.takeIf { it.isAlive } ?: machine.scheduler.threads.firstOrNull()
+
+    init {
+        interpreter.depthOf = { inspector.callStack(it).size - 1 }
+        machine.startMain()
+    }
+
+    override fun resume(steps: Int): ProgramStatus {
+        interpreter.budget = (steps.toLong() * MachineConstants.BYTECODES_PER_STEP - debt).coerceIn(0, Int.MAX_VALUE.toLong()).toInt()
+        debt = 0
+        machine.poller.look()
+        while (true) {
+            when {
+                machine.isExited || !machine.scheduler.isOccupied -> return end()
+                interpreter.budget <= 0 -> return ProgramStatus.Running
+            }
+            val thread = nextThread() ?: return rest()
+            interpreter.run(thread)
+            if (interpreter.isPaused) return pause()
+        }
+    }
+
+    private fun nextThread(): VmThread? {
+        val current = machine.current
+        val goesOn = current != null && current.state == ThreadState.READY && !machine.isYielding && rom.milliseconds < sliceEnds
+        if (goesOn) return current
+        machine.isYielding = false
+        sliceEnds = rom.milliseconds + MachineConstants.TIME_SLICE_MILLISECONDS
+        return machine.scheduler.choose()?.also { machine.current = it }
+    }
+
+    private fun rest(): ProgramStatus {
+        val now = rom.milliseconds
+        val next = machine.scheduler.nextWake ?: (now + MachineConstants.STANDSTILL_MILLISECONDS)
+        return ProgramStatus.Waiting(if (machine.poller.isActive) minOf(next, now + 1) else next)
+    }
+
+    private fun pause(): ProgramStatus {
+        val steps = (interpreter.budget + MachineConstants.BYTECODES_PER_STEP - 1) / MachineConstants.BYTECODES_PER_STEP
+        debt = steps * MachineConstants.BYTECODES_PER_STEP - interpreter.budget
+        return ProgramStatus.Paused(steps)
+    }
+
+    private fun end(): ProgramStatus = failures.first?.let { ProgramStatus.Failed(it) } ?: ProgramStatus.Ended
+
+    private fun nativesOf(program: LinkedProgram): Array<NativeMethod?> = Array(program.methods.size) {
+        val method = program.methods[it]
+        if (method.isNative) NativeMethods.find("${method.owner.name}.${method.signature}") else null
+    }
+}

@@ -1,0 +1,28 @@
+package robotran.tinyvm.run
+
+import robotran.tinyvm.Quirk
+import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.link.ArrayType
+import robotran.tinyvm.link.LinkedClass
+
+/** Asks objects what they are. */
+internal class TypeTests(private val machine: Machine) {
+    private val types = machine.program.types
+    private val isBrick = machine.mode == TinyVmMode.BRICK
+
+    /** Whether the object [reference], not null, passes for the type with this id: on a brick, every object passes for an interface. */
+    fun passesFor(reference: Int, typeId: Int): Boolean {
+        val target = types[typeId]
+        val isReally = machine.heap.typeOf(reference).isA(target)
+        if (isReally || target !is LinkedClass || !target.isInterface) return isReally
+        machine.remark(Quirk.UNCHECKED_INTERFACE)
+        return isBrick
+    }
+
+    /** Whether [reference] may be an element of [array], both not null. */
+    fun mayStore(array: Int, reference: Int): Boolean {
+        val element = (machine.heap.typeOf(array) as ArrayType).element ?: return false
+        val type = machine.heap.typeOf(reference)
+        return type === element || (element is LinkedClass && element.isInterface) || type.isA(element)
+    }
+}

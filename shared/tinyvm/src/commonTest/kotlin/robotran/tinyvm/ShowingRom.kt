@@ -1,0 +1,39 @@
+package robotran.tinyvm
+
+import robotran.rom.RcxMemory
+import robotran.rom.Rom
+import robotran.rom.RomAddress
+import robotran.rom.RomCall
+import robotran.rom.SensorRequest
+
+/** A ROM that remembers what it is told to show, and all calls; its clock is set by hand. */
+internal class ShowingRom : Rom {
+    val calls = mutableListOf<RomCall>()
+
+    /** The numbers that were shown, signed. */
+    val shown = mutableListOf<Int>()
+
+    /** The line of each number shown. */
+    val lines = mutableListOf<Int>()
+
+    /** What every sensor measures. */
+    var sensorValue = 0
+
+    override val memory = RcxMemory()
+
+    override var milliseconds: Long = 0
+
+    override fun call(call: RomCall, sourceLine: Int) {
+        calls += call
+        if (call.address == RomAddress.READ_BUTTONS) memory.writeShort(call.arguments[1], 2)
+        if (call.address != RomAddress.SET_LCD_NUMBER) return
+        shown += call.arguments[1].toShort().toInt()
+        lines += sourceLine
+    }
+
+    override fun readSensor(port: Int, request: SensorRequest): Int = sensorValue
+
+    override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) {
+        sensorValue = mode
+    }
+}

@@ -1,0 +1,72 @@
+package robotran.tinyvm
+
+import robotran.rom.CallFrame
+import robotran.rom.ProgramStatus
+import robotran.rom.StatementWatch
+import robotran.rom.VariableView
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+
+class DebuggingTest {
+    private val source = """
+        import josx.platform.rcx.*;
+        class Program {
+            static int total = 4;
+            public static void main(String[] args) {
+                int first = 1;
+                String text = "hi";
+                add(first);
+                ROM.show(total);
+            }
+            static void add(int more) {
+                total += more;
+            }
+        }
+    """.trimIndent()
+
+    private fun pausedAt(line: Int): JavaRun {
+        val run = linked(source).start(ShowingRom())
+        run.watch = StatementWatch { at, _ -> at == line }
+        assertIs<ProgramStatus.Paused>(run.resume(100))
+        return run
+    }
+
+    @Test
+    fun `a run pauses before a line and knows its call stack`() {
+        val run = pausedAt(11)
+        assertEquals(11, run.sourceLine)
+        assertEquals(true, run.isBeforeStatement)
+        assertEquals(listOf(CallFrame("Program.add", 11), CallFrame("Program.main", 7)), run.callStack)
+        assertEquals("main", run.threads.single().name)
+    }
+
+    @Test
+    fun `variables are seen by name`() {
+        val run = pausedAt(7)
+        assertEquals(
+            listOf(VariableView("args", "null"), VariableView("first", "1"), VariableView("text", "\"hi\"")),
+            run.variables.first { it.name == "Program.main" }.variables,
+        )
+        assertEquals(listOf(VariableView("total", "4")), run.variables.first { it.name == "Program" }.variables)
+    }
+
+    @Test
+    fun `a paused run goes on with the statement it stands before`() {
+        val run = pausedAt(8)
+        assertEquals(6, run.statementsBegun)
+        assertEquals(ProgramStatus.Ended, run.resume(100))
+    }
+
+    @Test
+    fun `every line is met once`() {
+        val met = mutableListOf<Pair<Int, Int>>()
+        val run = linked(source).start(ShowingRom())
+        run.watch = StatementWatch { line, depth ->
+            met += line to depth
+            false
+        }
+        assertEquals(ProgramStatus.Ended, run.resume(100))
+        assertEquals(listOf(3 to 1, 5 to 0, 6 to 0, 7 to 0, 11 to 1, 12 to 1, 8 to 0, 9 to 0), met)
+    }
+}

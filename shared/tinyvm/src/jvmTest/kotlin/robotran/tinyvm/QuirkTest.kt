@@ -1,0 +1,96 @@
+package robotran.tinyvm
+
+import robotran.rom.ProgramStatus
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+
+class QuirkTest {
+    @Test
+    fun `a brick divides by sixteen bits only`() {
+        val body = "int divisor = 70000; show(100000 / divisor);"
+        assertEquals(listOf(22), shownBy(body))
+        assertEquals(listOf(1), shownBy(body, mode = TinyVmMode.FORGIVING))
+        assertEquals(listOf(Quirk.DIVISOR_OF_16_BITS), ran(body).run.remarks.map { it.quirk })
+        assertEquals(listOf(Quirk.DIVISOR_OF_16_BITS), ran(body, mode = TinyVmMode.FORGIVING).run.remarks.map { it.quirk })
+    }
+
+    @Test
+    fun `a brick looks at sixteen bits of an index`() {
+        val body = "int[] a = {5, 6}; int index = 65537; try { show(a[index]); } catch (ArrayIndexOutOfBoundsException e) { show(1); }"
+        assertEquals(listOf(6), shownBy(body))
+        assertEquals(listOf(1), shownBy(body, mode = TinyVmMode.FORGIVING))
+    }
+
+    @Test
+    fun `a large character is negative on a brick`() {
+        val body = "int code = 40000; char c = (char) code; show(c / 100);"
+        assertEquals(listOf(-255), shownBy(body))
+        assertEquals(listOf(400), shownBy(body, mode = TinyVmMode.FORGIVING))
+    }
+
+    @Test
+    fun `everything passes for an interface on a brick`() {
+        val body = "Object o = \"x\"; show(o instanceof Named); show(o instanceof Thread); show(null instanceof Named);"
+        val members = "interface Named { int name(); }"
+        assertEquals(listOf(1, 0, 0), shownBy(body, members))
+        assertEquals(listOf(0, 0, 0), shownBy(body, members, TinyVmMode.FORGIVING))
+    }
+
+    @Test
+    fun `a method that an object does not have is an error that can be caught`() = assertEquals(
+        listOf(3),
+        shownBy(
+            "Object o = \"x\"; try { ((Named) o).name(); } catch (NoSuchMethodError e) { show(3); }",
+            "interface Named { int " +
+                "name(); }",
+        ),
+    )
+
+    @Test
+    fun `arrays of more than 511 elements do not fit a brick`() {
+        val body = "try { show(new int[512].length); } catch (OutOfMemoryError e) { show(1); }"
+        assertEquals(listOf(1), shownBy(body))
+        assertEquals(listOf(512), shownBy(body, mode = TinyVmMode.FORGIVING))
+    }
+
+    @Test
+    fun `a brick never gives memory back`() {
+        val body = "for (int i = 0; i < 100000; i++) { int[] a = new int[100]; a[0] = i; } show(7);"
+        val failed = assertIs<ProgramStatus.Failed>(ran(body).status)
+        assertTrue("OutOfMemoryError" in failed.failure.message, failed.failure.message)
+        assertEquals(listOf(7), shownBy(body, mode = TinyVmMode.FORGIVING))
+    }
+
+    @Test
+    fun `what is still used survives the collection`() = assertEquals(
+        listOf(499500 / 100),
+        shownBy(
+            "Node first = null; for (int i = 0; i < 1000; i++) { first = new Node(i, first); for (int j = 0; j < 50; j++) { int[] a " +
+                "= new int[50]; } }" +
+                "int sum = 0; for (Node n = first; n != null; n = n.next) sum += n.value; show(sum / 100);",
+            "static class Node { int value; Node next; Node(int value, Node next) { this.value = value; this.next = next; } " +
+                "}",
+            TinyVmMode.FORGIVING,
+        ),
+    )
+
+    @Test
+    fun `a heap full of what is used is an error in forgiving mode too`() {
+        val body = "Object[] all = new Object[5000]; try { for (int i = 0; i < 5000; i++) all[i] = new int[500]; } catch " +
+            "(OutOfMemoryError e) { show(1); }"
+        assertEquals(listOf(1), shownBy(body, mode = TinyVmMode.FORGIVING))
+    }
+
+    @Test
+    fun `endless recursion is an error that can be caught`() =
+        assertEquals(
+            listOf(1),
+            shownBy(
+                "try { deeper(1); } catch (StackOverflowError e) { show(1); }",
+                "static int deeper(int x) { " +
+                    "return deeper(x + 1); }",
+            ),
+        )
+}

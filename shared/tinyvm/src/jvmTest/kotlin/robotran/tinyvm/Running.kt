@@ -1,0 +1,52 @@
+package robotran.tinyvm
+
+import robotran.rom.ProgramStatus
+import kotlin.test.fail
+
+/** What came of a run. */
+internal class Ran(val rom: ShowingRom, val run: JavaRun, val status: ProgramStatus)
+
+/** The program in [source], linked; fails if it is refused. */
+internal fun linked(source: String, mode: TinyVmMode = TinyVmMode.BRICK): TinyVmProgram =
+    when (val result = linkTinyVm("Program", JavaCompiler.compile(source), JavaCompiler.library, mode = mode)) {
+        is TinyVmResult.Ready -> result.program
+        is TinyVmResult.Refused -> fail(result.refusal.toString())
+    }
+
+internal fun refusal(source: String): Refusal =
+    when (val result = linkTinyVm("Program", JavaCompiler.compile(source), JavaCompiler.library)) {
+        is TinyVmResult.Ready -> fail("it was not refused")
+        is TinyVmResult.Refused -> result.refusal
+    }
+
+/** Runs [program] for at most [milliseconds], or until it ends. */
+internal fun run(program: TinyVmProgram, milliseconds: Int = 20_000, steps: Int = 100, rom: ShowingRom = ShowingRom()): Ran {
+    val run = program.start(rom)
+    var status: ProgramStatus = ProgramStatus.Running
+    while (rom.milliseconds < milliseconds) {
+        rom.milliseconds++
+        val waiting = status as? ProgramStatus.Waiting
+        if (waiting != null && waiting.untilMilliseconds > rom.milliseconds) continue
+        status = run.resume(steps)
+        if (status == ProgramStatus.Ended || status is ProgramStatus.Failed) break
+    }
+    return Ran(rom, run, status)
+}
+
+/** The numbers that the statements of a main method [body] show, with [members] beside it in the class. */
+internal fun shownBy(body: String, members: String = "", mode: TinyVmMode = TinyVmMode.BRICK): List<Int> =
+    ran(body, members, mode).rom.shown
+
+internal fun ran(body: String, members: String = "", mode: TinyVmMode = TinyVmMode.BRICK): Ran = run(linked(program(body, members), mode))
+
+internal fun program(body: String, members: String = ""): String = """
+    import josx.platform.rcx.*;
+    class Program {
+        public static void main(String[] args) throws Exception {
+            $body
+        }
+        static void show(int value) { ROM.show(value); }
+        static void show(boolean value) { ROM.show(value ? 1 : 0); }
+        $members
+    }
+    """.trimIndent()
