@@ -7,6 +7,9 @@ object EnglishBrickMessages : BrickMessages {
         return "The program cannot go on. $place${failure.message} Press On-Off to go back to the start."
     }
 
+    override fun motorsBrakedAtEnd() = "The program has come to its end, so the brick stopped the motors, as a real one does. " +
+        "To let the robot drive on, let the program go on, too: with a wait, or with a loop that never ends."
+
     override fun unknownRoutine() = "nothing happens, no routine is known here"
 
     override fun tooFewArguments(routine: String, needed: Int, given: Int) = "nothing happens, $routine needs $needed arguments, not $given"

@@ -20,10 +20,11 @@ import robotran.world.physics.PhysicsEngine
  * be stopped in the middle of one, which then ends as soon as the session goes on or something is done to it. Stopping changes
  * nothing about the session but when its time passes.
  *
- * @param programs the brick's program slots.
+ * @param programs the brick's program slots, see [Brick].
+ * @param firstSlot the program that Run starts as long as Prgm was not pressed, from 0.
  */
-class Session(val world: World, programs: List<RcxProgram>, physics: PhysicsEngine) {
-    private val brick = Brick(programs)
+class Session(val world: World, programs: List<RcxProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) {
+    private val brick = Brick(programs, firstSlot = firstSlot)
     private val simulation = Simulation(world, physics)
     private val hash = TraceHash()
     private val recorded = mutableListOf<RecordedInput>()
@@ -138,12 +139,13 @@ class Session(val world: World, programs: List<RcxProgram>, physics: PhysicsEngi
         /** A new session to which [inputs], in the order of their times, are done again, after [milliseconds]. */
         fun replay(
             world: World,
-            programs: List<RcxProgram>,
+            programs: List<RcxProgram?>,
             physics: PhysicsEngine,
             inputs: List<RecordedInput>,
             milliseconds: Long,
+            firstSlot: Int = 0,
         ): Session {
-            val session = Session(world, programs, physics)
+            val session = Session(world, programs, physics, firstSlot)
             inputs.filter { it.milliseconds <= milliseconds }.forEach { recorded ->
                 session.advanceTo(recorded.milliseconds)
                 session.apply(recorded.input)
