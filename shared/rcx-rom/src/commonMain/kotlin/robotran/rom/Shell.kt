@@ -17,6 +17,7 @@ internal class Shell(
     private var pausedSteps = 0
     private var endingState: RunState = RunState.Idle
     private var shownFailure: ProgramFailure? = null
+    private var earlierRemarks: List<ProgramRemark> = emptyList()
     private val pressedInShell = mutableSetOf<BrickButton>()
     private var runWasHeldWithOnOff = false
     private var powerOffTime = 0L
@@ -29,7 +30,10 @@ internal class Shell(
     var selectedSlot = 0
         private set
 
-    val runState: RunState get() = run?.let { RunState.Running(it.sourceLine) } ?: endingState
+    val runState: RunState get() = run?.let { RunState.Running(it.sourceLine, it.sourceFile) } ?: endingState
+
+    /** What the run has to say, or the last one if none runs. */
+    val remarks: List<ProgramRemark> get() = run?.remarks ?: earlierRemarks
 
     /** What the display's numbers mean, where a pupil could not know. */
     val explanation: String? get() = shownFailure?.let(messages::failureShown)
@@ -169,6 +173,7 @@ internal class Shell(
     }
 
     private fun leaveProgram(state: RunState) {
+        earlierRemarks = remarks
         run = null
         pausedSteps = 0
         endingState = state
