@@ -120,6 +120,9 @@ class Brick(
     /** The run of the program, to be looked into; null if none runs or if its language cannot be looked into. */
     val debuggableRun: DebuggableRun? get() = shell.debuggableRun
 
+    /** What a pupil should know about the running program or, if none runs, about the last one. */
+    val remarks: List<ProgramRemark> get() = shell.remarks
+
     companion object {
         /**
          * How many steps of a program fit into a millisecond: an RCX does ten to twenty thousand bytecodes a second (an estimate of its

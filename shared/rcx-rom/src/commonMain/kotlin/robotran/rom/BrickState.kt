@@ -44,8 +44,13 @@ sealed interface RunState {
     /** No program has been started since the brick was switched on. */
     data object Idle : RunState
 
-    /** A program is running; [sourceLine] is the line it is at, from 1, 0 if there is none. */
-    data class Running(val sourceLine: Int) : RunState
+    /**
+     * A program is running.
+     *
+     * @property sourceLine the line it is at, from 1, 0 if there is none.
+     * @property sourceFile the file that the line is in; null if the program has only one.
+     */
+    data class Running(val sourceLine: Int, val sourceFile: String? = null) : RunState
 
     /** The program came to its end, or somebody stopped it. */
     data class Ended(val stopped: Boolean) : RunState

@@ -3,7 +3,7 @@ package robotran.rom
 /** The messages in English. */
 object EnglishBrickMessages : BrickMessages {
     override fun failureShown(failure: ProgramFailure): String {
-        val place = if (failure.sourceLine > 0) "Line ${failure.sourceLine}: " else ""
+        val place = failure.place?.let { "$it: " }.orEmpty()
         return "The program cannot go on. $place${failure.message} Press On-Off to go back to the start."
     }
 

@@ -17,6 +17,7 @@ internal class Shell(
     private var waitUntil = 0L
     private var pausedSteps = 0
     private val ending = RunEnding(messages)
+    private var earlierRemarks: List<ProgramRemark> = emptyList()
     private val pressedInShell = mutableSetOf<BrickButton>()
     private var runWasHeldWithOnOff = false
     private var powerOffTime = 0L
@@ -29,7 +30,10 @@ internal class Shell(
     var selectedSlot = firstSlot
         private set
 
-    val runState: RunState get() = run?.let { RunState.Running(it.sourceLine) } ?: ending.state
+    val runState: RunState get() = run?.let { RunState.Running(it.sourceLine, it.sourceFile) } ?: ending.state
+
+    /** What the run has to say, or the last one if none runs. */
+    val remarks: List<ProgramRemark> get() = run?.remarks ?: earlierRemarks
 
     /** See [RunEnding.explanation]. */
     val explanation: String? get() = ending.explanation
@@ -175,6 +179,7 @@ internal class Shell(
     }
 
     private fun leaveProgram() {
+        earlierRemarks = remarks
         run = null
         pausedSteps = 0
         pressedInShell.clear()

@@ -4,10 +4,12 @@ import robotran.rom.Brick
 import robotran.rom.CallFrame
 import robotran.rom.MemorySnapshot
 import robotran.rom.MotorPort
+import robotran.rom.ProgramRemark
 import robotran.rom.RcxProgram
 import robotran.rom.RomLog
 import robotran.rom.SoundTrack
 import robotran.rom.StepKind
+import robotran.rom.ThreadView
 import robotran.rom.VariableScope
 import robotran.world.physics.PhysicsEngine
 
@@ -48,8 +50,8 @@ class Session(val world: World, programs: List<RcxProgram?>, physics: PhysicsEng
     /** A hash of the robot's place in every tick and of every ROM call so far, as 16 hexadecimal digits. */
     val traceHash: String get() = hash.text
 
-    /** The lines, from 1, that [runUntilStop] and [stepStatement] stop before. */
-    var breakpoints: Set<Int> = emptySet()
+    /** The lines that [runUntilStop] and [stepStatement] stop before. */
+    var breakpoints: Set<Breakpoint> = emptySet()
 
     /** What the running program is in the middle of, the innermost first; empty if none runs that can be looked into. */
     val callStack: List<CallFrame> get() = brick.debuggableRun?.callStack.orEmpty()
@@ -57,15 +59,27 @@ class Session(val world: World, programs: List<RcxProgram?>, physics: PhysicsEng
     /** The variables that the innermost of [callStack] knows, its own first. */
     val variables: List<VariableScope> get() = brick.debuggableRun?.variables.orEmpty()
 
+    /** The threads of the running program, in the order of their start; empty if none runs that can be looked into. */
+    val threads: List<ThreadView> get() = brick.debuggableRun?.threads.orEmpty()
+
+    /** The variables that the place [frame] in the call stack of the thread with the number [thread] knows, see [threads]; 0 is the innermost. */
+    fun variablesOf(thread: Int, frame: Int): List<VariableScope> = brick.debuggableRun?.variablesOf(thread, frame).orEmpty()
+
+    /** What a pupil should know about the running program or, if none runs, about the last one. */
+    val remarks: List<ProgramRemark> get() = brick.remarks
+
     /** Lets time pass, whatever the breakpoints. */
     fun advance(milliseconds: Int) {
         check(!closed) { "The session is closed." }
         repeat(milliseconds) { tick() }
     }
 
-    /** Lets the program make one step, and all the time pass that it takes, but [milliseconds] at most. */
+    /**
+     * Lets the program make one step, and all the time pass that it takes, but [milliseconds] at most. The step is one of the thread that
+     * is being executed; what others do meanwhile does not end it, unless its own thread cannot come to that any more.
+     */
     fun stepStatement(kind: StepKind, milliseconds: Int = SimulationLimits.LONGEST_STEP_MILLISECONDS): StopReason =
-        brick.debuggableRun?.let { advanceUntilStop(Stepping(it, breakpoints, kind), milliseconds) } ?: StopReason.Ended
+        brick.debuggableRun?.let { advanceUntilStop(Stepping(it, breakpoints, kind, brick.isPaused), milliseconds) } ?: StopReason.Ended
 
     /** Lets [milliseconds] pass, or less if the program comes to a breakpoint or to its end before. With no program, all of them pass. */
     fun runUntilStop(milliseconds: Int): StopReason {
@@ -100,7 +114,7 @@ class Session(val world: World, programs: List<RcxProgram?>, physics: PhysicsEng
         check(!closed) { "The session is closed." }
         val run = brick.debuggableRun
         val end = this.milliseconds + milliseconds
-        run?.watch = stepping
+        run?.watch = stepping.takeIf { it.canStop }
         while (this.milliseconds < end && stepping.reason == null && brick.debuggableRun === run) tick()
         run?.watch = null
         return stepping.reason ?: if (brick.debuggableRun === run) StopReason.TimeUp else StopReason.Ended
