@@ -104,6 +104,9 @@ internal class EcjRewriter {
         val EMPTIED_METHODS = setOf(
             "$COMPILER/lookup/ExternalAnnotationSuperimposer.apply",
             "$COMPILER/lookup/ProblemReferenceBinding.problemReasonString",
+            // What ECJ's command line says while it works, found by reflection; without it the fields of Messages stay null.
+            "$COMPILER/util/Messages.bind",
+            "$COMPILER/util/Messages.initializeMessages",
         )
 
         /**
