@@ -29,6 +29,7 @@ private class SilentRom : Rom {
     override fun call(
         call: RomCall,
         sourceLine: Int,
+        sourceFile: String?,
     ) = Unit
 
     override fun readSensor(

@@ -12,18 +12,24 @@ package robotran.rom
  *
  * A program that fails is shown as leJOS shows an exception that nobody catches, until On-Off is pressed and let go.
  *
- * @param programs the program slots; may be empty.
+ * @param programs the program slots, [MOST_PROGRAMS] at most; may be empty. A slot with null has no program that could run.
+ * @param firstSlot the program that Run starts as long as Prgm was not pressed, from 0.
  * @param air where its infrared light goes and comes from; in one of its own a brick is alone.
  * @param messages the language of the log and of [BrickState.explanation].
  */
 class Brick(
-    programs: List<RcxProgram>,
+    programs: List<RcxProgram?>,
     air: InfraredAir = InfraredAir(),
     messages: BrickMessages = EnglishBrickMessages,
+    firstSlot: Int = 0,
 ) {
+    init {
+        require(programs.size <= MOST_PROGRAMS && firstSlot in 0 until maxOf(1, programs.size)) { "There is no slot for each program." }
+    }
+
     /** The parts themselves, for tests that call the ROM as a program does. */
     internal val hardware = Hardware(air, messages)
-    private val shell = Shell(programs, hardware, messages)
+    private val shell = Shell(programs, hardware, messages, firstSlot)
 
     /** Every ROM call so far, of the program and of the firmware. */
     val log: RomLog get() = hardware.log
@@ -114,11 +120,17 @@ class Brick(
     /** The run of the program, to be looked into; null if none runs or if its language cannot be looked into. */
     val debuggableRun: DebuggableRun? get() = shell.debuggableRun
 
+    /** What a pupil should know about the running program or, if none runs, about the last one. */
+    val remarks: List<ProgramRemark> get() = shell.remarks
+
     companion object {
         /**
          * How many steps of a program fit into a millisecond: an RCX does ten to twenty thousand bytecodes a second (an estimate of its
          * users, nobody has published a measurement), and a statement of Robolang becomes about ten.
          */
         const val STEPS_PER_MILLISECOND = 2
+
+        /** How many programs the brick can hold at once: as many as a LEGO RCX shows numbers for. */
+        const val MOST_PROGRAMS = 5
     }
 }

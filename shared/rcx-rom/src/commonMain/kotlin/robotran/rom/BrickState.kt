@@ -12,7 +12,7 @@ package robotran.rom
  * @property sensors the input ports 1, 2 and 3, in this order, as the firmware read them last.
  * @property batteryMillivolts what the batteries give.
  * @property infrared what the infrared does.
- * @property explanation what the display's numbers mean and what to do now, in whole sentences, where a pupil could not know; otherwise null.
+ * @property explanation what the display's numbers mean, or why the robot stands still, and what to do now, in whole sentences, where a pupil could not know; otherwise null.
  */
 data class BrickState(
     val milliseconds: Long,
@@ -44,8 +44,13 @@ sealed interface RunState {
     /** No program has been started since the brick was switched on. */
     data object Idle : RunState
 
-    /** A program is running; [sourceLine] is the line it is at, from 1, 0 if there is none. */
-    data class Running(val sourceLine: Int) : RunState
+    /**
+     * A program is running.
+     *
+     * @property sourceLine the line it is at, from 1, 0 if there is none.
+     * @property sourceFile the file that the line is in; null if the program has only one.
+     */
+    data class Running(val sourceLine: Int, val sourceFile: String? = null) : RunState
 
     /** The program came to its end, or somebody stopped it. */
     data class Ended(val stopped: Boolean) : RunState

@@ -8,6 +8,18 @@ interface DebuggableRun : ProgramRun {
     /** The variables that the innermost of [callStack] knows, its own first. */
     val variables: List<VariableScope>
 
+    /** The threads that live, in the order of their start; a language without threads has one. */
+    val threads: List<ThreadView> get() = listOf(ThreadView(FIRST_THREAD, callStack.lastOrNull()?.name.orEmpty(), callStack = callStack, isCurrent = true))
+
+    /**
+     * The variables that a routine knows, its own first.
+     *
+     * @param thread the number of one of [threads].
+     * @param frame a place in its call stack, 0 for the innermost. Where there is nothing to be seen, the list is empty.
+     */
+    fun variablesOf(thread: Int, frame: Int): List<VariableScope> =
+        if (thread == FIRST_THREAD && frame == 0) variables else emptyList()
+
     /** How many statements have been begun so far. */
     val statementsBegun: Long
 
@@ -16,18 +28,36 @@ interface DebuggableRun : ProgramRun {
 
     /** Asked before each statement once; null asks nobody. */
     var watch: StatementWatch?
+
+    companion object {
+        /** The number of the thread that a program begins with. */
+        const val FIRST_THREAD = 0
+    }
 }
 
 /** Decides where a [DebuggableRun] stops; as long as it does not, it changes nothing about the run. */
 fun interface StatementWatch {
     /**
-     * Whether the run is to stop: [ProgramRun.resume] returns [ProgramStatus.Paused], and goes on with this statement when called again.
-     *
-     * @param sourceLine the line of the statement about to be executed, from 1.
-     * @param depth how many routines and behaviours it is inside of, 0 in the main program.
+     * Whether the run is to stop: [ProgramRun.resume] returns [ProgramStatus.Paused], and goes on with [statement], which is about to be
+     * executed, when called again.
      */
-    fun pausesBefore(sourceLine: Int, depth: Int): Boolean
+    fun pausesBefore(statement: Statement): Boolean
 }
+
+/**
+ * A statement that is about to be executed.
+ *
+ * @property sourceLine its line, from 1.
+ * @property depth how many routines and behaviours it is inside of, 0 in the main program.
+ * @property thread the number of the thread that executes it.
+ * @property sourceFile the file it stands in; null if the program has only one.
+ */
+data class Statement(
+    val sourceLine: Int,
+    val depth: Int,
+    val thread: Int = DebuggableRun.FIRST_THREAD,
+    val sourceFile: String? = null,
+)
 
 /** How far a step goes. */
 enum class StepKind {
@@ -46,8 +76,9 @@ enum class StepKind {
  *
  * @property name of the routine, of the program, or the word that begins a behaviour.
  * @property sourceLine the line it is at, from 1.
+ * @property sourceFile the file it stands in; null if the program has only one.
  */
-data class CallFrame(val name: String, val sourceLine: Int)
+data class CallFrame(val name: String, val sourceLine: Int, val sourceFile: String? = null)
 
 /**
  * The variables of a routine or of the main program.

@@ -3,9 +3,12 @@ package robotran.rom
 /** The messages in English. */
 object EnglishBrickMessages : BrickMessages {
     override fun failureShown(failure: ProgramFailure): String {
-        val place = if (failure.sourceLine > 0) "Line ${failure.sourceLine}: " else ""
+        val place = failure.place?.let { "$it: " }.orEmpty()
         return "The program cannot go on. $place${failure.message} Press On-Off to go back to the start."
     }
+
+    override fun motorsBrakedAtEnd() = "The program has come to its end, so the brick stopped the motors, as a real one does. " +
+        "To let the robot drive on, let the program go on, too: with a wait, or with a loop that never ends."
 
     override fun unknownRoutine() = "nothing happens, no routine is known here"
 

@@ -29,8 +29,15 @@ internal class Firmware(private val rom: Rom) {
         call(RomAddress.REFRESH_LCD)
     }
 
-    fun showSlot(slot: Int) {
+    /**
+     * Shows the number of the program that Run will start.
+     *
+     * @param standingMan whether the standing man comes, true, or goes, false; null if he is as he should be.
+     */
+    fun showSlot(slot: Int, standingMan: Boolean?) {
         call(RomAddress.SET_LCD_NUMBER, RomCode.LCD_PROGRAM, slot, RomCode.LCD_POINT_NONE)
+        if (standingMan == true) call(RomAddress.SET_LCD_SEGMENT, RomCode.SEGMENT_STANDING_MAN)
+        if (standingMan == false) call(RomAddress.CLEAR_LCD_SEGMENT, RomCode.SEGMENT_STANDING_MAN)
         call(RomAddress.REFRESH_LCD)
     }
 

@@ -14,6 +14,12 @@ interface ProgramRun {
     /** The line about to be executed, or the last one once the run is over; from 1, 0 if there is none. */
     val sourceLine: Int
 
+    /** The file that [sourceLine] is in; null if the program has only one. */
+    val sourceFile: String? get() = null
+
+    /** What a pupil should know about this run so far, though it goes on. */
+    val remarks: List<ProgramRemark> get() = emptyList()
+
     /**
      * Executes at most [steps] steps (a step is a statement or a bytecode) and returns early when the program waits, ends or fails.
      * Must not be called again after [ProgramStatus.Ended] or [ProgramStatus.Failed].
@@ -46,10 +52,29 @@ sealed interface ProgramStatus {
  * @property sourceLine the line it happened on, from 1; 0 if there is none.
  * @property methodNumber what the display shows as its number: in leJOS that of the method's signature, else the line. 0 or more.
  * @property exceptionNumber what the program digit shows, by its last figure: in leJOS that of the exception's class. 0 or more.
+ * @property sourceFile the file it happened in; null if the program has only one.
  */
 data class ProgramFailure(
     val message: String,
     val sourceLine: Int,
     val methodNumber: Int = sourceLine,
     val exceptionNumber: Int = 0,
-)
+    val sourceFile: String? = null,
+) {
+    /** Where it happened in words, such as `Line 7` or `Robot.java, line 7`; null if there is no line. */
+    val place: String?
+        get() = when {
+            sourceLine == 0 -> null
+            sourceFile == null -> "Line $sourceLine"
+            else -> "$sourceFile, line $sourceLine"
+        }
+}
+
+/**
+ * Something a pupil should know about a run, though it goes on.
+ *
+ * @property message a sentence or two in a pupil's words.
+ * @property sourceLine the line it happened on, from 1; 0 if there is none.
+ * @property sourceFile the file it happened in; null if the program has only one.
+ */
+data class ProgramRemark(val message: String, val sourceLine: Int, val sourceFile: String? = null)

@@ -17,8 +17,9 @@ interface Rom {
      * the program goes on.
      *
      * @param sourceLine the line of the program that makes the call, from 1; 0 if there is none (the firmware itself).
+     * @param sourceFile the file that the line is in; null if the program has only one.
      */
-    fun call(call: RomCall, sourceLine: Int)
+    fun call(call: RomCall, sourceLine: Int, sourceFile: String? = null)
 
     /**
      * What the firmware read of a sensor last, at most three milliseconds ago: josx `Sensor.readSensorValue`, which is no ROM call.

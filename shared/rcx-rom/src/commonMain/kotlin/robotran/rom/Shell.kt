@@ -4,9 +4,10 @@ package robotran.rom
  * The leJOS shell: what the buttons do, how a program's run begins and ends, and what happens to messages meanwhile. Source: leJOS `main.c`.
  */
 internal class Shell(
-    private val programs: List<RcxProgram>,
+    private val programs: List<RcxProgram?>,
     private val hardware: Hardware,
     private val messages: BrickMessages,
+    firstSlot: Int,
 ) {
     private val rom = hardware.rom
     private val buttons = hardware.buttons
@@ -15,8 +16,8 @@ internal class Shell(
     private var run: ProgramRun? = null
     private var waitUntil = 0L
     private var pausedSteps = 0
-    private var endingState: RunState = RunState.Idle
-    private var shownFailure: ProgramFailure? = null
+    private val ending = RunEnding(messages)
+    private var earlierRemarks: List<ProgramRemark> = emptyList()
     private val pressedInShell = mutableSetOf<BrickButton>()
     private var runWasHeldWithOnOff = false
     private var powerOffTime = 0L
@@ -26,13 +27,16 @@ internal class Shell(
         private set
 
     /** The program that Run starts, from 0. */
-    var selectedSlot = 0
+    var selectedSlot = firstSlot
         private set
 
-    val runState: RunState get() = run?.let { RunState.Running(it.sourceLine) } ?: endingState
+    val runState: RunState get() = run?.let { RunState.Running(it.sourceLine, it.sourceFile) } ?: ending.state
 
-    /** What the display's numbers mean, where a pupil could not know. */
-    val explanation: String? get() = shownFailure?.let(messages::failureShown)
+    /** What the run has to say, or the last one if none runs. */
+    val remarks: List<ProgramRemark> get() = run?.remarks ?: earlierRemarks
+
+    /** See [RunEnding.explanation]. */
+    val explanation: String? get() = ending.explanation
 
     /** The batteries are in and the firmware is loaded: the first time that the brick is on. */
     fun begin() {
@@ -65,7 +69,7 @@ internal class Shell(
         hardware.wake()
         if (run != null) {
             endProgram()
-        } else if (shownFailure != null) {
+        } else if (ending.shownFailure != null) {
             leaveFailure()
         }
     }
@@ -105,12 +109,12 @@ internal class Shell(
     }
 
     /** Whether the buttons belong to the shell. */
-    private val isReady: Boolean get() = poweredOn && run == null && shownFailure == null
+    private val isReady: Boolean get() = poweredOn && run == null && ending.shownFailure == null
 
     private fun onOffReleased() {
         when {
             !poweredOn -> powerUp()
-            shownFailure != null -> leaveFailure()
+            ending.shownFailure != null -> leaveFailure()
             run != null && runWasHeldWithOnOff -> endProgram()
             else -> powerDown()
         }
@@ -118,48 +122,54 @@ internal class Shell(
 
     private fun selectNextSlot() {
         if (programs.isEmpty()) return
+        val couldRun = selectedProgram != null
         selectedSlot = (selectedSlot + 1) % programs.size
-        firmware.showSlot(selectedSlot)
+        val canRun = selectedProgram != null
+        firmware.showSlot(selectedSlot, standingMan = canRun.takeIf { it != couldRun })
         startIdleTime()
     }
 
     private fun startProgram() {
-        val program = programs.getOrNull(selectedSlot) ?: return
+        val program = selectedProgram ?: return
+        ending.forget()
         firmware.showRunning()
         waitUntil = rom.milliseconds
         run = program.start(rom)
     }
 
     private fun endProgram(stopped: Boolean = true) {
-        leaveProgram(RunState.Ended(stopped))
+        leaveProgram()
+        ending.ended(stopped, hardware.motors.states)
         firmware.controlMotors(MotorMode.BRAKE)
         showReady(SystemSounds.TWO_BEEPS)
     }
 
     /** A real brick lets the motors turn on until On-Off is pressed; here they are braked at once. */
     private fun showFailure(failure: ProgramFailure) {
-        leaveProgram(RunState.Failed(failure))
-        shownFailure = failure
+        leaveProgram()
+        ending.failed(failure)
         firmware.controlMotors(MotorMode.BRAKE)
         firmware.playNow(SystemSounds.BUZZ)
         firmware.showFailure(failure)
     }
 
     private fun leaveFailure() {
-        shownFailure = null
+        ending.leaveFailure()
         showReady(SystemSounds.TWO_BEEPS)
     }
 
+    private val selectedProgram: RcxProgram? get() = programs.getOrNull(selectedSlot)
+
     private fun showReady(sound: Int) {
         firmware.play(sound)
-        firmware.showReady(selectedSlot, programs.isNotEmpty())
+        firmware.showReady(selectedSlot, selectedProgram != null)
         startIdleTime()
     }
 
     private fun answerMessage() {
         when (mailbox.answer()) {
             ShellMailbox.Wish.NONE -> startIdleTime()
-            ShellMailbox.Wish.START -> if (programs.isEmpty()) showReady(SystemSounds.TWO_BEEPS) else startProgram()
+            ShellMailbox.Wish.START -> if (selectedProgram == null) showReady(SystemSounds.TWO_BEEPS) else startProgram()
             ShellMailbox.Wish.UNKNOWN -> showReady(SystemSounds.TWO_BEEPS)
         }
     }
@@ -168,10 +178,10 @@ internal class Shell(
         powerOffTime = rom.milliseconds + IDLE_MILLISECONDS
     }
 
-    private fun leaveProgram(state: RunState) {
+    private fun leaveProgram() {
+        earlierRemarks = remarks
         run = null
         pausedSteps = 0
-        endingState = state
         pressedInShell.clear()
     }
 
@@ -184,8 +194,8 @@ internal class Shell(
     }
 
     private fun powerDown() {
-        leaveProgram(RunState.Idle)
-        shownFailure = null
+        leaveProgram()
+        ending.clear()
         poweredOn = false
         isSwitchingOff = true
         firmware.controlMotors(MotorMode.FLOAT)

@@ -16,9 +16,9 @@ internal class VirtualRom(
 ) : Rom {
     override val milliseconds: Long get() = clock()
 
-    override fun call(call: RomCall, sourceLine: Int) {
+    override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) {
         val effect = perform(call)
-        log.add(RomLogEntry(milliseconds, call, effect.meaning, sourceLine, effect.outcome))
+        log.add(RomLogEntry(milliseconds, call, effect.meaning, sourceLine, effect.outcome, sourceFile))
     }
 
     override fun readSensor(port: Int, request: SensorRequest): Int = sensors.value(port, request)

@@ -2,6 +2,7 @@ package robotran.rom
 
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertFailsWith
 import kotlin.test.assertTrue
 
 class ProgramOnBrickTest {
@@ -74,6 +75,46 @@ class ProgramOnBrickTest {
         brick.tick(2_000)
         assertEquals(1_000, brick.tones().last().durationMilliseconds)
         assertEquals(RunState.Failed(failure), brick.state.run)
+    }
+
+    @Test
+    fun `a program that ends while it drives is told why the robot stops, until the next one begins`() {
+        val brick = started(listOf(calling(RomAddress.CONTROL_MOTOR, MotorPort.A.code, MotorMode.FORWARD.code, 3), waiting(100)))
+        assertEquals(null, brick.state.explanation)
+        brick.tick(200)
+        assertEquals(EnglishBrickMessages.motorsBrakedAtEnd(), brick.state.explanation)
+        brick.push(BrickButton.RUN)
+        assertEquals(null, brick.state.explanation)
+        brick.stopProgram()
+        assertEquals(null, brick.state.explanation)
+    }
+
+    @Test
+    fun `a program that has stopped its motors ends without a word`() {
+        val brick = started(listOf(calling(RomAddress.CONTROL_MOTOR, MotorPort.A.code, MotorMode.BRAKE.code, 3)))
+        brick.tick(200)
+        assertEquals(RunState.Ended(stopped = false), brick.state.run)
+        assertEquals(null, brick.state.explanation)
+    }
+
+    @Test
+    fun `a slot without a program that could run is passed by Prgm and not started by Run`() {
+        val program = ScriptedProgram(emptyList())
+        val brick = Brick(listOf(program, null), firstSlot = 1)
+        brick.tick(10)
+        assertEquals("9.0 1", brick.state.glass.description)
+        brick.push(BrickButton.RUN)
+        assertEquals(RunState.Idle, brick.state.run)
+        brick.push(BrickButton.PRGM)
+        assertEquals("9.0 0, standing man", brick.state.glass.description)
+        brick.push(BrickButton.RUN)
+        assertEquals(1, program.starts)
+    }
+
+    @Test
+    fun `a brick takes five programs and no more`() {
+        Brick(List(Brick.MOST_PROGRAMS) { endlessProgram() })
+        assertFailsWith<IllegalArgumentException> { Brick(List(Brick.MOST_PROGRAMS + 1) { endlessProgram() }) }
     }
 
     @Test

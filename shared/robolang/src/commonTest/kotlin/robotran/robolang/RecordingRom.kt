@@ -21,7 +21,7 @@ internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()
 
     override var milliseconds: Long = 0
 
-    override fun call(call: RomCall, sourceLine: Int) {
+    override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) {
         calls += RecordedCall(milliseconds, call, sourceLine)
         if (call.address == RomAddress.READ_POWER_STATUS) memory.writeShort(call.arguments[1], FULL_BATTERY)
     }

@@ -26,15 +26,3 @@ enum class Quirk {
     /** A thread that wants to wait for another's end, which leJOS never implemented. */
     JOIN_DOES_NOTHING,
 }
-
-/**
- * Something a learner should know about a run, though it goes on.
- *
- * @property message a sentence or two in a learner's words.
- * @property sourceLine the line it happened on, from 1; 0 if there is none.
- */
-data class Remark(
-    val quirk: Quirk,
-    val message: String,
-    val sourceLine: Int,
-)

@@ -1,5 +1,6 @@
 package robotran.tinyvm
 
+import robotran.rom.DebuggableRun
 import robotran.rom.RcxProgram
 import robotran.rom.Rom
 import robotran.tinyvm.link.LinkedProgram
@@ -12,5 +13,5 @@ class TinyVmProgram internal constructor(
     private val mode: TinyVmMode,
     private val messages: RunMessages,
 ) : RcxProgram {
-    override fun start(rom: Rom): JavaRun = TinyVmRun(linked, rom, mode, messages)
+    override fun start(rom: Rom): DebuggableRun = TinyVmRun(linked, rom, mode, messages)
 }

@@ -4,6 +4,7 @@ import robotran.rom.RcxMemory
 import robotran.rom.Rom
 import robotran.rom.RomAddress
 import robotran.rom.RomCall
+import robotran.rom.SensorField
 import robotran.rom.SensorRequest
 
 /** A ROM that remembers what it is told to show, and all calls; its clock is set by hand. */
@@ -23,7 +24,7 @@ internal class ShowingRom : Rom {
 
     override var milliseconds: Long = 0
 
-    override fun call(call: RomCall, sourceLine: Int) {
+    override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) {
         calls += call
         if (call.address == RomAddress.READ_BUTTONS) memory.writeShort(call.arguments[1], 2)
         if (call.address != RomAddress.SET_LCD_NUMBER) return
@@ -35,5 +36,9 @@ internal class ShowingRom : Rom {
 
     override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) {
         sensorValue = mode
+    }
+
+    override fun setSensorValue(port: Int, value: Int, field: SensorField) {
+        sensorValue = value
     }
 }

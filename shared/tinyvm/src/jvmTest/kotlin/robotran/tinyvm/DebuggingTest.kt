@@ -1,6 +1,7 @@
 package robotran.tinyvm
 
 import robotran.rom.CallFrame
+import robotran.rom.DebuggableRun
 import robotran.rom.ProgramStatus
 import robotran.rom.StatementWatch
 import robotran.rom.VariableView
@@ -25,9 +26,9 @@ class DebuggingTest {
         }
     """.trimIndent()
 
-    private fun pausedAt(line: Int): JavaRun {
+    private fun pausedAt(line: Int): DebuggableRun {
         val run = linked(source).start(ShowingRom())
-        run.watch = StatementWatch { at, _ -> at == line }
+        run.watch = StatementWatch { it.sourceLine == line }
         assertIs<ProgramStatus.Paused>(run.resume(100))
         return run
     }
@@ -62,8 +63,8 @@ class DebuggingTest {
     fun `every line is met once`() {
         val met = mutableListOf<Pair<Int, Int>>()
         val run = linked(source).start(ShowingRom())
-        run.watch = StatementWatch { line, depth ->
-            met += line to depth
+        run.watch = StatementWatch {
+            met += it.sourceLine to it.depth
             false
         }
         assertEquals(ProgramStatus.Ended, run.resume(100))

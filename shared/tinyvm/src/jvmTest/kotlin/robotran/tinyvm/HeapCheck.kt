@@ -1,5 +1,6 @@
 package robotran.tinyvm
 
+import robotran.rom.DebuggableRun
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.HeapType
 import robotran.tinyvm.link.LinkedClass
@@ -8,7 +9,7 @@ import robotran.tinyvm.run.TinyVmRun
 import kotlin.test.fail
 
 /** Fails if a reference in the heap or in a static field is none, or one to an object of another type than it should be. */
-internal fun checkHeap(run: JavaRun) {
+internal fun checkHeap(run: DebuggableRun) {
     val machine = (run as TinyVmRun).machine
     val heap = machine.heap
     val byDescriptor = machine.program.types.associateBy { it.descriptor }

@@ -12,8 +12,11 @@ class QuirkTest {
         val body = "int divisor = 70000; show(100000 / divisor);"
         assertEquals(listOf(22), shownBy(body))
         assertEquals(listOf(1), shownBy(body, mode = TinyVmMode.FORGIVING))
-        assertEquals(listOf(Quirk.DIVISOR_OF_16_BITS), ran(body).run.remarks.map { it.quirk })
-        assertEquals(listOf(Quirk.DIVISOR_OF_16_BITS), ran(body, mode = TinyVmMode.FORGIVING).run.remarks.map { it.quirk })
+        assertEquals(listOf(EnglishTinyVmMessages.bites(Quirk.DIVISOR_OF_16_BITS)), ran(body).run.remarks.map { it.message })
+        assertEquals(
+            listOf(EnglishTinyVmMessages.wouldBite(Quirk.DIVISOR_OF_16_BITS)),
+            ran(body, mode = TinyVmMode.FORGIVING).run.remarks.map { it.message },
+        )
     }
 
     @Test

@@ -1,10 +1,11 @@
 package robotran.tinyvm
 
+import robotran.rom.DebuggableRun
 import robotran.rom.ProgramStatus
 import kotlin.test.fail
 
 /** What came of a run. */
-internal class Ran(val rom: ShowingRom, val run: JavaRun, val status: ProgramStatus)
+internal class Ran(val rom: ShowingRom, val run: DebuggableRun, val status: ProgramStatus)
 
 /** The program in [source], linked; fails if it is refused. */
 internal fun linked(source: String, mode: TinyVmMode = TinyVmMode.BRICK): TinyVmProgram =

@@ -73,7 +73,7 @@ fun Session.report(): RunReport {
         lcd = now.brick.glass.text,
         romCalls = now.romCalls,
         traceHash = traceHash,
-        error = (run as? RunState.Failed)?.failure?.let { if (it.sourceLine > 0) "Line ${it.sourceLine}: ${it.message}" else it.message },
+        error = (run as? RunState.Failed)?.failure?.let { failure -> listOfNotNull(failure.place, failure.message).joinToString(": ") },
         goals = emptyList(),
     )
 }

@@ -4,10 +4,12 @@ import robotran.rom.Brick
 import robotran.rom.CallFrame
 import robotran.rom.MemorySnapshot
 import robotran.rom.MotorPort
+import robotran.rom.ProgramRemark
 import robotran.rom.RcxProgram
 import robotran.rom.RomLog
 import robotran.rom.SoundTrack
 import robotran.rom.StepKind
+import robotran.rom.ThreadView
 import robotran.rom.VariableScope
 import robotran.world.physics.PhysicsEngine
 
@@ -20,10 +22,11 @@ import robotran.world.physics.PhysicsEngine
  * be stopped in the middle of one, which then ends as soon as the session goes on or something is done to it. Stopping changes
  * nothing about the session but when its time passes.
  *
- * @param programs the brick's program slots.
+ * @param programs the brick's program slots, see [Brick].
+ * @param firstSlot the program that Run starts as long as Prgm was not pressed, from 0.
  */
-class Session(val world: World, programs: List<RcxProgram>, physics: PhysicsEngine) {
-    private val brick = Brick(programs)
+class Session(val world: World, programs: List<RcxProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) {
+    private val brick = Brick(programs, firstSlot = firstSlot)
     private val simulation = Simulation(world, physics)
     private val hash = TraceHash()
     private val recorded = mutableListOf<RecordedInput>()
@@ -47,8 +50,8 @@ class Session(val world: World, programs: List<RcxProgram>, physics: PhysicsEngi
     /** A hash of the robot's place in every tick and of every ROM call so far, as 16 hexadecimal digits. */
     val traceHash: String get() = hash.text
 
-    /** The lines, from 1, that [runUntilStop] and [stepStatement] stop before. */
-    var breakpoints: Set<Int> = emptySet()
+    /** The lines that [runUntilStop] and [stepStatement] stop before. */
+    var breakpoints: Set<Breakpoint> = emptySet()
 
     /** What the running program is in the middle of, the innermost first; empty if none runs that can be looked into. */
     val callStack: List<CallFrame> get() = brick.debuggableRun?.callStack.orEmpty()
@@ -56,15 +59,27 @@ class Session(val world: World, programs: List<RcxProgram>, physics: PhysicsEngi
     /** The variables that the innermost of [callStack] knows, its own first. */
     val variables: List<VariableScope> get() = brick.debuggableRun?.variables.orEmpty()
 
+    /** The threads of the running program, in the order of their start; empty if none runs that can be looked into. */
+    val threads: List<ThreadView> get() = brick.debuggableRun?.threads.orEmpty()
+
+    /** The variables that the place [frame] in the call stack of the thread with the number [thread] knows, see [threads]; 0 is the innermost. */
+    fun variablesOf(thread: Int, frame: Int): List<VariableScope> = brick.debuggableRun?.variablesOf(thread, frame).orEmpty()
+
+    /** What a pupil should know about the running program or, if none runs, about the last one. */
+    val remarks: List<ProgramRemark> get() = brick.remarks
+
     /** Lets time pass, whatever the breakpoints. */
     fun advance(milliseconds: Int) {
         check(!closed) { "The session is closed." }
         repeat(milliseconds) { tick() }
     }
 
-    /** Lets the program make one step, and all the time pass that it takes, but [milliseconds] at most. */
+    /**
+     * Lets the program make one step, and all the time pass that it takes, but [milliseconds] at most. The step is one of the thread that
+     * is being executed; what others do meanwhile does not end it, unless its own thread cannot come to that any more.
+     */
     fun stepStatement(kind: StepKind, milliseconds: Int = SimulationLimits.LONGEST_STEP_MILLISECONDS): StopReason =
-        brick.debuggableRun?.let { advanceUntilStop(Stepping(it, breakpoints, kind), milliseconds) } ?: StopReason.Ended
+        brick.debuggableRun?.let { advanceUntilStop(Stepping(it, breakpoints, kind, brick.isPaused), milliseconds) } ?: StopReason.Ended
 
     /** Lets [milliseconds] pass, or less if the program comes to a breakpoint or to its end before. With no program, all of them pass. */
     fun runUntilStop(milliseconds: Int): StopReason {
@@ -99,7 +114,7 @@ class Session(val world: World, programs: List<RcxProgram>, physics: PhysicsEngi
         check(!closed) { "The session is closed." }
         val run = brick.debuggableRun
         val end = this.milliseconds + milliseconds
-        run?.watch = stepping
+        run?.watch = stepping.takeIf { it.canStop }
         while (this.milliseconds < end && stepping.reason == null && brick.debuggableRun === run) tick()
         run?.watch = null
         return stepping.reason ?: if (brick.debuggableRun === run) StopReason.TimeUp else StopReason.Ended
@@ -138,12 +153,13 @@ class Session(val world: World, programs: List<RcxProgram>, physics: PhysicsEngi
         /** A new session to which [inputs], in the order of their times, are done again, after [milliseconds]. */
         fun replay(
             world: World,
-            programs: List<RcxProgram>,
+            programs: List<RcxProgram?>,
             physics: PhysicsEngine,
             inputs: List<RecordedInput>,
             milliseconds: Long,
+            firstSlot: Int = 0,
         ): Session {
-            val session = Session(world, programs, physics)
+            val session = Session(world, programs, physics, firstSlot)
             inputs.filter { it.milliseconds <= milliseconds }.forEach { recorded ->
                 session.advanceTo(recorded.milliseconds)
                 session.apply(recorded.input)

@@ -1,31 +1,44 @@
 package robotran.world
 
 import robotran.rom.DebuggableRun
+import robotran.rom.Statement
 import robotran.rom.StatementWatch
 import robotran.rom.StepKind
+import robotran.rom.ThreadActivity
 
 /**
  * Stops [run] at breakpoints and, if a [step] is to be made, behind it. The statement that the run stands before when this is made
  * belongs to the step.
+ *
+ * @param isPaused whether the run was stopped before that statement, so that it does not ask about it again.
  */
 internal class Stepping(
     private val run: DebuggableRun,
-    private val breakpoints: Set<Int>,
+    private val breakpoints: Set<Breakpoint>,
     private val step: StepKind? = null,
+    isPaused: Boolean = false,
 ) : StatementWatch {
-    private val depth = run.callStack.size - 1
-    private val begun = run.statementsBegun
-    private val ownStatements = if (step != null && run.isBeforeStatement) 1 else 0
+    private val thread = run.threads.find { it.isCurrent }
+    private val depth = thread?.callStack.orEmpty().size - 1
+    private var asksOfOwnStatement = step != null && run.isBeforeStatement && !isPaused
+
+    /** Whether there is anything to stop at. */
+    val canStop: Boolean get() = step != null || breakpoints.isNotEmpty()
 
     /** Why the run was stopped, null as long as it was not. */
     var reason: StopReason? = null
         private set
 
-    override fun pausesBefore(sourceLine: Int, depth: Int): Boolean {
+    override fun pausesBefore(statement: Statement): Boolean {
+        val isOwn = statement.thread == thread?.number
+        if (isOwn && asksOfOwnStatement) {
+            asksOfOwnStatement = false
+            return false
+        }
+        val isStepOver = if (isOwn) isStepDone(statement.depth) else isStepGivenUp()
         reason = when {
-            run.statementsBegun - begun < ownStatements -> null
-            isStepDone(depth) -> StopReason.StepDone
-            sourceLine in breakpoints -> StopReason.Breakpoint(sourceLine)
+            isStepOver -> StopReason.StepDone
+            isBreakpoint(statement) -> StopReason.Breakpoint(statement.sourceLine, statement.sourceFile)
             else -> null
         }
         return reason != null
@@ -36,5 +49,16 @@ internal class Stepping(
         StepKind.OVER -> depth <= this.depth
         StepKind.OUT -> depth < this.depth
         null -> false
+    }
+
+    /** Whether the thread of the step will not come to the step's end, or, for a step into whatever comes next, not now. */
+    private fun isStepGivenUp(): Boolean {
+        if (step == null) return false
+        val now = run.threads.find { it.number == thread?.number } ?: return true
+        return step == StepKind.INTO && now.activity != ThreadActivity.RUNNABLE
+    }
+
+    private fun isBreakpoint(statement: Statement): Boolean = breakpoints.any {
+        it.line == statement.sourceLine && (it.sourceFile == null || it.sourceFile == statement.sourceFile)
     }
 }

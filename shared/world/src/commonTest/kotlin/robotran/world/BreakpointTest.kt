@@ -11,14 +11,14 @@ class BreakpointTest {
     @Test
     fun `a breakpoint on a line without a statement never stops`() = runTest {
         val session = startedForDebugging("beep\n\n// a comment\nif false\n  beep\nelse\n  beep\nend\nbeep")
-        session.breakpoints = setOf(2, 3, 6, 8, 12)
+        session.breakpoints = setOf(Breakpoint(2), Breakpoint(3), Breakpoint(6), Breakpoint(8), Breakpoint(12))
         assertEquals(StopReason.Ended, session.runUntilStop(1_000))
     }
 
     @Test
     fun `a breakpoint stops again at each call and each round`() = runTest {
         val session = startedForDebugging("procedure p()\n  beep\nend\nrepeat 2 times\n  p()\nend\np()")
-        session.breakpoints = setOf(2)
+        session.breakpoints = setOf(Breakpoint(2))
         repeat(3) { assertEquals(StopReason.Breakpoint(2), session.runUntilStop(1_000)) }
         assertEquals(StopReason.Ended, session.runUntilStop(1_000))
     }
@@ -27,7 +27,7 @@ class BreakpointTest {
     fun `a breakpoint set while the program runs stops it from then on`() = runTest {
         val session = startedForDebugging("repeat forever\n  wait 10 milliseconds\n  beep\nend")
         assertEquals(StopReason.TimeUp, session.runUntilStop(105))
-        session.breakpoints = setOf(3)
+        session.breakpoints = setOf(Breakpoint(3))
         assertEquals(StopReason.Breakpoint(3), session.runUntilStop(1_000))
         session.breakpoints = emptySet()
         assertEquals(StopReason.TimeUp, session.runUntilStop(100))

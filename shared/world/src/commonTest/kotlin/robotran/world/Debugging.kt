@@ -31,6 +31,6 @@ internal fun Session.lines(vararg steps: StepKind): List<Int> = steps.map { step
 
 /** Goes on to a breakpoint on [line]. */
 internal fun Session.runTo(line: Int) {
-    breakpoints = setOf(line)
+    breakpoints = setOf(Breakpoint(line))
     assertEquals(StopReason.Breakpoint(line), runUntilStop(10_000))
 }

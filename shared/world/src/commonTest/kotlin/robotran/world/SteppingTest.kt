@@ -54,7 +54,7 @@ class SteppingTest {
     @Test
     fun `a breakpoint in a loop stops in every round`() = runTest {
         val session = started("repeat 3 times\n  beep\n  wait 50 milliseconds\nend\nshow 1")
-        session.breakpoints = setOf(3)
+        session.breakpoints = setOf(Breakpoint(3))
         val times = (1..3).map {
             assertEquals(StopReason.Breakpoint(3), session.runUntilStop(1_000))
             assertEquals(3, session.line())
@@ -69,7 +69,7 @@ class SteppingTest {
     fun `a breakpoint on the first line stops before anything happens`() = runTest {
         val session = started("beep")
         val calls = session.state.romCalls
-        session.breakpoints = setOf(1)
+        session.breakpoints = setOf(Breakpoint(1))
         assertEquals(StopReason.Breakpoint(1), session.runUntilStop(1_000))
         assertEquals(calls, session.state.romCalls)
     }
@@ -77,7 +77,7 @@ class SteppingTest {
     @Test
     fun `a run with no stop on its way ends with its time`() = runTest {
         val session = started("wait 5 seconds")
-        session.breakpoints = setOf(7)
+        session.breakpoints = setOf(Breakpoint(7))
         assertEquals(StopReason.TimeUp, session.runUntilStop(300))
         assertEquals(300, session.state.milliseconds)
     }
@@ -96,7 +96,7 @@ class SteppingTest {
         val source = "repeat 4 times\n  beep\n  forward 2\n  show 1\n  show 2\n  turn left 90\nend"
         val straight = started(source).apply { advance(9_000) }
         val stepped = started(source)
-        stepped.breakpoints = setOf(4)
+        stepped.breakpoints = setOf(Breakpoint(4))
         while (stepped.runUntilStop(9_000) != StopReason.Ended) {
             stepped.stepStatement(StepKind.INTO)
             stepped.stepStatement(StepKind.INTO, milliseconds = 1)
@@ -142,7 +142,7 @@ class SteppingTest {
     @Test
     fun `the call stack names each call with its line`() = runTest {
         val session = started("function fall(n)\n  if n == 0\n    return 0\n  end\n  return fall(n - 1)\nend\nshow fall(2)")
-        session.breakpoints = setOf(3)
+        session.breakpoints = setOf(Breakpoint(3))
         assertEquals(StopReason.Breakpoint(3), session.runUntilStop(100))
         val expected = listOf(CallFrame("fall", 3), CallFrame("fall", 5), CallFrame("fall", 5), CallFrame("test", 7))
         assertEquals(expected, session.callStack)
@@ -155,7 +155,7 @@ class SteppingTest {
                 "procedure go(way)\n  var half = way / 2.0\n  beep\n  show half\nend\n" +
                 "show side + length(tones)\nif not found\n  go(5)\nend",
         )
-        session.breakpoints = setOf(6)
+        session.breakpoints = setOf(Breakpoint(6))
         assertEquals(StopReason.Breakpoint(6), session.runUntilStop(100))
         val routine = VariableScope("go", listOf(VariableView("way", "5"), VariableView("half", "2.5")))
         val main = VariableScope(

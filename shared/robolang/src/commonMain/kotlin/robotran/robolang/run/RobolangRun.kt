@@ -7,6 +7,7 @@ import robotran.rom.DebuggableRun
 import robotran.rom.ProgramFailure
 import robotran.rom.ProgramStatus
 import robotran.rom.Rom
+import robotran.rom.Statement
 import robotran.rom.StatementWatch
 import robotran.rom.VariableScope
 
@@ -92,6 +93,6 @@ internal class RobolangRun(
         val watch = watch
         if (watch == null || isPassed) return false
         isPassed = true
-        return watch.pausesBefore(statement.line, arbiter.depthOf(activity))
+        return watch.pausesBefore(Statement(statement.line, arbiter.depthOf(activity)))
     }
 }

@@ -76,7 +76,7 @@ private class CountingRom : Rom {
 
     override var milliseconds = 0L
 
-    override fun call(call: RomCall, sourceLine: Int) {
+    override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) {
         calls += "$milliseconds $call $sourceLine"
     }
 

@@ -4,6 +4,7 @@ package robotran.tinyvm.classfile
  * A class as its file describes it. Names are internal ones, with slashes.
  *
  * @property superName null only for `java/lang/Object`.
+ * @property sourceFile the file its source stands in, without folders; null if it does not say.
  */
 internal class ClassFile(
     val name: String,
@@ -13,6 +14,7 @@ internal class ClassFile(
     val fields: List<FieldEntry>,
     val methods: List<MethodEntry>,
     val constants: ConstantPool,
+    val sourceFile: String?,
 ) {
     val isInterface: Boolean get() = flags and AccessFlag.INTERFACE != 0
 }

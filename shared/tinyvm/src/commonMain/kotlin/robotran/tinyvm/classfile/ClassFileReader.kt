@@ -38,9 +38,12 @@ private class ClassFileReader(private val reader: ByteReader, private val consta
         val interfaces = List(reader.unsignedShort()) { constants.className(reader.unsignedShort()) }
         val fields = List(reader.unsignedShort()) { readField() }
         val methods = List(reader.unsignedShort()) { readMethod() }
-        readAttributes(reader) { _, _ -> }
+        var sourceFile: String? = null
+        readAttributes(reader) { attribute, content ->
+            if (attribute == "SourceFile") sourceFile = constants.text(content.unsignedShort())
+        }
         if (name.isEmpty() || name.startsWith("[")) damaged("a class without a name")
-        return ClassFile(name, superName, flags, interfaces, fields, methods, constants)
+        return ClassFile(name, superName, flags, interfaces, fields, methods, constants, sourceFile)
     }
 
     private fun readField(): FieldEntry {

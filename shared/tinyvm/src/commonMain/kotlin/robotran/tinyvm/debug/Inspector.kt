@@ -1,10 +1,11 @@
 package robotran.tinyvm.debug
 
 import robotran.rom.CallFrame
+import robotran.rom.Statement
+import robotran.rom.ThreadActivity
+import robotran.rom.ThreadView
 import robotran.rom.VariableScope
 import robotran.rom.VariableView
-import robotran.tinyvm.ThreadActivity
-import robotran.tinyvm.ThreadView
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.run.Frame
 import robotran.tinyvm.run.Heap
@@ -16,7 +17,8 @@ import robotran.tinyvm.run.VmThread
 internal class Inspector(private val machine: Machine) {
     private val values = ValueTexts(machine)
 
-    fun threadView(thread: VmThread) = ThreadView(
+    fun threadView(thread: VmThread, isCurrent: Boolean) = ThreadView(
+        thread.number,
         if (thread.isMain) "main" else (machine.heap.typeOf(thread.reference) as LinkedClass).sourceName,
         thread.priority,
         thread.isDaemon,
@@ -27,25 +29,27 @@ internal class Inspector(private val machine: Machine) {
             else -> ThreadActivity.RUNNABLE
         },
         callStack(thread),
+        isCurrent,
     )
+
+    /** The statement on [line] that [thread] stands before. */
+    fun statementOf(thread: VmThread, line: Int): Statement {
+        val depth = thread.callStack.count { it.method.owner.isOfProgram } - 1
+        return Statement(line, depth, thread.number, thread.frame.method.owner.sourceFile)
+    }
 
     /** The program's own methods that [thread] is inside of, the innermost first. */
     fun callStack(thread: VmThread?): List<CallFrame> = ownFrames(thread).map {
-        CallFrame(
-            nameOf(it),
-            if (it ===
-                thread?.frame
-            ) {
-                it.upcomingLine
-            } else {
-                it.line
-            },
-        )
+        val line = if (it === thread?.frame) it.upcomingLine else it.line
+        CallFrame(nameOf(it), line, it.method.owner.sourceFile)
     }
 
-    /** What the innermost own method of [thread] knows: its variables, the fields of `this`, the static fields of its class. */
-    fun variables(thread: VmThread?): List<VariableScope> {
-        val frame = ownFrames(thread).firstOrNull() ?: return emptyList()
+    /**
+     * What the own method at the place [index] of the call stack of [thread] knows: its variables, the fields of `this`, the static fields of
+     * its class.
+     */
+    fun variables(thread: VmThread?, index: Int): List<VariableScope> {
+        val frame = ownFrames(thread).getOrNull(index) ?: return emptyList()
         val owner = frame.method.owner
         val statics = owner.fields.filter { it.isStatic }.map { VariableView(it.name, values.of(it.descriptor, machine.statics[it.slot])) }
         return listOf(

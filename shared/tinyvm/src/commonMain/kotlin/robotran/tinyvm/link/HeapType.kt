@@ -39,6 +39,7 @@ internal class ArrayType(id: Int, descriptor: String, val element: HeapType?, pr
  *
  * @property number its place among the classes of a program, in the order in which they were met.
  * @property isOfProgram false for the classes of the library.
+ * @property sourceFile the file its source stands in; null if that goes without saying.
  */
 internal class LinkedClass(
     id: Int,
@@ -47,6 +48,7 @@ internal class LinkedClass(
     val superclass: LinkedClass?,
     val interfaces: List<LinkedClass>,
     val isOfProgram: Boolean,
+    val sourceFile: String? = null,
 ) : HeapType(id, "L${file.name};") {
     val name: String get() = file.name
 

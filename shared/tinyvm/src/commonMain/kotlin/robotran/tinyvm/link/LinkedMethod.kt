@@ -10,9 +10,9 @@ import robotran.tinyvm.classfile.MethodEntry
  * A method with its place.
  *
  * @property number its place among all methods of a program.
- * @property numberInClass its place among the methods of its class, which a brick shows when nobody catches an exception.
+ * @property signatureNumber the number of its name and descriptor among all of a program, which a brick shows when nobody catches an exception.
  */
-internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val number: Int, val numberInClass: Int) {
+internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val number: Int, val signatureNumber: Int) {
     val name: String get() = entry.name
     val descriptor: String get() = entry.descriptor
     val signature: String = entry.name + entry.descriptor

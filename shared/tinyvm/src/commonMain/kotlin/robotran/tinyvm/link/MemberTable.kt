@@ -11,6 +11,7 @@ import robotran.tinyvm.classfile.FieldEntry
 internal class MemberTable(private val messages: LinkMessages) {
     private val allMethods = ArrayList<LinkedMethod>()
     private val allStatics = ArrayList<LinkedField>()
+    private val signatureNumbers = HashMap<String, Int>()
     private val interfaceNumbers = HashMap<String, Int>()
 
     val methods: List<LinkedMethod> get() = allMethods
@@ -73,8 +74,9 @@ internal class MemberTable(private val messages: LinkMessages) {
 
     private fun placeMethods(linked: LinkedClass, place: Place) {
         val virtual = linked.superclass?.virtualMethods.orEmpty().toMutableList()
-        linked.methods = linked.file.methods.mapIndexed { index, entry ->
-            val method = LinkedMethod(linked, entry, allMethods.size, index)
+        linked.methods = linked.file.methods.map { entry ->
+            val signature = signatureNumbers.getOrPut(entry.name + entry.descriptor) { signatureNumbers.size }
+            val method = LinkedMethod(linked, entry, allMethods.size, signature)
             allMethods += method
             if (method.argumentWords > TinyVmLimits.PARAMETERS) {
                 Place(linked.name, method.name).refuse(messages.tooMany(Counted.PARAMETERS, TinyVmLimits.PARAMETERS))

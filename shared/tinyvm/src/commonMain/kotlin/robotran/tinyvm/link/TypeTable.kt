@@ -60,7 +60,7 @@ internal class TypeTable(private val files: ClassFiles, private val messages: Li
         val superclass = file.superName?.let { classNamed(it, own) }
         val interfaces = file.interfaces.map { classNamed(it, own) }
         if (superclass?.isInterface == true || interfaces.any { !it.isInterface }) own.unsound(messages)
-        val linked = LinkedClass(allTypes.size, allClasses.size, file, superclass, interfaces, files.isOwn(name))
+        val linked = LinkedClass(allTypes.size, allClasses.size, file, superclass, interfaces, files.isOwn(name), files.sourceFileOf(name))
         if (linked.ancestorCount > TinyVmLimits.ANCESTORS) own.refuse(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
         add(linked)
         allClasses += linked

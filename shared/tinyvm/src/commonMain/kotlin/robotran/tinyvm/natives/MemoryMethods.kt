@@ -41,5 +41,6 @@ internal val memoryMethods: Map<String, NativeMethod> = (0..MOST_ARGUMENTS).asso
 private fun callRom(machine: Machine, thread: VmThread, first: Int, arguments: Int) {
     val words = List(arguments) { thread.stack[first + 1 + it] and WORD }
     val line = machine.lineOf(thread)
-    machine.arrays.around(words) { machine.rom.call(RomCall(thread.stack[first] and WORD, words), line) }
+    val file = machine.fileOf(thread)
+    machine.arrays.around(words) { machine.rom.call(RomCall(thread.stack[first] and WORD, words), line, file) }
 }

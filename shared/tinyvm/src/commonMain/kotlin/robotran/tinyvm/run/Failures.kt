@@ -17,16 +17,13 @@ internal class Failures(private val machine: Machine, private val messages: RunM
     var first: ProgramFailure? = null
         private set
 
-    /** Where it was thrown, 0 as long as there is none. */
-    val lastLine: Int get() = first?.sourceLine ?: 0
-
     /** Takes note of [exception], which nobody in [thread] catches. */
     fun add(thread: VmThread, exception: Int) {
         val type = machine.heap.typeOf(exception) as LinkedClass
-        val method = if (thread.depth > 0) thread.frame.method.number else 0
+        val method = if (thread.depth > 0) thread.frame.method.signatureNumber else 0
         if (first == null) {
             val message = messages.uncaught(type.sourceName.substringAfterLast('.'), textOf(exception), method, type.number)
-            first = ProgramFailure(message, machine.lineOf(thread))
+            first = ProgramFailure(message, machine.lineOf(thread), method, type.number, machine.fileOf(thread))
         }
         if (machine.scheduler.threads.any { it !== thread && !it.isDaemon }) show(method, type.number)
     }

@@ -1,5 +1,6 @@
 package robotran.tinyvm.run
 
+import robotran.rom.Statement
 import robotran.rom.StatementWatch
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.LinkedClass
@@ -35,8 +36,8 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
     /** Asked before each statement once. */
     var watch: StatementWatch? = null
 
-    /** How deep a thread is inside the program's own methods, for [watch]. */
-    var depthOf: (VmThread) -> Int = { 0 }
+    /** What [watch] is told of the statement on a line that a thread stands before. */
+    var statementOf: (VmThread, Int) -> Statement = { _, line -> Statement(line, 0) }
 
     /** Goes on with [thread], which is ready. */
     fun run(thread: VmThread) {
@@ -75,7 +76,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
         val watch = watch
         if (watch != null && !isPassed) {
             isPassed = true
-            if (watch.pausesBefore(line, depthOf(thread))) return false
+            if (watch.pausesBefore(statementOf(thread, line))) return false
         }
         isPassed = false
         statementsBegun++

@@ -51,9 +51,14 @@ internal class Machine(val program: LinkedProgram, val rom: Rom, val mode: TinyV
     /** The line of the program that the current thread is at, 0 if it is in none. */
     val sourceLine: Int get() = current?.let { lineOf(it) } ?: 0
 
-    fun lineOf(thread: VmThread): Int = thread.callStack.firstOrNull { it.method.owner.isOfProgram }?.line ?: 0
+    fun lineOf(thread: VmThread): Int = ownFrameOf(thread)?.line ?: 0
 
-    fun remark(quirk: Quirk) = remarks.add(quirk, sourceLine)
+    /** The file that [lineOf] is in, null if the program has only one. */
+    fun fileOf(thread: VmThread): String? = ownFrameOf(thread)?.method?.owner?.sourceFile
+
+    private fun ownFrameOf(thread: VmThread): Frame? = thread.callStack.firstOrNull { it.method.owner.isOfProgram }
+
+    fun remark(quirk: Quirk) = remarks.add(quirk, sourceLine, current?.let { fileOf(it) })
 
     /** The object of a built-in exception. It is made beforehand, so throwing it takes no memory. */
     fun exception(kind: BuiltInException): Int = exceptions[kind.ordinal]

@@ -1,20 +1,22 @@
 package robotran.tinyvm.run
 
+import robotran.rom.ProgramRemark
 import robotran.tinyvm.Quirk
-import robotran.tinyvm.Remark
 import robotran.tinyvm.RunMessages
 import robotran.tinyvm.TinyVmLimits
 import robotran.tinyvm.TinyVmMode
 
 /** What a learner is told of a run, each thing once a line. */
 internal class Remarks(private val mode: TinyVmMode, private val messages: RunMessages) {
-    private val remarks = LinkedHashMap<Pair<Quirk, Int>, Remark>()
+    private val places = HashSet<Triple<Quirk, Int, String?>>()
 
-    val all: List<Remark> get() = remarks.values.toList()
+    /** All so far; a new list with each that comes. */
+    var all: List<ProgramRemark> = emptyList()
+        private set
 
-    fun add(quirk: Quirk, line: Int) {
-        if (remarks.size == TinyVmLimits.REMARKS || quirk to line in remarks) return
+    fun add(quirk: Quirk, line: Int, file: String?) {
+        if (all.size == TinyVmLimits.REMARKS || !places.add(Triple(quirk, line, file))) return
         val message = if (mode == TinyVmMode.BRICK) messages.bites(quirk) else messages.wouldBite(quirk)
-        remarks[quirk to line] = Remark(quirk, message, line)
+        all = all + ProgramRemark(message, line, file)
     }
 }

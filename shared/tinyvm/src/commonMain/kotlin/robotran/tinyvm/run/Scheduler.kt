@@ -10,6 +10,7 @@ import robotran.tinyvm.TinyVmLimits
 internal class Scheduler(private val monitors: Monitors, private val clock: () -> Long) {
     private val living = ArrayList<VmThread>()
     private var last = -1
+    private var started = 0
 
     /** The threads that were started and have not ended, in the order of their start. */
     val threads: List<VmThread> get() = living
@@ -21,6 +22,7 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
 
     fun start(thread: VmThread) {
         thread.state = ThreadState.READY
+        thread.number = started++
         living += thread
     }
 

@@ -1,14 +1,14 @@
 package robotran.tinyvm.run
 
 import robotran.rom.CallFrame
+import robotran.rom.DebuggableRun
+import robotran.rom.ProgramRemark
 import robotran.rom.ProgramStatus
 import robotran.rom.Rom
 import robotran.rom.StatementWatch
+import robotran.rom.ThreadView
 import robotran.rom.VariableScope
-import robotran.tinyvm.JavaRun
-import robotran.tinyvm.Remark
 import robotran.tinyvm.RunMessages
-import robotran.tinyvm.ThreadView
 import robotran.tinyvm.TinyVmMode
 import robotran.tinyvm.debug.Inspector
 import robotran.tinyvm.link.LinkedProgram
@@ -21,7 +21,7 @@ internal class TinyVmRun(
     private val rom: Rom,
     mode: TinyVmMode,
     messages: RunMessages,
-) : JavaRun {
+) : DebuggableRun {
     internal val machine = Machine(program, rom, mode, messages)
     private val failures = Failures(machine, messages)
     private val calls = Calls(machine, nativesOf(program), failures::add)
@@ -36,15 +36,20 @@ internal class TinyVmRun(
 
     override val statementsBegun: Long get() = interpreter.statementsBegun
 
-    override val remarks: List<Remark> get() = machine.remarks.all
+    override val remarks: List<ProgramRemark> get() = machine.remarks.all
 
-    override val threads: List<ThreadView> get() = machine.scheduler.threads.map { inspector.threadView(it) }
+    override val threads: List<ThreadView> get() = machine.scheduler.threads.map { inspector.threadView(it, isCurrent = it === focus) }
 
     override val callStack: List<CallFrame> get() = inspector.callStack(focus)
 
-    override val variables: List<VariableScope> get() = inspector.variables(focus)
+    override val variables: List<VariableScope> get() = inspector.variables(focus, 0)
 
-    override val sourceLine: Int get() = callStack.firstOrNull()?.sourceLine ?: failures.lastLine
+    override fun variablesOf(thread: Int, frame: Int): List<VariableScope> =
+        inspector.variables(machine.scheduler.threads.find { it.number == thread }, frame)
+
+    override val sourceLine: Int get() = callStack.firstOrNull()?.sourceLine ?: failures.first?.sourceLine ?: 0
+
+    override val sourceFile: String? get() = callStack.firstOrNull()?.sourceFile ?: failures.first?.sourceFile
 
     override val isBeforeStatement: Boolean
         get() = focus?.takeIf { it.depth > 0 }?.frame?.isBeforeStatement ?: false
@@ -53,7 +58,7 @@ internal class TinyVmRun(
     private val focus: VmThread? get() = machine.current?.takeIf { it.isAlive } ?: machine.scheduler.threads.firstOrNull()
 
     init {
-        interpreter.depthOf = { inspector.callStack(it).size - 1 }
+        interpreter.statementOf = inspector::statementOf
         machine.startMain()
     }
 

@@ -22,6 +22,9 @@ internal class VmThread(val reference: Int, var priority: Int, val isMain: Boole
     private val frames = ArrayList<Frame>()
 
     var state = ThreadState.NEW
+
+    /** Which one it is of all threads that were started, from 0. */
+    var number = 0
     var isDaemon = false
     var isInterrupted = false
 

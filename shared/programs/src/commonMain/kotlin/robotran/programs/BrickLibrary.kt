@@ -1,0 +1,10 @@
+package robotran.programs
+
+import robotran.lejos.LejosLibrary
+
+/** The class files of leJOS, always the same map, so that the compiler reads them once. */
+internal object BrickLibrary {
+    val classFiles: Map<String, ByteArray> by lazy {
+        LejosLibrary.classNames.associateWith { checkNotNull(LejosLibrary.classFile(it)) }
+    }
+}

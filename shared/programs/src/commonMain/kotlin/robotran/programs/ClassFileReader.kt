@@ -1,0 +1,34 @@
+package robotran.programs
+
+import robotran.tinyvm.Refusal
+import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.linkTinyVm
+
+/** Links class files, from our own compiler or from another. */
+internal class ClassFileReader(private val settings: JavaSettings) {
+    fun read(source: ProgramSource.ClassFiles): ProgramResult = link(source.name, source.classFiles, source.mainClass) { null }
+
+    /** @param fileOf the source that a refused class is in, null if that is not known. */
+    fun link(name: String, classFiles: Map<String, ByteArray>, mainClass: String?, fileOf: (Refusal) -> String?): ProgramResult {
+        val result = linkTinyVm(name, classFiles, BrickLibrary.classFiles, mainClass, settings.mode, settings.speed)
+        return when (result) {
+            is TinyVmResult.Ready -> ProgramResult.Ready(result.program)
+            is TinyVmResult.Refused -> ProgramResult.Mistaken(listOf(mistakeOf(result.refusal, fileOf(result.refusal))))
+        }
+    }
+
+    private fun mistakeOf(refusal: Refusal, file: String?): Mistake {
+        val place = listOfNotNull(refusal.className.ifEmpty { null }, refusal.methodName).joinToString(".")
+        val line = refusal.sourceLine.takeIf { it > 0 }
+        return Mistake(
+            file = file ?: place,
+            range = line?.let { TextRange(it, FIRST_COLUMN, FIRST_COLUMN) },
+            message = if (file == null || place.isEmpty()) refusal.message else "$place: ${refusal.message}",
+        )
+    }
+
+    private companion object {
+        /** A class file knows lines, but no columns. */
+        const val FIRST_COLUMN = 1
+    }
+}

@@ -1,0 +1,50 @@
+package robotran.programs
+
+import robotran.java.CompilationResult
+import robotran.java.JavaCompiler
+import robotran.java.JavaDiagnostic
+import robotran.java.JavaRange
+import robotran.java.JavaSource
+
+/** Compiles and links leJOS programs. */
+internal class JavaReader(
+    private val compiler: JavaCompiler,
+    private val classFiles: ClassFileReader,
+) {
+    fun read(source: ProgramSource.Java): ProgramResult {
+        val files = source.files.map { JavaSource(it.name, it.text) }
+        return when (val result = compiler.compile(files, BrickLibrary.classFiles)) {
+            is CompilationResult.Refused -> ProgramResult.Mistaken(result.diagnostics.map(::mistakeOf))
+            is CompilationResult.Compiled -> link(source, result)
+        }
+    }
+
+    private fun link(source: ProgramSource.Java, compiled: CompilationResult.Compiled): ProgramResult {
+        val first = source.files.firstOrNull()?.name.orEmpty()
+        val mainClass = mainClassOf(first, compiled.mainClasses) ?: return ProgramResult.Mistaken(listOf(Mistake(first, null, NO_MAIN)))
+        val linked = classFiles.link(source.name, compiled.classes, mainClass) { source.files.singleOrNull()?.name }
+        return when (linked) {
+            is ProgramResult.Ready -> linked.copy(warnings = compiled.warnings.map(::mistakeOf))
+            is ProgramResult.Mistaken -> linked
+        }
+    }
+
+    private fun mainClassOf(file: String, candidates: List<String>): String? {
+        val expected = file.removeSuffix(".java")
+        return candidates.firstOrNull { it.substringAfterLast('/') == expected } ?: candidates.firstOrNull()
+    }
+
+    private fun mistakeOf(diagnostic: JavaDiagnostic) = Mistake(
+        diagnostic.path,
+        rangeOf(diagnostic.range),
+        listOfNotNull(diagnostic.message, diagnostic.hint).joinToString(" "),
+        diagnostic.fix?.let { TextFix(rangeOf(it.range), it.replacement) },
+    )
+
+    private fun rangeOf(range: JavaRange) = TextRange(range.line, range.column, range.endColumn)
+
+    private companion object {
+        const val NO_MAIN = "The brick does not know where to begin: no class has a method main. " +
+            "Write one: public static void main(String[] args) { }, with your program between the braces."
+    }
+}

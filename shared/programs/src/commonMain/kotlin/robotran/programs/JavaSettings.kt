@@ -1,0 +1,15 @@
+package robotran.programs
+
+import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.TinyVmSpeed
+
+/**
+ * How Java programs run.
+ *
+ * @property mode with all the peculiarities of a brick, or as the Java language says.
+ * @property speed that of a brick, or as much as the machine gives.
+ */
+data class JavaSettings(
+    val mode: TinyVmMode = TinyVmMode.BRICK,
+    val speed: TinyVmSpeed = TinyVmSpeed.BRICK,
+)

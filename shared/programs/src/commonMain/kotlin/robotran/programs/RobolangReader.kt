@@ -1,0 +1,25 @@
+package robotran.programs
+
+import robotran.robolang.Calibration
+import robotran.robolang.Diagnostic
+import robotran.robolang.RobolangResult
+import robotran.robolang.SourceRange
+import robotran.robolang.readRobolang
+
+/** Reads programs in Robolang. */
+internal class RobolangReader(private val calibration: Calibration) {
+    fun read(source: ProgramSource.Robolang): ProgramResult =
+        when (val result = readRobolang(source.name, source.text, calibration)) {
+            is RobolangResult.Ready -> ProgramResult.Ready(result.program, result.warnings.map { mistakeOf(source.name, it) })
+            is RobolangResult.Mistaken -> ProgramResult.Mistaken(result.diagnostics.map { mistakeOf(source.name, it) })
+        }
+
+    private fun mistakeOf(file: String, diagnostic: Diagnostic) = Mistake(
+        file,
+        rangeOf(diagnostic.range),
+        diagnostic.message,
+        diagnostic.fix?.let { TextFix(rangeOf(it.range), it.replacement) },
+    )
+
+    private fun rangeOf(range: SourceRange) = TextRange(range.line, range.column, range.endColumn)
+}
