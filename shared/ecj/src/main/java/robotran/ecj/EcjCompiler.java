@@ -175,6 +175,8 @@ public final class EcjCompiler {
         for (String attribute : DEBUGGING) {
             settings.put(attribute, CompilerOptions.GENERATE);
         }
+        // A debugger shows variables, also those that nothing reads.
+        settings.put(CompilerOptions.OPTION_PreserveUnusedLocal, CompilerOptions.PRESERVE);
         for (String warning : WARNINGS) {
             settings.put(warning, CompilerOptions.WARNING);
         }

@@ -16,7 +16,7 @@ internal class EcjRewriter {
     private val seen = mutableSetOf<String>()
 
     /** The methods that should have been changed but were not met. */
-    val missing: Set<String> get() = EMPTIED_METHODS + TEXT_CONSTANT - seen
+    val missing: Set<String> get() = EMPTIED_METHODS + TEXT_CONSTANT + FILE_READING - seen
 
     fun rewrite(classFile: ByteArray): ByteArray {
         val reader = ClassReader(classFile)
@@ -39,6 +39,7 @@ internal class EcjRewriter {
             return when (method) {
                 in EMPTIED_METHODS -> Emptied(target, Type.getArgumentsAndReturnSizes(descriptor) shr 2, Type.getReturnType(descriptor))
                 TEXT_CONSTANT -> BoundedText(target)
+                FILE_READING -> ReadingByByte(target)
                 else -> WithoutThreads(target)
             }
         }
@@ -59,6 +60,40 @@ internal class EcjRewriter {
                 target.visitInsn(Opcodes.ARETURN)
             }
             target.visitMaxs(1, parameters)
+            target.visitEnd()
+        }
+    }
+
+    /**
+     * Reads a stream, the method's first parameter, byte by byte into a `ByteArrayOutputStream`: that of a TeaVM resource forgets some
+     * bytes if it is to put them anywhere but at the beginning of an array.
+     */
+    private class ReadingByByte(private val target: MethodVisitor) : MethodVisitor(Opcodes.ASM9) {
+        override fun visitCode() {
+            val next = Label()
+            val end = Label()
+            target.visitCode()
+            target.visitTypeInsn(Opcodes.NEW, BYTES)
+            target.visitInsn(Opcodes.DUP)
+            target.visitMethodInsn(Opcodes.INVOKESPECIAL, BYTES, "<init>", "()V", false)
+            target.visitVarInsn(Opcodes.ASTORE, READ_BYTES)
+            target.visitLabel(next)
+            target.visitFrame(Opcodes.F_APPEND, 1, arrayOf(BYTES), 0, null)
+            target.visitVarInsn(Opcodes.ALOAD, 0)
+            target.visitMethodInsn(Opcodes.INVOKEVIRTUAL, "java/io/InputStream", "read", "()I", false)
+            target.visitInsn(Opcodes.DUP)
+            target.visitJumpInsn(Opcodes.IFLT, end)
+            target.visitVarInsn(Opcodes.ALOAD, READ_BYTES)
+            target.visitInsn(Opcodes.SWAP)
+            target.visitMethodInsn(Opcodes.INVOKEVIRTUAL, BYTES, "write", "(I)V", false)
+            target.visitJumpInsn(Opcodes.GOTO, next)
+            target.visitLabel(end)
+            target.visitFrame(Opcodes.F_SAME1, 0, null, 1, arrayOf<Any>(Opcodes.INTEGER))
+            target.visitInsn(Opcodes.POP)
+            target.visitVarInsn(Opcodes.ALOAD, READ_BYTES)
+            target.visitMethodInsn(Opcodes.INVOKEVIRTUAL, BYTES, "toByteArray", "()[B", false)
+            target.visitInsn(Opcodes.ARETURN)
+            target.visitMaxs(2, READ_BYTES + 1)
             target.visitEnd()
         }
     }
@@ -104,6 +139,9 @@ internal class EcjRewriter {
         val EMPTIED_METHODS = setOf(
             "$COMPILER/lookup/ExternalAnnotationSuperimposer.apply",
             "$COMPILER/lookup/ProblemReferenceBinding.problemReasonString",
+            // What ECJ's command line says while it works, found by reflection; without it the fields of Messages stay null.
+            "$COMPILER/util/Messages.bind",
+            "$COMPILER/util/Messages.initializeMessages",
         )
 
         /**
@@ -116,6 +154,12 @@ internal class EcjRewriter {
         )
 
         const val TEXT_CONSTANT = "$COMPILER/impl/StringConstant.fromValue"
+
+        const val FILE_READING = "$COMPILER/util/Util.getInputStreamAsByteArray"
+        const val BYTES = "java/io/ByteArrayOutputStream"
+
+        /** The variable behind the method's two parameters. */
+        const val READ_BYTES = 2
 
         /** A class file gives a text's length in 16 bits. */
         const val LONGEST_TEXT = 65_535

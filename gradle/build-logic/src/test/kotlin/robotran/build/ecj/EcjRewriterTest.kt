@@ -5,8 +5,10 @@ import org.objectweb.asm.ClassVisitor
 import org.objectweb.asm.ClassWriter
 import org.objectweb.asm.MethodVisitor
 import org.objectweb.asm.Opcodes
+import java.io.InputStream
 import kotlin.test.Test
 import kotlin.test.assertContains
+import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
 import kotlin.test.assertFailsWith
 
@@ -39,18 +41,41 @@ class EcjRewriterTest {
                 it.visitInsn(Opcodes.ARETURN)
             },
         )
-        val loader = object : ClassLoader() {
-            fun define() = defineClass(owner.replace('/', '.'), rewritten, 0, rewritten.size)
-        }
-        val method = loader.define().getMethod("fromValue", String::class.java)
+        val method = loaded(owner, rewritten).getMethod("fromValue", String::class.java)
         assertEquals("short", method.invoke(null, "short"))
         assertFailsWith<ReflectiveOperationException> { method.invoke(null, "x".repeat(65_536)) }
+    }
+
+    @Test
+    fun `files are read with nothing but the reading of single bytes`() {
+        val owner = "org/eclipse/jdt/internal/compiler/util/Util"
+        val access = Opcodes.ACC_PUBLIC or Opcodes.ACC_STATIC
+        val rewritten = rewriter.rewrite(
+            classWith(owner, "getInputStreamAsByteArray", "(Ljava/io/InputStream;I)[B", access) {
+                it.visitInsn(Opcodes.ACONST_NULL)
+                it.visitInsn(Opcodes.ARETURN)
+            },
+        )
+        val bytes = ByteArray(20_000) { (it * it).toByte() }
+        val stream = object : InputStream() {
+            private var place = 0
+
+            override fun read() = if (place < bytes.size) bytes[place++].toInt() and 0xFF else -1
+
+            override fun read(target: ByteArray, first: Int, count: Int) = error("several bytes")
+        }
+        val method = loaded(owner, rewritten).getMethod("getInputStreamAsByteArray", InputStream::class.java, Int::class.java)
+        assertContentEquals(bytes, method.invoke(null, stream, -1) as ByteArray)
     }
 
     @Test
     fun `methods that another version of ECJ no longer has are noticed`() {
         assertContains(rewriter.missing, "org/eclipse/jdt/internal/compiler/impl/StringConstant.fromValue")
     }
+
+    private fun loaded(name: String, classFile: ByteArray): Class<*> = object : ClassLoader() {
+        fun define() = defineClass(name.replace('/', '.'), classFile, 0, classFile.size)
+    }.define()
 
     private fun classWith(
         owner: String,
@@ -64,7 +89,7 @@ class EcjRewriterTest {
         val visitor = writer.visitMethod(access, method, descriptor, null, null)
         visitor.visitCode()
         body(visitor)
-        visitor.visitMaxs(2, 1)
+        visitor.visitMaxs(2, 2)
         visitor.visitEnd()
         writer.visitEnd()
         return writer.toByteArray()
