@@ -35,7 +35,7 @@ public class NoNetwork {
                 LCD.showNumber(99);
             } catch (IOException noWay) {
                 LCD.showNumber(kind); // shows: 0 1 2 3
-                LCD.showNumber(noWay.getMessage().length()); // shows: 26 26 41 41
+                LCD.showNumber(noWay.getMessage().length()); // shows: 26 26 42 42
             }
         }
     }

@@ -43,4 +43,3 @@ public class ArbitratorWaitsForTheMoreImportant implements Behavior {
         }).start();
     }
 }
-// ends at 400

@@ -23,4 +23,3 @@ public class RotationNavigatorCounts {
         System.exit(0);
     }
 }
-// ends at 400
