@@ -8,7 +8,8 @@ internal object JavaReactingTexts {
     const val CONTROL = """/** Who has the robot: the main program and a behaviour each look here whether they have to give way. */
 static Thread mainThread;
 static Thread watchingThread;
-static boolean mainIsPaused = false;
+static boolean mainIsPaused = true;
+static boolean mainStandsStill = false;
 static boolean actionIsSuppressed = false;
 
 /** Thrown again and again, for the brick never takes back the memory of a new one. */
@@ -23,7 +24,11 @@ static boolean mustGiveWay() {
 /** Here the main program stands still while a behaviour has the robot, and an action ends when a later behaviour takes over. */
 static void giveWay() throws InterruptedException {
     if (Thread.currentThread() == mainThread) {
-        while (mainIsPaused) Thread.sleep(1);
+        while (mainIsPaused) {
+            mainStandsStill = true;
+            Thread.sleep(1);
+        }
+        mainStandsStill = false;
     } else if (mustGiveWay()) {
         throw takenOver;
     }
