@@ -8,6 +8,9 @@ interface BrickMessages {
     /** What it means that the display shows the numbers of [failure], and what to do; whole sentences. */
     fun failureShown(failure: ProgramFailure): String
 
+    /** The same if only a thread of the program cannot go on. */
+    fun threadFailureShown(failure: ProgramFailure): String
+
     fun unknownRoutine(): String
 
     fun tooFewArguments(routine: String, needed: Int, given: Int): String

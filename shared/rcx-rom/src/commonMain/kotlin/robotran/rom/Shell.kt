@@ -30,13 +30,18 @@ internal class Shell(
     var selectedSlot = 0
         private set
 
-    val runState: RunState get() = run?.let { RunState.Running(it.sourceLine, it.sourceFile) } ?: endingState
+    val runState: RunState
+        get() {
+            val run = run ?: return endingState
+            return shownFailure?.let { RunState.Failed(it) } ?: RunState.Running(run.sourceLine, run.sourceFile)
+        }
 
     /** What the run has to say, or the last one if none runs. */
     val remarks: List<ProgramRemark> get() = run?.remarks ?: earlierRemarks
 
     /** What the display's numbers mean, where a pupil could not know. */
-    val explanation: String? get() = shownFailure?.let(messages::failureShown)
+    val explanation: String?
+        get() = shownFailure?.let { if (run == null) messages.failureShown(it) else messages.threadFailureShown(it) }
 
     /** The batteries are in and the firmware is loaded: the first time that the brick is on. */
     fun begin() {
@@ -96,13 +101,14 @@ internal class Shell(
      */
     fun resumeProgram(steps: Int) {
         val standsStill = BrickButton.ON_OFF in buttons.pressed && !isPaused
-        if (rom.milliseconds < waitUntil || standsStill || hardware.asleep) return
+        if (rom.milliseconds < waitUntil || standsStill || shownFailure != null || hardware.asleep) return
         val share = if (isPaused) pausedSteps else steps
         pausedSteps = 0
         when (val status = run?.resume(share)) {
             null, ProgramStatus.Running -> return
             is ProgramStatus.Paused -> pausedSteps = status.stepsLeft
             is ProgramStatus.Waiting -> waitUntil = status.untilMilliseconds
+            is ProgramStatus.ThreadFailed -> showThreadFailure(status.failure)
             ProgramStatus.Ended -> endProgram(stopped = false)
             is ProgramStatus.Failed -> showFailure(status.failure)
         }
@@ -149,9 +155,17 @@ internal class Shell(
         firmware.showFailure(failure)
     }
 
+    /** The program stands still as long as this is shown. */
+    private fun showThreadFailure(failure: ProgramFailure) {
+        shownFailure = failure
+        firmware.playNow(SystemSounds.BUZZ)
+        firmware.showFailure(failure)
+    }
+
+    /** The brick goes back to the start, or the rest of the program goes on. */
     private fun leaveFailure() {
         shownFailure = null
-        showReady(SystemSounds.TWO_BEEPS)
+        if (run == null) showReady(SystemSounds.TWO_BEEPS)
     }
 
     private fun showReady(sound: Int) {
@@ -175,6 +189,7 @@ internal class Shell(
     private fun leaveProgram(state: RunState) {
         earlierRemarks = remarks
         run = null
+        shownFailure = null
         pausedSteps = 0
         endingState = state
         pressedInShell.clear()
@@ -190,7 +205,6 @@ internal class Shell(
 
     private fun powerDown() {
         leaveProgram(RunState.Idle)
-        shownFailure = null
         poweredOn = false
         isSwitchingOff = true
         firmware.controlMotors(MotorMode.FLOAT)

@@ -20,9 +20,10 @@ fun linkTinyVm(
     mainClass: String? = null,
     mode: TinyVmMode = TinyVmMode.BRICK,
     messages: TinyVmMessages = EnglishTinyVmMessages,
+    speed: TinyVmSpeed = TinyVmSpeed.BRICK,
 ): TinyVmResult = try {
     val linker = Linker(ClassFiles(program, library, messages), messages) { NativeMethods.find(it) != null }
-    TinyVmResult.Ready(TinyVmProgram(name, linker.link(mainClass), mode, messages))
+    TinyVmResult.Ready(TinyVmProgram(name, linker.link(mainClass), mode, messages, speed))
 } catch (refused: RefusalException) {
     TinyVmResult.Refused(refused.refusal)
 } catch (_: DamagedClassFile) {

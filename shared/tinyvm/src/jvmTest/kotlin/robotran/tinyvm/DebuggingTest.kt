@@ -18,7 +18,7 @@ class DebuggingTest {
                 int first = 1;
                 String text = "hi";
                 add(first);
-                ROM.show(total);
+                LCD.showNumber(total);
             }
             static void add(int more) {
                 total += more;
@@ -57,6 +57,19 @@ class DebuggingTest {
         val run = pausedAt(8)
         assertEquals(6, run.statementsBegun)
         assertEquals(ProgramStatus.Ended, run.resume(100))
+    }
+
+    @Test
+    fun `decimal numbers look as the program itself would show them`() {
+        val body = "int bits = 1;\nfor (int i = 0; i < 400; i++) {\nfloat number = Float.intBitsToFloat(bits);\n" +
+            "String text = String.valueOf(number);\nbits = bits * 1103515245 + 12345;\n}"
+        val run = linked(program(body), TinyVmMode.FORGIVING).start(ShowingRom())
+        run.watch = StatementWatch { it.sourceLine == 8 }
+        repeat(400) {
+            while (run.resume(100) !is ProgramStatus.Paused) continue
+            val values = run.variables.first().variables.associate { it.name to it.value }
+            assertEquals(values["text"], "\"${values["number"]}\"")
+        }
     }
 
     @Test

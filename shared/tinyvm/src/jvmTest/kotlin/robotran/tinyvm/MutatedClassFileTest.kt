@@ -1,6 +1,7 @@
 package robotran.tinyvm
 
 import robotran.rom.ProgramStatus
+import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertTrue
@@ -43,7 +44,7 @@ class MutatedClassFileTest {
                     if (random.nextInt(3) == 0) random.nextInt(12).toByte() else random.nextInt().toByte()
             }
             val mode = if (random.nextInt(8) == 0) TinyVmMode.FORGIVING else TinyVmMode.BRICK
-            val result = linkTinyVm("mutant $it", classes + (name to bytes), JavaCompiler.library, "Program", mode)
+            val result = linkTinyVm("mutant $it", classes + (name to bytes), libraryClassFiles, "Program", mode)
             if (result is TinyVmResult.Ready) {
                 runMutant(result.program)
                 run++

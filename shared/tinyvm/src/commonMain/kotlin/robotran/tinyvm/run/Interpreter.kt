@@ -7,7 +7,7 @@ import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.Operation
 
 /**
- * Executes the operations of one thread until its budget is used up, it cannot go on, or it is to pause before a statement. The verifier
+ * Executes the operations of one thread until the budget is used up, it cannot go on, or it is to pause before a statement. The verifier
  * has seen to it that no operation meets anything it cannot work on, so nothing is checked here that depends on the code alone.
  */
 internal class Interpreter(private val machine: Machine, private val calls: Calls) {
@@ -21,9 +21,6 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
     private val numbers = NumberOperations(machine, arithmetic)
     private val objects = ObjectOperations(machine, calls, places)
     private var isPassed = false
-
-    /** Bytecodes that may still be executed. */
-    var budget = 0
 
     /** Whether it stopped because [watch] said so. */
     var isPaused = false
@@ -42,7 +39,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
     /** Goes on with [thread], which is ready. */
     fun run(thread: VmThread) {
         isPaused = false
-        while (budget > 0 && thread.state == ThreadState.READY && !isPaused && !machine.isYielding && !machine.isExited) {
+        while (machine.budget > 0 && thread.state == ThreadState.READY && !isPaused && !machine.isYielding && !machine.isExited) {
             when {
                 thread.pending != 0 -> throwPending(thread)
                 thread.depth == 0 -> begin(thread)
@@ -92,7 +89,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
         val base = frame.base
         var next = frame.next
         var top = frame.top
-        var left = budget
+        var left = machine.budget
         while (left > 0) {
             left--
             when (code[next++]) {
@@ -101,7 +98,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     if (watch != null) {
                         frame.next = next - 1
                         frame.top = top
-                        budget = left
+                        machine.budget = left
                         if (!mayBegin(thread, code[next])) {
                             isPaused = true
                             return
@@ -131,12 +128,12 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                 }
 
                 Operation.ELEMENT -> {
+                    frame.next = next
                     top--
                     val place = places.find(stack[top - 1], stack[top])
                     if (place <= 0) {
-                        frame.next = next
                         frame.top = top
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, places.failure(place))
                         return
                     }
@@ -144,12 +141,12 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                 }
 
                 Operation.SET_ELEMENT -> {
+                    frame.next = next
                     top -= 3
                     val place = places.find(stack[top], stack[top + 1])
                     if (place <= 0) {
-                        frame.next = next
                         frame.top = top
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, places.failure(place))
                         return
                     }
@@ -157,12 +154,12 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                 }
 
                 Operation.SET_BYTE -> {
+                    frame.next = next
                     top -= 3
                     val place = places.find(stack[top], stack[top + 1])
                     if (place <= 0) {
-                        frame.next = next
                         frame.top = top
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, places.failure(place))
                         return
                     }
@@ -170,12 +167,12 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                 }
 
                 Operation.SET_CHARACTER -> {
+                    frame.next = next
                     top -= 3
                     val place = places.find(stack[top], stack[top + 1])
                     if (place <= 0) {
-                        frame.next = next
                         frame.top = top
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, places.failure(place))
                         return
                     }
@@ -248,11 +245,12 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     } else {
                         frame.next = next
                         frame.top = top
-                        budget = left
+                        machine.budget = left
                         divide(thread, frame, isRemainder = false)
                         if (thread.depth == 0 || thread.frame !== frame) return
                         next = frame.next
                         top = frame.top
+                        left = machine.budget
                     }
                 }
 
@@ -264,11 +262,12 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     } else {
                         frame.next = next
                         frame.top = top
-                        budget = left
+                        machine.budget = left
                         divide(thread, frame, isRemainder = true)
                         if (thread.depth == 0 || thread.frame !== frame) return
                         next = frame.next
                         top = frame.top
+                        left = machine.budget
                     }
                 }
 
@@ -373,7 +372,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     } else {
                         frame.next = next - 1
                         frame.top = top
-                        budget = left
+                        machine.budget = left
                         calls.initialize(thread, machine.program.classes[code[next]])
                         return
                     }
@@ -383,7 +382,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     val reference = stack[top - 1]
                     if (reference == 0) {
                         frame.next = next
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, BuiltInException.NULL_POINTER)
                         return
                     }
@@ -395,7 +394,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     val reference = stack[top]
                     if (reference == 0) {
                         frame.next = next
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, BuiltInException.NULL_POINTER)
                         return
                     }
@@ -405,7 +404,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                 Operation.CALL_STATIC -> {
                     frame.next = next + 1
                     frame.top = top
-                    budget = left
+                    machine.budget = left
                     calls.call(thread, frame, methods[code[next]], OPERAND_AND_OPERATION)
                     return
                 }
@@ -414,7 +413,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     val method = methods[code[next]]
                     frame.next = next + 1
                     frame.top = top
-                    budget = left
+                    machine.budget = left
                     if (stack[top - method.argumentWords] == 0) {
                         calls.throwNew(thread, BuiltInException.NULL_POINTER)
                     } else {
@@ -427,7 +426,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     val receiver = stack[top - code[next + 1]]
                     frame.next = next + 2
                     frame.top = top
-                    budget = left
+                    machine.budget = left
                     if (receiver == 0) {
                         calls.throwNew(thread, BuiltInException.NULL_POINTER)
                     } else {
@@ -438,14 +437,14 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
 
                 Operation.RETURN -> {
                     frame.top = top
-                    budget = left
+                    machine.budget = left
                     calls.leave(thread, 0)
                     return
                 }
 
                 Operation.RETURN_VALUE -> {
                     frame.top = top
-                    budget = left
+                    machine.budget = left
                     calls.leave(thread, 1)
                     return
                 }
@@ -454,7 +453,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     val array = stack[top - 1]
                     if (array == 0) {
                         frame.next = next
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, BuiltInException.NULL_POINTER)
                         return
                     }
@@ -466,18 +465,18 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                 else -> {
                     frame.next = next
                     frame.top = top
-                    budget = left
+                    machine.budget = left
                     if (!numbers.execute(frame, stack, code[next - 1])) objects.execute(thread, frame, code[next - 1])
                     if (thread.pending != 0 || thread.state != ThreadState.READY || thread.frame !== frame) return
                     next = frame.next
                     top = frame.top
-                    left = budget
+                    left = machine.budget
                 }
             }
         }
         frame.next = next
         frame.top = top
-        budget = left
+        machine.budget = left
     }
 
     private fun divide(thread: VmThread, frame: Frame, isRemainder: Boolean) {
