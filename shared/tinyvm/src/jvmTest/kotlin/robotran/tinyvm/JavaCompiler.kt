@@ -26,17 +26,22 @@ internal object JavaCompiler {
 
     /** The class files of a program by their names with slashes. */
     fun compile(source: String): Map<String, ByteArray> {
-        val compilation = tryToCompile("Program", source)
+        return compile(mapOf("Program" to source))
+    }
+
+    /** The class files of a program with several [sources], which belong into files called like them. */
+    fun compile(sources: Map<String, String>): Map<String, ByteArray> {
+        val compilation = tryToCompile(sources)
         if (compilation.errors.isNotEmpty()) throw AssertionError(compilation.errors.joinToString("\n"))
         return compilation.classes
     }
 
-    /** Compiles [source], which belongs into the file [name]`.java`. */
-    fun tryToCompile(name: String, source: String): Compilation {
+    /** Compiles [sources] by their names without `.java`. */
+    fun tryToCompile(sources: Map<String, String>): Compilation {
         val problems = DiagnosticCollector<JavaFileObject>()
         val classes = compiler.getStandardFileManager(problems, Locale.ENGLISH, Charsets.UTF_8).use { files ->
             val memory = FilesInMemory(files)
-            compiler.getTask(null, memory, problems, options, null, listOf(SourceInMemory(name, source))).call()
+            compiler.getTask(null, memory, problems, options, null, sources.map { SourceInMemory(it.key, it.value) }).call()
             memory.classes.entries.associate { it.key.replace('.', '/') to it.value.toByteArray() }
         }
         return Compilation(classes, problems.diagnostics.filter { it.kind == Diagnostic.Kind.ERROR }.map { it.toString() })

@@ -1,9 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.rom.Statement
-import robotran.rom.StatementWatch
 import robotran.tinyvm.link.BuiltInException
-import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.Operation
 
 /**
@@ -11,7 +8,6 @@ import robotran.tinyvm.link.Operation
  * has seen to it that no operation meets anything it cannot work on, so nothing is checked here that depends on the code alone.
  */
 internal class Interpreter(private val machine: Machine, private val calls: Calls) {
-    private val heap = machine.heap
     private val words = machine.heap.words
     private val statics = machine.statics
     private val methods = machine.program.methods.toTypedArray()
@@ -20,64 +16,26 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
     private val places = ElementPlaces(machine, arithmetic)
     private val numbers = NumberOperations(machine, arithmetic)
     private val objects = ObjectOperations(machine, calls, places)
-    private var isPassed = false
+    private val division = Division(arithmetic, calls)
+    private val beginnings = ThreadBeginnings(machine, calls)
 
-    /** Whether it stopped because [watch] said so. */
+    /** Decides before each statement whether to go on. */
+    val gate = StatementGate()
+
+    /** Whether it stopped because [gate] said so. */
     var isPaused = false
         private set
-
-    /** How many statements of the program have been begun. */
-    var statementsBegun = 0L
-        private set
-
-    /** Asked before each statement once. */
-    var watch: StatementWatch? = null
-
-    /** What [watch] is told of the statement on a line that a thread stands before. */
-    var statementOf: (VmThread, Int) -> Statement = { _, line -> Statement(line, 0) }
 
     /** Goes on with [thread], which is ready. */
     fun run(thread: VmThread) {
         isPaused = false
         while (machine.budget > 0 && thread.state == ThreadState.READY && !isPaused && !machine.isYielding && !machine.isExited) {
             when {
-                thread.pending != 0 -> throwPending(thread)
-                thread.depth == 0 -> begin(thread)
+                thread.pending != 0 -> beginnings.throwPending(thread)
+                thread.depth == 0 -> beginnings.begin(thread)
                 else -> execute(thread)
             }
         }
-    }
-
-    private fun begin(thread: VmThread) {
-        val main = machine.program.main
-        if (thread.isMain) {
-            if (calls.begin(thread, main, 0) && !machine.isReady[main.owner.number]) makeReady(thread, main.owner)
-        } else {
-            val run = heap.typeOf(thread.reference).virtualMethods[machine.program.threadRun.virtualIndex]
-            calls.begin(thread, run, thread.reference)
-        }
-    }
-
-    /** Above the frame of main, so that it is done before. */
-    private fun makeReady(thread: VmThread, type: LinkedClass) {
-        while (!machine.isReady[type.number] && thread.pending == 0 && thread.depth == 1) calls.initialize(thread, type)
-    }
-
-    private fun throwPending(thread: VmThread) {
-        val exception = thread.pending
-        thread.pending = 0
-        if (thread.depth > 0) calls.throwObject(thread, exception)
-    }
-
-    private fun mayBegin(thread: VmThread, line: Int): Boolean {
-        val watch = watch
-        if (watch != null && !isPassed) {
-            isPassed = true
-            if (watch.pausesBefore(statementOf(thread, line))) return false
-        }
-        isPassed = false
-        statementsBegun++
-        return true
     }
 
     /** Executes operations of the innermost frame until another becomes the innermost, or the thread stops. */
@@ -95,17 +53,16 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
             when (code[next++]) {
                 Operation.STATEMENT -> {
                     left++
-                    if (watch != null) {
+                    if (gate.isWatched) {
                         frame.next = next - 1
                         frame.top = top
                         machine.budget = left
-                        if (!mayBegin(thread, code[next])) {
+                        if (!gate.mayBegin(thread, code[next])) {
                             isPaused = true
                             return
                         }
                     } else {
-                        isPassed = false
-                        statementsBegun++
+                        gate.begin()
                     }
                     next++
                 }
@@ -246,7 +203,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                         frame.next = next
                         frame.top = top
                         machine.budget = left
-                        divide(thread, frame, isRemainder = false)
+                        division.execute(thread, frame, isRemainder = false)
                         if (thread.depth == 0 || thread.frame !== frame) return
                         next = frame.next
                         top = frame.top
@@ -263,7 +220,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                         frame.next = next
                         frame.top = top
                         machine.budget = left
-                        divide(thread, frame, isRemainder = true)
+                        division.execute(thread, frame, isRemainder = true)
                         if (thread.depth == 0 || thread.frame !== frame) return
                         next = frame.next
                         top = frame.top
@@ -477,18 +434,6 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
         frame.next = next
         frame.top = top
         machine.budget = left
-    }
-
-    private fun divide(thread: VmThread, frame: Frame, isRemainder: Boolean) {
-        val stack = thread.stack
-        var divisor = stack[--frame.top]
-        if (divisor != divisor.toShort().toInt()) divisor = arithmetic.largeDivisor(divisor)
-        val dividend = stack[frame.top - 1]
-        when (divisor) {
-            0 -> calls.throwNew(thread, BuiltInException.ARITHMETIC)
-            -1 -> stack[frame.top - 1] = if (isRemainder) 0 else -dividend
-            else -> stack[frame.top - 1] = if (isRemainder) dividend % divisor else dividend / divisor
-        }
     }
 
     private companion object {

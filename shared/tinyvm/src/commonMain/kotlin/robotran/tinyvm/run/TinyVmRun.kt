@@ -36,9 +36,13 @@ internal class TinyVmRun(
     /** Bytecodes that the last steps were too short for, or that were done of a step which a pause cut in two. */
     private var debt = 0
 
-    override var watch: StatementWatch? by interpreter::watch
+    override var watch: StatementWatch?
+        get() = interpreter.gate.watch
+        set(value) {
+            interpreter.gate.watch = value
+        }
 
-    override val statementsBegun: Long get() = interpreter.statementsBegun
+    override val statementsBegun: Long get() = interpreter.gate.begun
 
     override val remarks: List<ProgramRemark> get() = machine.remarks.all
 
@@ -62,7 +66,7 @@ internal class TinyVmRun(
     private val focus: VmThread? get() = machine.current?.takeIf { it.isAlive } ?: machine.scheduler.threads.firstOrNull()
 
     init {
-        interpreter.statementOf = inspector::statementOf
+        interpreter.gate.statementOf = inspector::statementOf
         machine.startMain()
     }
 

@@ -19,12 +19,12 @@ class OtherCompilerTest {
         assertTrue(compared.size >= LEAST_COMPARED, "only ${compared.size} programs were compared")
     }
 
-    /** Those that the machine does not refuse, and that do not tell how much memory is left: the class files differ in size. */
+    /** Those that neither the compiler nor the machine refuses. */
     private fun isForBoth(expected: Expectations) = !expected.hasMistakes && expected.refused.isEmpty()
 
     /** Null if it needs a class that only a newer Java has, as some null checks do. */
     private fun compiledByJdk(path: String, source: String): Map<String, ByteArray>? {
-        val compilation = JavaCompiler.tryToCompile(path.substringAfterLast('/').removeSuffix(".java"), source)
+        val compilation = JavaCompiler.tryToCompile(mapOf(path.substringAfterLast('/').removeSuffix(".java") to source))
         assertEquals(emptyList(), compilation.errors.filter { "java.util.Objects" !in it }, path)
         return compilation.classes.takeIf { compilation.errors.isEmpty() }
     }
