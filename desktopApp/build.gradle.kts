@@ -4,6 +4,7 @@ plugins {
 
 dependencies {
     implementation(project(":shared:ui"))
+    implementation(project(":shared:programs"))
     implementation(compose.desktop.currentOs)
     implementation(libs.coroutines.swing)
     implementation(libs.clikt)

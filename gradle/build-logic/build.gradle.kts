@@ -72,6 +72,10 @@ gradlePlugin {
             id = "robotran.lejos-library"
             implementationClass = "robotran.build.lejos.LejosLibraryPlugin"
         }
+        create("brickPrograms") {
+            id = "robotran.brick-programs"
+            implementationClass = "robotran.build.lejos.BrickProgramsPlugin"
+        }
         create("android") {
             id = "robotran.android"
             implementationClass = "robotran.build.AndroidPlugin"

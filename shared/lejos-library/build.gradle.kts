@@ -7,7 +7,7 @@ plugins {
 texts {
     constant("commonMain", "robotran.lejos.librarySources", "shared/lejos-library/src/brick/java", "**/*.java")
     constant("jvmTest", "robotran.lejos.documentedNatives", "shared/lejos-library/src/brick", "natives.md")
-    constant("jvmTest", "robotran.lejos.testPrograms", "shared/lejos-library/src/test/programs", "**/*.java")
+    constant("jvmTest", "robotran.lejos.testPrograms", "shared/lejos-library/src/commonTest/resources/programs", "**/*.java")
     constant("jvmTest", "robotran.lejos.examplePrograms", "examples/lejos", "*.java")
 }
 

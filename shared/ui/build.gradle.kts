@@ -11,6 +11,7 @@ android {
 
 texts {
     constant("commonMain", "robotran.ui.exampleTexts", "examples", "*.robo")
+    constant("commonMain", "robotran.ui.lejosExampleTexts", "examples/lejos", "*.java")
 }
 
 kotlin {
@@ -18,6 +19,7 @@ kotlin {
         commonMain.dependencies {
             api(project(":shared:rcx-rom"))
             api(project(":shared:robolang"))
+            api(project(":shared:programs"))
             api(project(":shared:world"))
             api(libs.compose.runtime)
             api(libs.compose.foundation)

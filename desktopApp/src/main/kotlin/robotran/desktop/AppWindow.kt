@@ -9,17 +9,17 @@ import androidx.compose.ui.window.rememberWindowState
 import robotran.desktop.sound.soundCardSpeaker
 import robotran.ui.RobotranStart
 import robotran.ui.brick.BrickIcon
-import robotran.ui.workshop.ProgramFile
+import robotran.ui.workshop.PupilProgram
 import java.awt.Dimension
 import java.awt.Toolkit
 
-/** Shows the window with [program], or without one the square, and returns when it is closed. */
-internal fun showWindow(program: ProgramFile?) {
+/** Shows the window with [programs], or without any the square, and returns when it is closed. */
+internal fun showWindow(programs: List<PupilProgram>) {
     application(exitProcessOnExit = false) {
         val state = rememberWindowState(size = remember { firstSize() })
         Window(onCloseRequest = ::exitApplication, state = state, title = "Robotran", icon = remember { BrickIcon() }) {
             window.minimumSize = Dimension(LEAST_WIDTH, LEAST_HEIGHT)
-            RobotranStart(program, remember { soundCardSpeaker() })
+            RobotranStart(programs, remember { soundCardSpeaker() })
         }
     }
 }

@@ -1,25 +1,33 @@
 package robotran.desktop
 
+import robotran.programs.ProgramSource
 import robotran.ui.workshop.ProgramFile
-import java.nio.file.Path
-import kotlin.io.path.name
+import robotran.ui.workshop.PupilProgram
 
 /**
- * Opens the window, with the program in the first of [files] or, without one, the square, and returns when it is closed.
+ * Opens the window, with the programs in [files] or, without any, the square, and returns when it is closed.
  *
  * @return what the process is to tell its shell.
  */
 internal fun openApp(files: List<String>): ExitCode {
-    val program = files.firstOrNull()?.let { name ->
-        when (val file = readTextFile(name)) {
-            is TextFile.Read -> ProgramFile(Path.of(name).name, file.text)
-            is TextFile.Refused -> return refuse(file.reason, ExitCode.BAD_INPUT)
+    val sources =
+        when (val read = readProgramFiles(files)) {
+            is ProgramFiles.Read -> read.programs.map { it.source }
+            is ProgramFiles.Refused -> return refuse(read.reason, ExitCode.BAD_INPUT)
         }
-    }
+    sources.firstOrNull { it is ProgramSource.ClassFiles }?.let { return refuse(COMPILED.replace("NAME", it.name), ExitCode.BAD_INPUT) }
     if (!hasDisplay()) return refuse(NO_DISPLAY, ExitCode.NO_DISPLAY)
-    showWindow(program)
+    showWindow(sources.mapNotNull(::pupilProgramOf))
     return ExitCode.DONE
 }
+
+/** Null for a program without sources, which cannot be written in. */
+private fun pupilProgramOf(source: ProgramSource): PupilProgram? =
+    when (source) {
+        is ProgramSource.Robolang -> PupilProgram(source.name, source.text)
+        is ProgramSource.Java -> PupilProgram(source.files.map { ProgramFile(nameOf(it.name), it.text) })
+        is ProgramSource.ClassFiles -> null
+    }
 
 private fun refuse(message: String, status: ExitCode): ExitCode {
     System.err.println(message)
@@ -28,3 +36,4 @@ private fun refuse(message: String, status: ExitCode): ExitCode {
 
 private const val NO_DISPLAY =
     "There is no display to open a window on. To run a program without one: ./robotran run FILE --picture PICTURE.png"
+private const val COMPILED = "NAME is compiled, so there is nothing to show of it. To run it: ./robotran run NAME"

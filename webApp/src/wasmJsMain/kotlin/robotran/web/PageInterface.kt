@@ -5,8 +5,10 @@ package robotran.web
 import kotlinx.coroutines.DelicateCoroutinesApi
 import kotlinx.coroutines.GlobalScope
 import kotlinx.coroutines.promise
-import robotran.robolang.RobolangResult
-import robotran.robolang.readRobolang
+import robotran.programs.ProgramReader
+import robotran.programs.ProgramResult
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
 import robotran.ui.workshop.PENBOT_CALIBRATION
 import robotran.ui.workshop.Workshop
 import robotran.world.BuiltInWorlds
@@ -19,8 +21,9 @@ import kotlin.js.Promise
 /**
  * Gives the page that holds the workshop the object `robotran`:
  * - `report()` is the report of the workshop's run up to now, as JSON;
- * - `run(program, milliseconds)` promises `{ report, romLog }` of an unattended run of a Robolang text on the plain sheet, as
- *   `robotran run` makes it; it is refused with the first mistake of the text.
+ * - `run(program, milliseconds, name)` promises `{ report, romLog }` of an unattended run of a program's text on the plain sheet, as
+ *   `robotran run` makes it; it is refused with the first mistake of the text. A name that ends in `.java` makes it a Java program, any other or
+ *   none one in Robolang.
  */
 internal fun openPageInterface(workshop: Workshop) =
     publish(report = { workshop.report().toJson() }, run = ::promiseRun)
@@ -29,14 +32,17 @@ internal fun openPageInterface(workshop: Workshop) =
 private fun promiseRun(
     program: String,
     milliseconds: Int,
+    name: String,
 ): Promise<JsAny?> =
     GlobalScope.promise {
-        when (val result = readRobolang("program", program, PENBOT_CALIBRATION)) {
-            is RobolangResult.Mistaken -> {
-                error(result.diagnostics.first().let { "Line ${it.range.line}: ${it.message}" })
+        val source =
+            if (name.endsWith(JAVA)) ProgramSource.Java(name, listOf(SourceFile(name, program))) else ProgramSource.Robolang(name, program)
+        when (val result = ProgramReader(PENBOT_CALIBRATION).read(source)) {
+            is ProgramResult.Mistaken -> {
+                error(result.mistakes.first().let { mistake -> mistake.range?.let { "Line ${it.line}: " }.orEmpty() + mistake.message })
             }
 
-            is RobolangResult.Ready -> {
+            is ProgramResult.Ready -> {
                 val session = Session(BuiltInWorlds.plain, listOf(result.program), loadPhysicsEngine())
                 session.runUnattended(milliseconds)
                 session.close()
@@ -52,5 +58,8 @@ private fun runResult(
 
 private fun publish(
     report: () -> String,
-    run: (String, Int) -> Promise<JsAny?>,
-): Unit = js("{ globalThis.robotran = { report, run }; }")
+    run: (String, Int, String) -> Promise<JsAny?>,
+): Unit =
+    js("{ globalThis.robotran = { report, run: (program, milliseconds, name = 'program') => run(program, milliseconds, name) }; }")
+
+private const val JAVA = ".java"

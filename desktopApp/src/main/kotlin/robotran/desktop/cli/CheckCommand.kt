@@ -13,15 +13,26 @@ import robotran.desktop.ExitCode
 internal class CheckCommand(
     private val console: Console,
 ) : CoreCliktCommand("check") {
-    private val files by argument("FILE", help = "Robolang programs (.robo)").multiple(required = true)
+    private val files by argument("FILE", help = "Robolang programs (.robo), or the files of a Java program (.java)").multiple(required = true)
     private val asJson by option("--json", help = "tells the mistakes as JSON").flag()
 
     override fun help(context: Context) = "Tells all mistakes of programs, without running them."
 
     override fun run() {
-        val results = files.map { it to readRobolangFile(it) }
+        val results = checkFiles(files)
         if (asJson) console.say(diagnosticsJson(results)) else results.forEach { (name, file) -> tell(name, file) }
         throw ProgramResult(results.maxOf { statusOf(it.second).status })
+    }
+
+    private fun tell(
+        name: String,
+        file: CheckedFile,
+    ) {
+        when (file) {
+            is CheckedFile.Robolang -> tell(name, file.file)
+            is CheckedFile.Java -> tell(name, file.mistakes.map { lineOf(name, it) }, file.warnings.map { lineOf(name, it) })
+            is CheckedFile.Unreadable -> console.complain(file.reason)
+        }
     }
 
     private fun tell(
@@ -29,25 +40,26 @@ internal class CheckCommand(
         file: RobolangFile,
     ) {
         when (file) {
-            is RobolangFile.Ready -> {
-                file.warnings.forEach { console.say("${lineOf(name, it)} (a warning)") }
-                console.say("$name has no mistakes.")
-            }
-
-            is RobolangFile.Mistaken -> {
-                file.diagnostics.forEach { console.complain(lineOf(name, it)) }
-            }
-
-            is RobolangFile.Unreadable -> {
-                console.complain(file.reason)
-            }
+            is RobolangFile.Ready -> tell(name, emptyList(), file.warnings.map { lineOf(name, it) })
+            is RobolangFile.Mistaken -> tell(name, file.diagnostics.map { lineOf(name, it) }, emptyList())
+            is RobolangFile.Unreadable -> console.complain(file.reason)
         }
     }
 
-    private fun statusOf(file: RobolangFile): ExitCode =
+    private fun tell(
+        name: String,
+        mistakes: List<String>,
+        warnings: List<String>,
+    ) {
+        mistakes.forEach(console::complain)
+        warnings.forEach { console.say("$it (a warning)") }
+        if (mistakes.isEmpty()) console.say("$name has no mistakes.")
+    }
+
+    private fun statusOf(file: CheckedFile): ExitCode =
         when (file) {
-            is RobolangFile.Ready -> ExitCode.DONE
-            is RobolangFile.Mistaken -> ExitCode.PROGRAM_FAILED
-            is RobolangFile.Unreadable -> ExitCode.BAD_INPUT
+            is CheckedFile.Robolang -> if (file.file is RobolangFile.Ready) ExitCode.DONE else ExitCode.PROGRAM_FAILED
+            is CheckedFile.Java -> if (file.mistakes.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
+            is CheckedFile.Unreadable -> ExitCode.BAD_INPUT
         }
 }

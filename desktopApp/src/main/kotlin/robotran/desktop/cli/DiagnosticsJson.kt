@@ -5,26 +5,55 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
+import robotran.programs.Mistake
+import robotran.programs.TextRange
 import robotran.robolang.Diagnostic
 import robotran.robolang.SourceRange
 
 /**
  * What `robotran check --json` says: a list with one object a file, `file` and either `diagnostics`, only warnings for a program that can
- * run, or `error` for a file that cannot be read. Lines and columns count from 1, `endColumn` is behind the last character.
+ * run, or `error` for a file that cannot be read. Lines and columns count from 1, `endColumn` is behind the
+ * last character. Only mistakes in Robolang have a `code`.
  */
-internal fun diagnosticsJson(files: List<Pair<String, RobolangFile>>): String =
+internal fun diagnosticsJson(files: List<Pair<String, CheckedFile>>): String =
     jsonOutput.encodeToString(JsonArray.serializer(), JsonArray(files.map { (name, file) -> json(name, file) }))
 
 private fun json(
     name: String,
-    file: RobolangFile,
+    file: CheckedFile,
 ): JsonObject =
     buildJsonObject {
         put("file", name)
         when (file) {
-            is RobolangFile.Ready -> put("diagnostics", JsonArray(file.warnings.map(::json)))
-            is RobolangFile.Mistaken -> put("diagnostics", JsonArray(file.diagnostics.map(::json)))
-            is RobolangFile.Unreadable -> put("error", file.reason)
+            is CheckedFile.Robolang -> put("diagnostics", JsonArray(diagnosticsOf(file.file).map(::json)))
+            is CheckedFile.Java -> put("diagnostics", JsonArray(file.mistakes.map { json("mistake", it) } + file.warnings.map { json("warning", it) }))
+            is CheckedFile.Unreadable -> put("error", file.reason)
+        }
+    }
+
+private fun diagnosticsOf(file: RobolangFile): List<Diagnostic> =
+    when (file) {
+        is RobolangFile.Ready -> file.warnings
+        is RobolangFile.Mistaken -> file.diagnostics
+        is RobolangFile.Unreadable -> emptyList()
+    }
+
+private fun json(
+    severity: String,
+    mistake: Mistake,
+): JsonObject =
+    buildJsonObject {
+        put("severity", severity)
+        mistake.range?.let { put(it) }
+        put("message", mistake.message)
+        mistake.fix?.let { fix ->
+            put(
+                "fix",
+                buildJsonObject {
+                    put(fix.range)
+                    put("replacement", fix.replacement)
+                },
+            )
         }
     }
 
@@ -45,6 +74,12 @@ private fun json(diagnostic: Diagnostic): JsonObject =
             )
         }
     }
+
+private fun JsonObjectBuilder.put(range: TextRange) {
+    put("line", range.line)
+    put("column", range.column)
+    put("endColumn", range.endColumn)
+}
 
 private fun JsonObjectBuilder.put(range: SourceRange) {
     put("line", range.line)

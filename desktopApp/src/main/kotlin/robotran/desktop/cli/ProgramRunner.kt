@@ -3,9 +3,16 @@ package robotran.desktop.cli
 import kotlinx.coroutines.runBlocking
 import robotran.desktop.ExitCode
 import robotran.desktop.TextFile
+import robotran.desktop.NamedProgram
+import robotran.desktop.ProgramFiles
+import robotran.desktop.readProgramFiles
 import robotran.desktop.readTextFile
+import robotran.programs.JavaSettings
+import robotran.programs.ProgramReader
+import robotran.programs.ProgramResult
 import robotran.rom.RcxProgram
 import robotran.rom.RunState
+import robotran.ui.workshop.PENBOT_CALIBRATION
 import robotran.world.BuiltInWorlds
 import robotran.world.Session
 import robotran.world.World
@@ -14,27 +21,30 @@ import robotran.world.physics.loadPhysicsEngine
 import robotran.world.readWorld
 import robotran.world.runUnattended
 
-/** Runs one program in one world as `robotran run` does: reads both, presses Run, lets virtual time pass, writes the results. */
+/** Runs programs in one world as `robotran run` does: reads all, presses Run, lets virtual time pass, writes the results. */
 internal class ProgramRunner(
     private val console: Console,
 ) {
     /**
+     * @param programNames the programs' files, see [readProgramFiles].
+     * @param java how Java programs are to run.
      * @param worldName the world's file; the plain sheet if null.
      * @param milliseconds how much virtual time may pass at most.
      * @param presses what is done to the buttons; if empty, Run is pressed.
      */
     fun run(
-        programName: String,
+        programNames: List<String>,
+        java: JavaSettings,
         worldName: String?,
         milliseconds: Int,
         presses: List<ButtonPress>,
         outputs: RunOutputs,
     ): ExitCode {
-        val program = readProgram(programName)
+        val programs = readPrograms(programNames, java)
         val world = readWorldFile(worldName)
-        if (program == null || world == null) return ExitCode.BAD_INPUT
+        if (programs == null || world == null) return ExitCode.BAD_INPUT
 
-        val session = runBlocking { Session(world, listOf(program), loadPhysicsEngine()) }
+        val session = runBlocking { Session(world, programs, loadPhysicsEngine()) }
         try {
             if (presses.isEmpty()) session.runUnattended(milliseconds) else session.runWithPresses(presses, milliseconds)
             val problems = RunResults(session, console).write(outputs)
@@ -50,19 +60,34 @@ internal class ProgramRunner(
         }
     }
 
-    private fun readProgram(name: String): RcxProgram? =
-        when (val file = readRobolangFile(name)) {
-            is RobolangFile.Ready -> {
-                file.program
+    /** Null if any of them cannot run; why is told. */
+    private fun readPrograms(
+        names: List<String>,
+        java: JavaSettings,
+    ): List<RcxProgram>? =
+        when (val files = readProgramFiles(names)) {
+            is ProgramFiles.Read -> {
+                val reader = ProgramReader(PENBOT_CALIBRATION, java)
+                files.programs.map { readProgram(it, reader) }.takeIf { null !in it }?.filterNotNull()
             }
 
-            is RobolangFile.Mistaken -> {
-                file.diagnostics.forEach { console.complain(lineOf(name, it)) }
+            is ProgramFiles.Refused -> {
+                console.complain(files.reason)
                 null
             }
+        }
 
-            is RobolangFile.Unreadable -> {
-                console.complain(file.reason)
+    private fun readProgram(
+        program: NamedProgram,
+        reader: ProgramReader,
+    ): RcxProgram? =
+        when (val result = runBlocking { reader.read(program.source) }) {
+            is ProgramResult.Ready -> {
+                result.program
+            }
+
+            is ProgramResult.Mistaken -> {
+                result.mistakes.forEach { console.complain(lineOf(program, it)) }
                 null
             }
         }

@@ -5,21 +5,31 @@ import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
+import robotran.programs.JavaSettings
 import robotran.rom.RomGroup
+import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.TinyVmSpeed
 
-/** `robotran run FILE`: runs a program on the brick without a window and writes down what happened. */
+/** `robotran run FILE..`: runs programs on the brick without a window and writes down what happened. */
 internal class RunCommand(
     private val console: Console,
 ) : CoreCliktCommand("run") {
-    private val program by argument("FILE", help = "a Robolang program (.robo)")
+    private val programs by argument(
+        "FILE",
+        help = "a program: in Robolang (.robo), in leJOS Java (one or more .java), or compiled (.class, .jar, a folder); five at most",
+    ).multipleArguments(required = true)
     private val world by option("--world", metavar = "FILE", help = "the world to run in (.world.json); a plain sheet if not given")
     private val milliseconds by option("--for", metavar = "SECONDS", help = "virtual seconds to run at most; 60 if not given")
         .convert { text -> virtualMilliseconds(text) ?: fail("$text is not a number of seconds from 0 to $LONGEST_RUN_SECONDS") }
         .default(DEFAULT_RUN_MILLISECONDS)
+    private val forgiving by option("--forgiving", help = "runs Java as the language says, not with the peculiarities of a brick").flag()
+    private val unlimited by option("--unlimited", help = "runs Java much faster than a brick").flag()
     private val picture by option("--picture", metavar = "FILE", help = "writes a picture of the sheet (.png)")
     private val presses by option(
         "--press",
@@ -44,13 +54,19 @@ internal class RunCommand(
     private val brickReport by option("--brick-report", metavar = "FILE|-", help = "writes display, sounds and state of the brick as JSON")
     private val memory by option("--memory", metavar = "FILE|-", help = "writes what is in the brick's memory at the end")
 
-    override fun help(context: Context) = "Runs a program on the brick: powered on, program 1, Run pressed."
+    override fun help(context: Context) = "Runs programs on the brick: powered on, the first of them, Run pressed."
 
     override fun run() {
         conflictIn(presses, milliseconds)?.let { throw UsageError(it) }
         val outputs = RunOutputs(picture, romLog, romLogOnly, report, brickReport, memory)
-        throw ProgramResult(ProgramRunner(console).run(program, world, milliseconds, presses, outputs).status)
+        throw ProgramResult(ProgramRunner(console).run(programs, javaSettings(), world, milliseconds, presses, outputs).status)
     }
+
+    private fun javaSettings() =
+        JavaSettings(
+            if (forgiving) TinyVmMode.FORGIVING else TinyVmMode.BRICK,
+            if (unlimited) TinyVmSpeed.UNLIMITED else TinyVmSpeed.BRICK,
+        )
 
     private companion object {
         const val DEFAULT_RUN_MILLISECONDS = 60_000

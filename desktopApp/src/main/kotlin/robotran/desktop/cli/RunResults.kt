@@ -1,6 +1,7 @@
 package robotran.desktop.cli
 
 import robotran.desktop.writeFile
+import robotran.rom.ProgramRemark
 import robotran.rom.RomLogFilter
 import robotran.rom.toCsv
 import robotran.rom.toLogText
@@ -27,6 +28,7 @@ internal class RunResults(
                 outputs.memory?.let { writeText(it, memoryListing(session.memory())) },
             )
         report.error?.let { console.complain(it) }
+        session.remarks.forEach { console.complain(textOf(it)) }
         val forgotten = session.romLog.total - session.romLog.entries.size
         if (outputs.romLog != null && forgotten > 0) {
             console.complain("The ROM log lacks the first $forgotten calls: it keeps only the newest.")
@@ -60,7 +62,14 @@ internal class RunResults(
                 RunStatus.FAILED -> "The program failed"
             }
         val place = with(report.pose) { "x $x cm, y $y cm, heading $heading degrees" }
-        return "$how after ${report.seconds} s. The robot is at $place; it drew ${report.inkCentimetres} cm."
+        val outcome = "$how after ${report.seconds} s. The robot is at $place; it drew ${report.inkCentimetres} cm."
+        val explanation = session.state.brick.explanation.takeIf { report.status == RunStatus.ENDED }
+        return listOfNotNull(outcome, explanation).joinToString(" ")
+    }
+
+    private fun textOf(remark: ProgramRemark): String {
+        val file = remark.sourceFile?.let { "$it, line" } ?: "Line"
+        return if (remark.sourceLine > 0) "$file ${remark.sourceLine}: ${remark.message}" else remark.message
     }
 
     private companion object {

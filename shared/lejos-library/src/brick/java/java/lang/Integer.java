@@ -1,6 +1,10 @@
 package java.lang;
 
-/** A whole number as an object. */
+/**
+ * A whole number as an object.
+ *
+ * <p>A brick's has no intValue and equals only itself: what it can do is become text. To keep numbers and get them back, use an int[].
+ */
 public final class Integer {
     /** The smallest whole number there is: -2147483648. */
     public static final int MIN_VALUE = 0x80000000;

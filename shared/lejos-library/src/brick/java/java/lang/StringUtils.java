@@ -1,6 +1,12 @@
 package java.lang;
 
-/** Helps texts: it writes numbers in decimal figures. */
+/**
+ * Helps texts: it writes numbers in decimal figures.
+ *
+ * <p>A decimal number is written as Java on a computer does, with at least one figure behind the point, and with E and a power of ten below
+ * 0.001 and from ten million on, but with no more than seven figures. The last of them may be wrong, as on any 32-bit brick. There is
+ * no minus before 0.0.
+ */
 public final class StringUtils {
     /** Any decimal number needs at most so many characters. */
     private static final int LONGEST = 16;

@@ -1,6 +1,10 @@
 package java.lang;
 
-/** What can be thrown and caught: all exceptions and errors extend it. */
+/**
+ * What can be thrown and caught: all exceptions and errors extend it.
+ *
+ * <p>It knows its message and no more: on a brick there are no names of classes, no list of calls and no cause.
+ */
 public class Throwable {
     private String message;
 

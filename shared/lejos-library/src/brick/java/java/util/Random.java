@@ -23,8 +23,9 @@ public class Random {
         return next;
     }
 
-    /** Gives a whole number from 0 up to, but not including, the given one. */
+    /** Gives a whole number from 0 up to, but not including, the given one; fails with IllegalArgumentException if that is not above 0. */
     public int nextInt(int count) {
+        if (count <= 0) throw new IllegalArgumentException();
         int rest = nextInt() % count;
         return rest < 0 ? rest + count : rest;
     }

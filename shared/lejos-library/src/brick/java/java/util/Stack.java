@@ -30,7 +30,7 @@ public class Stack extends Vector {
         return elementCount == 0;
     }
 
-    /** Says how deep an object lies, 1 for the one on top, or -1 if it is not there. */
+    /** Says how deep an object lies, 1 for the one on top, 2 for the one below, or -1 if it is not there. */
     public synchronized int search(Object element) {
         int place = lastIndexOf(element);
         return place < 0 ? -1 : elementCount - place;

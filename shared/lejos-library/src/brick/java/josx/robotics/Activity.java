@@ -1,10 +1,22 @@
 package josx.robotics;
 
-/** Something a robot does when it wants to and nothing with a higher priority wants to; only one activity has the robot at a time. */
+/**
+ * Something a robot does when it wants to and nothing with a higher priority wants to; only one activity has the robot at a time.
+ *
+ * <p>How important an activity is says the priority of its thread. Of equals, who asked first is first.
+ */
 public abstract class Activity extends ActivityBase {
-    private static final StopException stop = new StopException();
+    /** An hour, in milliseconds. */
+    private static final int LONG = 3600000;
 
-    private static Activity chosen;
+    /** Whether it asked for the robot and has not got it yet. */
+    boolean isWaiting;
+
+    /** Whether it asked for the robot while it had it. */
+    boolean isCalledAgain;
+
+    /** Who asked after this one. */
+    Activity behind;
 
     /** Makes one; set its priority and call start. */
     public Activity() {
@@ -13,56 +25,38 @@ public abstract class Activity extends ActivityBase {
     /** Does what the activity is for; in it, call pause instead of sleep. */
     protected abstract void action() throws StopException;
 
-    /** Is called when the activity is at rest; one in the background can ask here for its next turn. */
+    /** Is called before the activity waits for the robot; one that always wants it can call iWantToRun here. */
     protected void resetRunnable() {
-        if (chosen == this) chosen = null;
+        SharedRobot.ONLY.forgetCall(this);
     }
 
-    /** Asks for the robot: it gets it unless an activity with a higher priority has it. */
+    /** Asks for the robot: the activity gets it when nothing more important wants it. */
     protected final void iWantToRun() {
-        synchronized (monitor) {
-            if (chosen != null && chosen.getPriority() > getPriority()) return;
-            chosen = this;
-            interrupt();
-            monitor.notifyAll();
-        }
+        SharedRobot.ONLY.ask(this);
     }
 
     /** Does the action each time the activity gets the robot. */
     public final void run() {
-        synchronized (monitor) {
-            while (true) act();
-        }
-    }
-
-    /** Lets time pass; fails if the activity wants to begin again or another takes the robot. */
-    protected final void pause(long milliseconds) throws InterruptedException, StopException {
-        monitor.wait(milliseconds);
-        if (chosen != this) throw stop;
-    }
-
-    /** Stands still until an activity wants the robot; fails if the activity wants to begin again or another takes the robot. */
-    protected final void pause() throws InterruptedException, StopException {
-        monitor.wait();
-        if (chosen != this) throw stop;
-    }
-
-    private void act() {
-        try {
+        while (true) {
             resetRunnable();
-            awaitTurn();
-            action();
-            monitor.notifyAll();
-        } catch (StopException anotherHasTheRobot) {
-            // Wait for the next turn.
+            SharedRobot.ONLY.await(this);
+            try {
+                action();
+            } catch (StopException another) {
+                // A more important activity has its turn now.
+            } finally {
+                SharedRobot.ONLY.giveBack();
+            }
         }
     }
 
-    private void awaitTurn() throws StopException {
-        try {
-            pause();
-        } catch (InterruptedException itIsOurTurn) {
-            // iWantToRun woke this thread.
-        }
+    /** Lets time pass; fails if the activity is to begin again or to give the robot away. */
+    protected final void pause(long milliseconds) throws InterruptedException, StopException {
+        SharedRobot.ONLY.keep(this, (int) milliseconds);
+    }
+
+    /** Stands still until the activity is to begin again or to give the robot away, and fails then. */
+    protected final void pause() throws InterruptedException, StopException {
+        while (true) SharedRobot.ONLY.keep(this, LONG);
     }
 }

@@ -1,8 +1,8 @@
 package josx.util;
 
-/** An object that can be used again and remembers which one waits behind it. */
+/** An object that can be used again, with the place where it waits for that. */
 public abstract class AbstractRecyclable implements Recyclable {
-    private Recyclable next;
+    private Recyclable nextInLine;
 
     /** Makes one. */
     public AbstractRecyclable() {
@@ -16,11 +16,11 @@ public abstract class AbstractRecyclable implements Recyclable {
 
     /** Gives the object that setNextRecyclable was told. */
     public Recyclable getNextRecyclable() {
-        return next;
+        return nextInLine;
     }
 
     /** Remembers the next object that waits to be used again. */
     public void setNextRecyclable(Recyclable next) {
-        this.next = next;
+        nextInLine = next;
     }
 }

@@ -1,34 +1,24 @@
 package josx.util;
 
-/** Gives out arrays of objects and takes them back, so that the same ones can be used again. */
+/** Keeps arrays that nobody needs and gives them out again. */
 public final class ArrayRecycler extends Recycler {
-    private int wantedLength;
-
-    /** Makes one that has no arrays yet. */
+    /** Makes one that keeps nothing yet. */
     public ArrayRecycler() {
     }
 
-    /** Gives an array of this length, filled with null. */
+    /** Gives an array of that length whose elements are all null. */
     public RecyclableArray allocate(int length) {
-        wantedLength = length;
-        RecyclableArray array = (RecyclableArray) allocate();
-        Recyclable tooShort = null;
-        while (array.capacity() < length) {
-            array.setNextRecyclable(tooShort);
-            tooShort = array;
-            array = (RecyclableArray) allocate();
-        }
-        while (tooShort != null) {
-            Recyclable next = tooShort.getNextRecyclable();
-            recycle(tooShort);
-            tooShort = next;
-        }
-        array.begin(length);
+        RecyclableArray array = (RecyclableArray) supply(length);
+        array.setLength(length);
         return array;
     }
 
-    /** Makes a new array. */
+    /** Makes a new array, which has no elements yet. */
     protected Recyclable createInstance() {
-        return new RecyclableArray(wantedLength);
+        return new RecyclableArray();
+    }
+
+    boolean isEnough(Recyclable object, int size) {
+        return ((RecyclableArray) object).holds(size);
     }
 }

@@ -1,6 +1,12 @@
 package josx.util;
 
-/** Calls a listener again and again after so many milliseconds. */
+/**
+ * Calls a listener again and again after so many milliseconds.
+ *
+ * <p>A thread of its own, made by the first start, does it, so the calls drift by what the listener takes. That thread is no daemon: end the
+ * program with System.exit. While the timer is stopped the thread only gives its turns away, as on a brick, and threads of a lower
+ * priority get none.
+ */
 public class Timer {
     private final TimerListener listener;
     private int delay;

@@ -1,14 +1,10 @@
 package robotran.lejos
 
-import org.apache.bcel.classfile.ClassParser
-import org.apache.bcel.classfile.JavaClass
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
 class LibraryClassFilesTest {
-    private val classes: List<JavaClass> = LejosLibrary.classNames.map { name ->
-        ClassParser(checkNotNull(LejosLibrary.classFile(name)).inputStream(), name).parse()
-    }
+    private val classes = libraryClassFiles
 
     @Test
     fun `the library keeps to what a TinyVM accepts`() {

@@ -10,7 +10,7 @@ internal class ClassFileReader(private val settings: JavaSettings) {
 
     /** @param fileOf the source that a refused class is in, null if that is not known. */
     fun link(name: String, classFiles: Map<String, ByteArray>, mainClass: String?, fileOf: (Refusal) -> String?): ProgramResult {
-        val result = linkTinyVm(name, classFiles, BrickLibrary.classFiles, mainClass, settings.mode, settings.speed)
+        val result = linkTinyVm(name, classFiles, BrickLibrary.classFiles, mainClass, settings.mode)
         return when (result) {
             is TinyVmResult.Ready -> ProgramResult.Ready(result.program)
             is TinyVmResult.Refused -> ProgramResult.Mistaken(listOf(mistakeOf(result.refusal, fileOf(result.refusal))))

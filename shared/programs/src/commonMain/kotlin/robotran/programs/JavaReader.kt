@@ -22,7 +22,7 @@ internal class JavaReader(
     private fun link(source: ProgramSource.Java, compiled: CompilationResult.Compiled): ProgramResult {
         val first = source.files.firstOrNull()?.name.orEmpty()
         val mainClass = mainClassOf(first, compiled.mainClasses) ?: return ProgramResult.Mistaken(listOf(Mistake(first, null, NO_MAIN)))
-        val linked = classFiles.link(source.name, compiled.classes, mainClass) { source.files.singleOrNull()?.name }
+        val linked = classFiles.link(source.name, compiled.classes, mainClass) { refusal -> fileOf(source.files, refusal.className) }
         return when (linked) {
             is ProgramResult.Ready -> linked.copy(warnings = compiled.warnings.map(::mistakeOf))
             is ProgramResult.Mistaken -> linked
@@ -30,8 +30,15 @@ internal class JavaReader(
     }
 
     private fun mainClassOf(file: String, candidates: List<String>): String? {
-        val expected = file.removeSuffix(".java")
+        val expected = file.substringAfterLast('/').substringAfterLast('\\').removeSuffix(".java")
         return candidates.firstOrNull { it.substringAfterLast('/') == expected } ?: candidates.firstOrNull()
+    }
+
+    /** The file that declares the class [name], whose name has dots; the first if none seems to. */
+    private fun fileOf(files: List<SourceFile>, name: String): String? {
+        val simple = Regex.escape(name.substringAfterLast('.').substringBefore('$'))
+        val declaration = Regex("\\b(class|interface)\\s+$simple\\b")
+        return (files.firstOrNull { declaration.containsMatchIn(it.text) } ?: files.firstOrNull())?.name
     }
 
     private fun mistakeOf(diagnostic: JavaDiagnostic) = Mistake(

@@ -7,7 +7,7 @@ import robotran.tinyvm.TinyVmSpeed
  * How Java programs run.
  *
  * @property mode with all the peculiarities of a brick, or as the Java language says.
- * @property speed that of a brick, or as much as the machine gives.
+ * @property speed that of a brick, or much more.
  */
 data class JavaSettings(
     val mode: TinyVmMode = TinyVmMode.BRICK,

@@ -23,16 +23,25 @@ class ProgramReader(
     fun isReadyFor(source: ProgramSource): Boolean = source !is ProgramSource.Java || compiler != null
 
     /**
-     * Reads [source], whatever it holds. Not to be called again before it has answered.
+     * Loads what reading [source] takes.
      *
-     * @throws Exception if the compiler for Java is needed and cannot be loaded, as when a browser is offline before it was ever fetched; what is thrown
-     * differs from platform to platform.
+     * @throws Throwable if the compiler for Java cannot be loaded, as when a browser is offline before it was ever fetched; what is thrown differs from
+     * platform to platform.
      */
-    suspend fun read(source: ProgramSource): ProgramResult = when (source) {
+    suspend fun prepareFor(source: ProgramSource) {
+        if (!isReadyFor(source)) compiler = loadJavaCompiler()
+    }
+
+    /** Reads [source], whatever it holds, which it must be ready for. Not to be used from two threads at once. */
+    fun readNow(source: ProgramSource): ProgramResult = when (source) {
         is ProgramSource.Robolang -> robolang.read(source)
-        is ProgramSource.Java -> JavaReader(loadedCompiler(), classFiles).read(source)
+        is ProgramSource.Java -> JavaReader(checkNotNull(compiler) { "The compiler for Java is not loaded." }, classFiles).read(source)
         is ProgramSource.ClassFiles -> classFiles.read(source)
     }
 
-    private suspend fun loadedCompiler(): JavaCompiler = compiler ?: loadJavaCompiler().also { compiler = it }
+    /** Both in one: see [prepareFor] and [readNow]. */
+    suspend fun read(source: ProgramSource): ProgramResult {
+        prepareFor(source)
+        return readNow(source)
+    }
 }

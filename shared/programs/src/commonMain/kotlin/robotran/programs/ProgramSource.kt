@@ -32,7 +32,7 @@ sealed interface ProgramSource {
 /**
  * One file of a program.
  *
- * @property name its name without folders, such as `Square.java`.
+ * @property name its name, with or without folders, such as `Square.java`; a public class in it must be called like it.
  * @property text what is written in it, with any line ends.
  */
 data class SourceFile(

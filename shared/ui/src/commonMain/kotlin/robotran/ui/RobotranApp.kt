@@ -10,7 +10,8 @@ import robotran.ui.screen.WorkshopScreen
 import robotran.ui.theme.RobotranTheme
 import robotran.ui.workshop.Workshop
 
-/** The whole app over [workshop]: its screen, and the frames that let its time pass while there is something to see. */
+/** The whole app over [workshop]: its screen, the frames that let its time pass while there is something to see, and the pauses
+ * of typing in which Java is compiled. */
 @Composable
 fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme()) {
     LaunchedEffect(workshop) {
@@ -18,5 +19,6 @@ fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme()) {
             if (awake) while (true) withFrameNanos(workshop::frame)
         }
     }
+    LaunchedEffect(workshop) { workshop.keepReading() }
     RobotranTheme(dark) { WorkshopScreen(workshop.state, workshop::handle) }
 }

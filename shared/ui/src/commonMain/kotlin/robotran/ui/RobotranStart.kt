@@ -23,19 +23,19 @@ import robotran.ui.sound.LoudSpeaker
 import robotran.ui.sound.NoLoudSpeaker
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
-import robotran.ui.workshop.ProgramFile
+import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.Workshop
 
 /**
- * What every platform's app shows: a word while things get ready, then [RobotranApp] with [program] or, without one, the square.
+ * What every platform's app shows: a word while things get ready, then [RobotranApp] with [programs] or, without any, the square.
  *
  * @param speaker plays the brick's tones.
  * @param onOpened is told the workshop once it is there.
  */
 @Composable
-fun RobotranStart(program: ProgramFile? = null, speaker: LoudSpeaker = NoLoudSpeaker, onOpened: (Workshop) -> Unit = {}) {
+fun RobotranStart(programs: List<PupilProgram> = emptyList(), speaker: LoudSpeaker = NoLoudSpeaker, onOpened: (Workshop) -> Unit = {}) {
     var workshop by remember { mutableStateOf<Workshop?>(null) }
-    LaunchedEffect(program) { workshop = openWorkshop(program, speaker).also(onOpened) }
+    LaunchedEffect(programs) { workshop = openWorkshop(programs, speaker).also(onOpened) }
     DisposableEffect(Unit) { onDispose { workshop?.close() } }
     val ready = workshop
     if (ready == null) RobotranTheme { GettingReady() } else RobotranApp(ready)

@@ -67,7 +67,7 @@ class VariablesTest {
     fun `each call of a recursive routine has its own values`() = runTest {
         val session =
             startedForDebugging("procedure down(n)\n  var twice = n * 2\n  if n > 0\n    down(n - 1)\n  end\n  show twice\nend\ndown(2)")
-        session.breakpoints = setOf(6)
+        session.breakpoints = setOf(Breakpoint(6))
         val frames = List(3) {
             session.runUntilStop(1_000)
             session.scopes().first()

@@ -7,6 +7,7 @@ import org.gradle.api.file.DirectoryProperty
 import org.gradle.api.provider.Property
 import org.gradle.api.tasks.CacheableTask
 import org.gradle.api.tasks.Classpath
+import org.gradle.api.tasks.Input
 import org.gradle.api.tasks.InputFiles
 import org.gradle.api.tasks.Internal
 import org.gradle.api.tasks.OutputDirectory
@@ -17,8 +18,8 @@ import org.gradle.workers.WorkerExecutor
 import javax.inject.Inject
 
 /**
- * Compiles a class library of a brick, with its own `java.lang`, by ECJ into class files of version 45.3. The same sources give the same
- * bytes. [textFolder] gets each class file once more, in Base64, as `NAME.class`, for generated Kotlin.
+ * Compiles Java for a brick by ECJ into class files of version 45.3: a class library with its own `java.lang`, or programs against one. The
+ * same sources give the same bytes. [textFolder] gets each class file once more, in Base64, as `NAME.class`, for generated Kotlin.
  */
 @CacheableTask
 abstract class CompileForBrick : DefaultTask() {
@@ -26,12 +27,23 @@ abstract class CompileForBrick : DefaultTask() {
     @get:Classpath
     abstract val compiler: ConfigurableFileCollection
 
+    /** The folder with the class files of the library to compile against; none for the library itself. */
+    @get:Classpath
+    abstract val library: ConfigurableFileCollection
+
     @get:Internal
     abstract val sources: Property<ConfigurableFileTree>
 
     @get:InputFiles
     @get:PathSensitive(PathSensitivity.RELATIVE)
     val files get() = sources.get()
+
+    /**
+     * Whether each source is a program of its own, whose class files go into a folder called like the source, such as `robots/Square.java`.
+     * Those that tell mistakes, in a line `// error LINE`, are left out then.
+     */
+    @get:Input
+    abstract val eachAlone: Property<Boolean>
 
     @get:OutputDirectory
     abstract val classFolder: DirectoryProperty
@@ -46,6 +58,9 @@ abstract class CompileForBrick : DefaultTask() {
     fun compile() {
         workers.classLoaderIsolation { it.classpath.from(compiler) }.submit(CompileForBrickAction::class.java) {
             it.sources.from(files)
+            it.sourceFolder.set(files.dir)
+            it.eachAlone.set(eachAlone)
+            it.library.from(library)
             it.noClasses.set(temporaryDir)
             it.classFolder.set(classFolder)
             it.textFolder.set(textFolder)

@@ -4,6 +4,7 @@ import org.eclipse.jdt.core.compiler.batch.BatchCompiler
 import org.gradle.api.GradleException
 import org.gradle.api.file.ConfigurableFileCollection
 import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.provider.Property
 import org.gradle.workers.WorkAction
 import org.gradle.workers.WorkParameters
 import java.io.File
@@ -15,6 +16,9 @@ import java.util.Base64
 internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction.Parameters> {
     interface Parameters : WorkParameters {
         val sources: ConfigurableFileCollection
+        val sourceFolder: DirectoryProperty
+        val eachAlone: Property<Boolean>
+        val library: ConfigurableFileCollection
 
         /** A folder with nothing in it, in the place of the JDK's classes. */
         val noClasses: DirectoryProperty
@@ -27,7 +31,8 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
         val texts = parameters.textFolder.get().asFile
         classes.deleteRecursively()
         texts.deleteRecursively()
-        compile(classes)
+        val sources = parameters.sources.files.sorted()
+        if (parameters.eachAlone.get()) sources.filterNot(::tellsMistakes).forEach { compileAlone(it, classes) } else compile(sources, classes)
         classes.walk().filter { it.isFile }.forEach { file ->
             val text = texts.resolve(file.relativeTo(classes).path)
             text.parentFile.mkdirs()
@@ -35,18 +40,28 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
         }
     }
 
-    private fun compile(classes: File) {
+    private fun tellsMistakes(source: File) = source.readLines().any { it.startsWith(MISTAKE) }
+
+    private fun compileAlone(
+        source: File,
+        classes: File,
+    ) = compile(listOf(source), classes.resolve(source.relativeTo(parameters.sourceFolder.get().asFile).path))
+
+    private fun compile(
+        sources: List<File>,
+        classes: File,
+    ) {
         val problems = StringWriter()
-        val sources = parameters.sources.files.map { it.path }.sorted()
-        val noClasses = parameters.noClasses.get().asFile.path
-        val places = listOf("-bootclasspath", noClasses, "-classpath", noClasses, "-d", classes.path)
+        val library = (parameters.library.files.singleOrNull() ?: parameters.noClasses.get().asFile).path
+        val places = listOf("-bootclasspath", library, "-classpath", library, "-d", classes.path)
         val output = PrintWriter(problems)
-        if (!BatchCompiler.compile((OPTIONS + places + sources).toTypedArray(), output, output, null)) {
-            throw GradleException("The library of leJOS does not compile:\n$problems")
+        if (!BatchCompiler.compile((OPTIONS + places + sources.map { it.path }).toTypedArray(), output, output, null)) {
+            throw GradleException("This does not compile for a brick:\n$problems")
         }
     }
 
     private companion object {
+        const val MISTAKE = "// error "
         val OPTIONS = listOf("-source", "1.3", "-target", "1.1", "-proc:none", "-g", "-preserveAllLocals", "-nowarn", "-encoding", "UTF-8")
     }
 }

@@ -1,50 +1,51 @@
 package josx.platform.rcx;
 
-/** A motor with a rotation sensor that turns to a position and stops there. */
+/**
+ * A motor with a rotation sensor that turns to a position and stops there.
+ *
+ * <p>As on a brick, it turns forward to a position that lies less than the slack ahead, and so to all behind it. Give it a slack of 0 if it is
+ * to stay where it is right already.
+ */
 public class Servo implements SensorListener {
     private static final int FULL_POWER = 7;
 
+    private final Sensor sensor;
     private final Motor motor;
     private final int slack;
-    private int position;
     private int target;
+    private boolean isOnItsWay;
 
     /** Makes one whose position now is 0. */
     public Servo(Sensor sensor, Motor motor) {
         this(sensor, motor, 0);
     }
 
-    /** Makes one that is content if it is wrong by no more than the slack. */
+    /** Makes one whose position now is 0 and that may stop so many counts too early. */
     public Servo(Sensor sensor, Motor motor, int slack) {
+        this.sensor = sensor;
         this.motor = motor;
         this.slack = slack;
-        sensor.addSensorListener(this);
         sensor.setTypeAndMode(SensorConstants.SENSOR_TYPE_ROT, SensorConstants.SENSOR_MODE_ANGLE);
         sensor.setPreviousValue(0);
         sensor.activate();
+        sensor.addSensorListener(this);
     }
 
-    /** Begins to turn to a position, in sixteenths of the sensor's turns, and says whether it is there already. */
+    /** Begins to turn to a position, sixteen counts a turn of the sensor, and says whether it is there already. */
     public synchronized boolean rotateTo(int position) {
+        int ahead = position - sensor.readValue();
         target = position;
+        isOnItsWay = ahead != slack;
         motor.setPower(FULL_POWER);
-        int way = target - this.position;
-        // As on a brick, a small step backward of less than the slack begins forward, too.
-        if (way < slack) {
-            motor.forward();
-        } else if (way > slack) {
-            motor.backward();
-        } else {
-            return true;
-        }
-        return false;
+        if (ahead < slack) motor.forward();
+        if (ahead > slack) motor.backward();
+        return !isOnItsWay;
     }
 
-    /** Is called when the sensor counts; stops the motor where it should be and wakes who waits for the servo. */
-    public synchronized void stateChanged(Sensor sensor, int oldValue, int newValue) {
-        position = newValue;
-        int way = target - newValue;
-        if (way > slack || way < -slack) return;
+    /** Is called when the sensor counts; stops the motor at the position and wakes who waits for the servo. */
+    public synchronized void stateChanged(Sensor source, int oldValue, int newValue) {
+        if (!isOnItsWay || Math.abs(target - newValue) > slack) return;
+        isOnItsWay = false;
         motor.stop();
         notifyAll();
     }

@@ -20,11 +20,13 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.robolang.Diagnostic
+import robotran.programs.Mistake
 import robotran.ui.resources.Res
 import robotran.ui.resources.mistake
 import robotran.ui.resources.mistake_fix
 import robotran.ui.resources.mistake_fix_remove
+import robotran.ui.resources.mistake_in_file
+import robotran.ui.resources.mistake_in_line_of_file
 import robotran.ui.resources.mistakes_more
 import robotran.ui.resources.mistakes_more_one
 import robotran.ui.theme.LocalRobotranColours
@@ -34,15 +36,17 @@ import robotran.ui.theme.focusRing
 /**
  * The first few mistakes under the program, each with a button that mends it where that is possible.
  *
+ * @param withFiles whether to say which file each is in.
  * @param most how many there is room for; the others come up as these are mended.
  * @param pointedOut whether somebody tried to run the program: the first mistake then stands out.
  */
 @Composable
 internal fun MistakeList(
-    mistakes: List<Diagnostic>,
+    mistakes: List<Mistake>,
+    withFiles: Boolean,
     most: Int,
     pointedOut: Boolean,
-    onFix: (Diagnostic) -> Unit,
+    onFix: (Mistake) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val colours = LocalRobotranColours.current
@@ -54,7 +58,7 @@ internal fun MistakeList(
             .semantics { liveRegion = LiveRegionMode.Polite }
             .padding(horizontal = 16.dp, vertical = 4.dp),
     ) {
-        mistakes.take(most).forEachIndexed { index, mistake -> MistakeRow(mistake, pointedOut && index == 0, onFix) }
+        mistakes.take(most).forEachIndexed { index, mistake -> MistakeRow(mistake, withFiles, pointedOut && index == 0, onFix) }
         val more = mistakes.size - most
         if (more > 0) {
             val text = if (more == 1) stringResource(Res.string.mistakes_more_one) else stringResource(Res.string.mistakes_more, more)
@@ -64,10 +68,10 @@ internal fun MistakeList(
 }
 
 @Composable
-private fun MistakeRow(mistake: Diagnostic, standsOut: Boolean, onFix: (Diagnostic) -> Unit) {
+private fun MistakeRow(mistake: Mistake, withFile: Boolean, standsOut: Boolean, onFix: (Mistake) -> Unit) {
     Row(Modifier.fillMaxWidth().defaultMinSize(minHeight = Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
         Text(
-            stringResource(Res.string.mistake, mistake.range.line, mistake.message),
+            textOf(mistake, withFile),
             Modifier.weight(1f).padding(vertical = 6.dp),
             color = LocalRobotranColours.current.mistake,
             fontSize = 16.sp,
@@ -78,7 +82,18 @@ private fun MistakeRow(mistake: Diagnostic, standsOut: Boolean, onFix: (Diagnost
 }
 
 @Composable
-private fun FixButton(mistake: Diagnostic, onFix: (Diagnostic) -> Unit) {
+private fun textOf(mistake: Mistake, withFile: Boolean): String {
+    val line = mistake.range?.line
+    return when {
+        line == null && withFile -> stringResource(Res.string.mistake_in_file, mistake.file, mistake.message)
+        line == null -> mistake.message
+        withFile -> stringResource(Res.string.mistake_in_line_of_file, mistake.file, line, mistake.message)
+        else -> stringResource(Res.string.mistake, line, mistake.message)
+    }
+}
+
+@Composable
+private fun FixButton(mistake: Mistake, onFix: (Mistake) -> Unit) {
     val replacement = mistake.fix?.replacement?.trim().orEmpty()
     val text =
         if (replacement.isEmpty()) stringResource(Res.string.mistake_fix_remove) else stringResource(Res.string.mistake_fix, replacement)

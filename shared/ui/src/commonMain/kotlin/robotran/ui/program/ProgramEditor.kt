@@ -37,7 +37,7 @@ import androidx.compose.ui.text.input.KeyboardCapitalization
 import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.robolang.SourceRange
+import robotran.programs.TextRange as MistakeRange
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_label
@@ -54,7 +54,7 @@ import robotran.ui.theme.codeStyle
 internal fun ProgramEditor(
     text: String,
     runningLine: Int,
-    mistakes: List<SourceRange>,
+    mistakes: List<MistakeRange>,
     onEdit: (String) -> Unit,
     modifier: Modifier = Modifier,
 ) {
@@ -76,7 +76,7 @@ internal fun ProgramEditor(
 private fun ProgramField(
     text: String,
     runningLine: Int,
-    mistakes: List<SourceRange>,
+    mistakes: List<MistakeRange>,
     onEdit: (String) -> Unit,
     modifier: Modifier,
 ) {

@@ -7,26 +7,27 @@ import androidx.compose.ui.Modifier
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorkshopStatus
 
 /**
- * The program to write in, and under it what is wrong with it.
+ * The programs to choose from, the one to write in, and under it what is wrong with it.
  *
  * @param mostMistakes how many mistakes there is room for.
  */
 @Composable
 internal fun ProgramPane(state: WorkshopState, mostMistakes: Int, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
-    val running = state.status as? WorkshopStatus.Running
     Column(modifier.background(LocalRobotranColours.current.pane)) {
+        ProgramTabs(state, onEvent)
+        if (state.program.files.size > 1) FileTabs(state.program.files, state.shownFile, { onEvent(WorkshopEvent.FileChosen(it)) })
         ProgramEditor(
             text = state.programText,
-            runningLine = if (state.changed) 0 else running?.line ?: 0,
-            mistakes = state.mistakes.map { it.range },
+            runningLine = state.runningLine,
+            mistakes = state.mistakes.filter { it.file == state.file.name }.mapNotNull { it.range },
             onEdit = { onEvent(WorkshopEvent.ProgramEdited(it)) },
             modifier = Modifier.weight(1f),
         )
         if (state.mistakes.isNotEmpty()) {
-            MistakeList(state.mistakes, mostMistakes, state.mistakePointedOut, { onEvent(WorkshopEvent.FixApplied(it)) })
+            MistakeList(state.mistakes, state.program.files.size > 1, mostMistakes, state.mistakePointedOut, { onEvent(WorkshopEvent.FixApplied(it)) })
         }
+        state.closedProgram?.let { ClosedProgram(it.name, state.hasRoom) { onEvent(WorkshopEvent.ProgramReopened) } }
     }
 }

@@ -3,11 +3,16 @@ package robotran.ui.runbar
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
+import robotran.ui.resources.mistake_in_line_of_file
 import robotran.ui.resources.status_changed
+import robotran.ui.resources.status_compiling
 import robotran.ui.resources.status_empty
 import robotran.ui.resources.status_ended
 import robotran.ui.resources.status_failed
 import robotran.ui.resources.status_mistake
+import robotran.ui.resources.status_mistake_anywhere
+import robotran.ui.resources.status_mistake_in_file
+import robotran.ui.resources.status_no_compiler
 import robotran.ui.resources.status_off
 import robotran.ui.resources.status_ready
 import robotran.ui.resources.status_running
@@ -36,8 +41,16 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
         stringResource(Res.string.status_off)
     }
 
+    WorkshopStatus.Compiling -> {
+        stringResource(Res.string.status_compiling)
+    }
+
+    WorkshopStatus.NoCompiler -> {
+        stringResource(Res.string.status_no_compiler)
+    }
+
     is WorkshopStatus.Mistaken -> {
-        stringResource(Res.string.status_mistake, status.line)
+        mistakenText(status.line, status.file)
     }
 
     is WorkshopStatus.Running -> {
@@ -49,8 +62,22 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
     }
 
     is WorkshopStatus.Failed -> {
-        if (status.line > 0) stringResource(Res.string.status_failed, status.line, status.message) else status.message
+        failedText(status.line, status.file, status.message)
     }
+}
+
+@Composable
+private fun mistakenText(line: Int, file: String?): String = when {
+    line == 0 -> stringResource(Res.string.status_mistake_anywhere)
+    file == null -> stringResource(Res.string.status_mistake, line)
+    else -> stringResource(Res.string.status_mistake_in_file, line, file)
+}
+
+@Composable
+private fun failedText(line: Int, file: String?, message: String): String = when {
+    line == 0 -> message
+    file == null -> stringResource(Res.string.status_failed, line, message)
+    else -> stringResource(Res.string.mistake_in_line_of_file, file, line, message)
 }
 
 /** [value] with exactly one decimal, as `-0.5` or `12.0`, the same on every platform. */

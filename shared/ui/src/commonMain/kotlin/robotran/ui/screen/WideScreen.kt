@@ -24,7 +24,6 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.LEAST_BRICK_WIDTH
-import robotran.ui.program.ProgramName
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
@@ -41,7 +40,6 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
         val whole = maxWidth
         Row(Modifier.fillMaxSize()) {
             Column(Modifier.width(whole * share).fillMaxHeight()) {
-                ProgramName(state.programName)
                 ProgramPane(state, MOST_MISTAKES, onEvent, Modifier.weight(1f))
             }
             Column(Modifier.weight(1f).fillMaxHeight()) {

@@ -3,10 +3,7 @@ package robotran.ui.workshop
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import robotran.robolang.Diagnostic
-import robotran.robolang.RobolangProgram
-import robotran.robolang.RobolangResult
-import robotran.robolang.readRobolang
+import robotran.programs.ProgramReader
 import robotran.rom.BrickButton
 import robotran.ui.sound.LoudSpeaker
 import robotran.ui.sound.NoLoudSpeaker
@@ -22,37 +19,40 @@ import robotran.world.report
  * What happens behind the screen: takes [WorkshopEvent]s, lets virtual time pass, and shows the result as one [WorkshopState].
  * Owns the running session; not safe for use by several threads.
  *
- * Run in the run bar begins afresh: the robot is back at its start on a clean sheet, on a brick that is switched on. The brick's own Run
- * carries on from where the robot stands, as on a real one, unless the program has changed, which begins afresh too.
+ * Run in the run bar begins afresh with the program that is shown: the robot is back at its start on a clean sheet, on a brick that is switched on.
+ * The brick's own Run carries on from where the robot stands, as on a real one, unless a program has changed, which begins afresh too.
  *
- * @param program the program to begin with.
+ * @param programs the programs to begin with, one or more.
  * @param speaker plays the brick's tones; is closed with the workshop.
  */
 class Workshop(
     private val world: World,
     private val physics: PhysicsEngine,
-    program: ProgramFile,
+    programs: List<PupilProgram>,
     speaker: LoudSpeaker = NoLoudSpeaker,
 ) {
-    private val programName = program.name
-    private var loadedText = program.text.withPlainLineEnds()
-    private var reading = read(loadedText)
+    private val shelf = ProgramShelf(programs.map { it.withPlainLineEnds() }, ProgramReader(PENBOT_CALIBRATION))
+    private val readingLoop = ReadingLoop(shelf, ::showReading)
+    private var loaded = shelf.programs
+    private var loadedSlots = shelf.slots
     private val sound = SoundPlayer(speaker)
-    private var session = newSession()
+    private var session = newSession(slot = 0)
     private val frames = FrameClock()
     private val rest = RestWatch()
+    private var runWhenRead = false
 
     /** What is to be seen now. Compose notices when it changes. */
-    var state: WorkshopState by mutableStateOf(firstState(loadedText))
+    var state: WorkshopState by mutableStateOf(firstState())
         private set
+
+    private val editing = ProgramEditing(shelf, { state }, { state = it })
 
     /** Something a person does. */
     fun handle(event: WorkshopEvent) {
         when (event) {
-            is WorkshopEvent.ProgramEdited -> edit(event.text)
-            is WorkshopEvent.FixApplied -> applyFix(event.mistake)
+            is WorkshopEvent.OfPrograms -> changePrograms(event)
             WorkshopEvent.RunPressed -> run()
-            WorkshopEvent.StopPressed -> session.apply(SessionInput.Stop)
+            WorkshopEvent.StopPressed -> stop()
             is WorkshopEvent.ButtonPressed -> press(event.button)
             is WorkshopEvent.ButtonReleased -> release(event.button)
             is WorkshopEvent.PaneChosen -> state = state.copy(pane = event.pane)
@@ -61,6 +61,12 @@ class Workshop(
         rest.disturb()
         show()
     }
+
+    /** Compiles Java programs in the pauses of typing, for ever; to be called once, for as long as the workshop is on a screen. */
+    suspend fun keepReading() = readingLoop.run()
+
+    /** Reads all programs that were not read yet, and does what waited for it. */
+    suspend fun readPrograms() = readingLoop.readAll()
 
     /** A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards: virtual time follows it while [WorkshopState.awake]. */
     fun frame(nanoseconds: Long) {
@@ -93,30 +99,42 @@ class Workshop(
         session.close()
     }
 
-    private fun edit(written: String) {
-        val text = written.withPlainLineEnds()
-        if (text == state.programText) return
-        reading = read(text)
-        state = state.copy(programText = text, mistakes = mistakes(), mistakePointedOut = false)
+    private fun changePrograms(event: WorkshopEvent.OfPrograms) {
+        runWhenRead = false
+        editing.handle(event)
+        readingLoop.programsChanged()
     }
 
-    private fun applyFix(mistake: Diagnostic) {
-        mistake.fix?.let { edit(state.programText.mendedBy(it)) }
+    private fun showReading(reading: ProgramReading) {
+        state = state.copy(reading = reading)
+        if (reading == ProgramReading.NO_COMPILER) runWhenRead = false
+        if (reading == ProgramReading.DONE) {
+            if (state.untouched) beginAfresh(state.session.brick.selectedSlot.coerceAtMost(shelf.programs.lastIndex))
+            if (runWhenRead) run()
+        }
+        rest.disturb()
+        show()
     }
 
     private fun run() {
-        if (!canStart()) return
-        beginAfresh()
+        if (!canStart(state.shownProgram)) return
+        beginAfresh(state.shownProgram)
         press(BrickButton.RUN)
         release(BrickButton.RUN)
         if (state.pane == Pane.PROGRAM) state = state.copy(pane = Pane.WORLD)
     }
 
+    private fun stop() {
+        runWhenRead = false
+        session.apply(SessionInput.Stop)
+    }
+
     private fun press(button: BrickButton) {
         state = state.copy(down = state.down + button)
         if (button == BrickButton.RUN && !state.running && state.changed) {
-            if (!canStart()) return
-            beginAfresh()
+            val slot = state.session.brick.selectedSlot.coerceAtMost(shelf.programs.lastIndex)
+            if (!canStart(slot)) return
+            beginAfresh(slot)
         }
         if (button == BrickButton.RUN) state = state.copy(untouched = false)
         session.apply(SessionInput.Press(button))
@@ -127,42 +145,48 @@ class Workshop(
         session.apply(SessionInput.Release(button))
     }
 
-    /** Whether the text can run; if not, its first mistake is pointed out. */
-    private fun canStart(): Boolean {
-        val possible = reading is RobolangResult.Ready && state.programText.isNotBlank()
-        if (!possible) state = state.copy(mistakePointedOut = true, pane = Pane.PROGRAM)
+    /** Whether the program in [slot] can run now; if it has mistakes, the first is pointed out, and if it was not read yet, it runs once it is. */
+    private fun canStart(slot: Int): Boolean {
+        runWhenRead = !shelf.isRead(slot)
+        if (runWhenRead) readingLoop.hurry()
+        val possible = shelf.canRun(slot)
+        if (!possible && !runWhenRead) editing.pointOutMistakes(slot)
         return possible
     }
 
-    private fun beginAfresh() {
+    private fun beginAfresh(slot: Int) {
         session.close()
-        session = newSession()
-        loadedText = state.programText
+        session = newSession(slot)
+        loaded = shelf.programs
+        loadedSlots = shelf.slots
         show()
     }
 
-    private fun newSession() = Session(world, listOfNotNull(program()), physics).also { sound.listenTo(it.sounds) }
+    private fun newSession(slot: Int) = Session(world, shelf.slots, physics, slot).also { sound.listenTo(it.sounds) }
 
     private fun switchSound(on: Boolean) {
         sound.muted = !on
         state = state.copy(soundOn = on)
     }
 
-    private fun program(): RobolangProgram? = (reading as? RobolangResult.Ready)?.program
-
-    private fun mistakes(): List<Diagnostic> = (reading as? RobolangResult.Mistaken)?.diagnostics.orEmpty()
-
-    private fun read(text: String): RobolangResult = readRobolang(programName, text, PENBOT_CALIBRATION)
-
     private fun show() {
         val now = session.state
-        state = state.copy(session = now, changed = state.programText != loadedText, awake = rest.isAwake(now))
+        state = state.copy(
+            programs = shelf.programs,
+            mistakes = shelf.mistakes(state.shownProgram),
+            session = now,
+            changed = shelf.programs != loaded || shelf.slots.map { it == null } != loadedSlots.map { it == null },
+            awake = rest.isAwake(now),
+        )
     }
 
-    private fun firstState(text: String) = WorkshopState(
-        programName = programName,
-        programText = text,
-        mistakes = mistakes(),
+    private fun firstState() = WorkshopState(
+        programs = shelf.programs,
+        shownProgram = 0,
+        shownFile = 0,
+        closedProgram = null,
+        mistakes = shelf.mistakes(0),
+        reading = if (shelf.hasUnread) ProgramReading.WAITING else ProgramReading.DONE,
         changed = false,
         mistakePointedOut = false,
         world = world,

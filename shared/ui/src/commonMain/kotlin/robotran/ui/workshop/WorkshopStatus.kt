@@ -8,11 +8,17 @@ sealed interface WorkshopStatus {
     /** There is nothing to run. */
     data object Empty : WorkshopStatus
 
-    /** Nothing can run before [line] is mended. */
-    data class Mistaken(val line: Int) : WorkshopStatus
+    /** Nothing can run before [line], 0 if the mistake is at none, of [file] is mended; null if the program has only one file. */
+    data class Mistaken(val line: Int, val file: String? = null) : WorkshopStatus
 
     /** The text is not the program that ran last. */
     data object Changed : WorkshopStatus
+
+    /** The Java program is being compiled, which takes longest the first time. */
+    data object Compiling : WorkshopStatus
+
+    /** The compiler for Java could not be fetched. */
+    data object NoCompiler : WorkshopStatus
 
     /** The brick is switched off. */
     data object Off : WorkshopStatus
@@ -23,6 +29,6 @@ sealed interface WorkshopStatus {
     /** The program came to its end, or somebody stopped it. */
     data class Ended(val stopped: Boolean) : WorkshopStatus
 
-    /** The program could not go on at [line], 0 if at none; [message] says why. */
-    data class Failed(val line: Int, val message: String) : WorkshopStatus
+    /** The program could not go on at [line], 0 if at none, of [file], null if it has only one; [message] says why. */
+    data class Failed(val line: Int, val message: String, val file: String? = null) : WorkshopStatus
 }

@@ -12,7 +12,7 @@ import kotlin.test.assertTrue
 
 class WorkshopSoundTest {
     private val speaker = RememberingSpeaker()
-    private val workshop = runBlocking { openWorkshop(ProgramFile("beep.robo", "beep\nwait 300 milliseconds\nbeep"), speaker) }
+    private val workshop = runBlocking { openWorkshop(listOf(PupilProgram("beep.robo", "beep\nwait 300 milliseconds\nbeep")), speaker) }
     private var nanoseconds = 0L
 
     @AfterTest

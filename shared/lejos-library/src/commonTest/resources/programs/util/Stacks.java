@@ -10,6 +10,8 @@ public class Stacks {
         pile.push("seven");
         LCD.showNumber(((String) pile.peek()).length()); // shows: 5
         LCD.showNumber(pile.search("one")); // shows: 2
+        LCD.showNumber(pile.search("seven")); // shows: 1
+        LCD.showNumber(-pile.search("none")); // shows: 1
         LCD.showNumber(((String) pile.pop()).length()); // shows: 5
         LCD.showNumber(((String) pile.pop()).length()); // shows: 3
         try {

@@ -8,7 +8,9 @@ public class Proximity {
         eye.waitTillNear(0);
         LCD.showNumber((int) System.currentTimeMillis() >= 500 ? 1 : 0); // shows: 1
         eye.waitTillNear(100);
-        new ProximitySensor(Sensor.S1);
+        ProximitySensor other = new ProximitySensor(Sensor.S1);
+        other.stateChanged(Sensor.S1, 0, 100);
+        LCD.showNumber((int) System.currentTimeMillis() >= 600 ? 1 : 0); // shows: 1
     }
 }
 // sensor 2 at 0: raw 1023

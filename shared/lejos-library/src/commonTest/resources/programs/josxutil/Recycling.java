@@ -41,6 +41,7 @@ public class Recycling {
         array.put(2, "x");
         LCD.showNumber(array.getLength()); // shows: 3
         arrays.recycle(array);
+        LCD.showNumber(array.getLength()); // shows: 0
         LCD.showNumber(arrays.allocate(5) == array ? 1 : 0); // shows: 0
         RecyclableArray shorter = arrays.allocate(2);
         LCD.showNumber(shorter == array ? 1 : 0); // shows: 1

@@ -36,6 +36,25 @@ public class Handlers {
         }
     }
 
+    /** Hands on what the handler below it has. */
+    static class Upper extends PacketHandler {
+        Upper(PacketHandler below) {
+            super(below);
+        }
+
+        public boolean sendPacket(byte[] packet, int length) {
+            return lowerHandler.sendPacket(packet, length);
+        }
+
+        public int receivePacket(byte[] buffer) {
+            return lowerHandler.receivePacket(buffer);
+        }
+
+        public boolean isPacketAvailable() {
+            return lowerHandler.isPacketAvailable();
+        }
+    }
+
     static class Port extends RCXAbstractPort {
         Port(PacketHandler handler) throws IOException {
             super(handler);
@@ -51,13 +70,19 @@ public class Handlers {
         plain.close();
         LCD.showNumber(plain.getError() + plain.receiveAck(buffer)); // shows: 0
         LCD.showNumber(plain.isAckAvailable() ? 1 : 0); // shows: 0
-        PacketHandler sure = new F7DeliveryHandler(new Answering());
+        F7DeliveryHandler sure = new F7DeliveryHandler(new Answering());
         LCD.showNumber(sure.sendPacket(buffer, 1) ? 1 : 0); // shows: 1
         LCD.showNumber(sure.receivePacket(buffer)); // shows: 0
-        PacketHandler light = new F7Handler();
+        LCD.showNumber(sure.isPacketAvailable() ? 1 : 0); // shows: 0
+        F7Handler light = new F7Handler();
         LCD.showNumber(light.sendPacket(buffer, 1) ? 1 : 0); // shows: 1
         LCD.showNumber(light.isPacketAvailable() ? 1 : 0); // shows: 0
         LCD.showNumber(light.receivePacket(buffer)); // shows: 0
+        PacketHandler upper = new Upper(new Echo());
+        upper.open((byte) 1, (byte) 2);
+        upper.reset();
+        upper.close();
+        LCD.showNumber(upper.sendPacket(buffer, 1) && upper.isPacketAvailable() ? upper.getError() : 9); // shows: 0
         RCXAbstractPort port = new Port(new Echo());
         port.getOutputStream().write(200);
         LCD.showNumber(port.getInputStream().read()); // shows: 200

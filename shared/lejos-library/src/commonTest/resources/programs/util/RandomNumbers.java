@@ -14,6 +14,11 @@ public class RandomNumbers {
             if (die < 0 || die > 5) isInside = false;
         }
         LCD.showNumber(isInside ? 1 : 0); // shows: 1
+        try {
+            first.nextInt(-6);
+        } catch (IllegalArgumentException notAboveZero) {
+            LCD.showNumber(2); // shows: 2
+        }
         new Random().nextInt();
     }
 }

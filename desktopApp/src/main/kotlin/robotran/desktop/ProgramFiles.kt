@@ -1,0 +1,96 @@
+package robotran.desktop
+
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.rom.Brick
+import java.nio.file.Path
+import kotlin.io.path.isDirectory
+import kotlin.io.path.name
+
+/** The programs that files named by a person hold. */
+internal sealed interface ProgramFiles {
+    /** One program or more, at most as many as a brick takes, in the order in which their first files were named. */
+    data class Read(val programs: List<NamedProgram>) : ProgramFiles
+
+    /** They cannot be used; [reason] is a sentence that names the file. */
+    data class Refused(val reason: String) : ProgramFiles
+}
+
+/**
+ * A program and where it is from.
+ *
+ * @property path its first file as it was named.
+ */
+internal data class NamedProgram(
+    val path: String,
+    val source: ProgramSource,
+)
+
+/**
+ * Reads the files [names]: each `.robo` file, `.jar` file and folder of `.class` files is a program, all `.java` files together are one, and
+ * so are all `.class` files.
+ */
+internal fun readProgramFiles(names: List<String>): ProgramFiles {
+    val groups = names.groupBy { groupOf(it) }
+    if (groups.size > Brick.MOST_PROGRAMS) {
+        return ProgramFiles.Refused("A brick takes ${Brick.MOST_PROGRAMS} programs at most, and these are ${groups.size}.")
+    }
+    val programs =
+        groups.values.map { files ->
+            when (val result = readProgram(files)) {
+                is ProgramFile.Read -> NamedProgram(files.first(), result.source)
+                is ProgramFile.Refused -> return ProgramFiles.Refused(result.reason)
+            }
+        }
+    return ProgramFiles.Read(programs)
+}
+
+private fun groupOf(name: String): String = FILES_OF_ONE_PROGRAM.firstOrNull { name.endsWith(it) } ?: name
+
+private fun readProgram(names: List<String>): ProgramFile {
+    val first = names.first()
+    return when {
+        first.endsWith(ROBOLANG) -> readRobolang(first)
+        first.endsWith(JAVA) -> readJava(names)
+        first.endsWith(CLASS) -> readClassFiles(names)
+        first.endsWith(JAR) -> readJar(first)
+        isFolder(first) -> readClassFolder(first)
+        else -> ProgramFile.Refused("$first is no program: its name does not end in $ROBOLANG, $JAVA, $CLASS or $JAR, and it is no folder.")
+    }
+}
+
+/** One program, or why there is none. */
+internal sealed interface ProgramFile {
+    data class Read(val source: ProgramSource) : ProgramFile
+
+    /** It cannot be used; [reason] is a sentence that names the file. */
+    data class Refused(val reason: String) : ProgramFile
+}
+
+private fun readRobolang(name: String): ProgramFile =
+    when (val file = readTextFile(name)) {
+        is TextFile.Read -> ProgramFile.Read(ProgramSource.Robolang(nameOf(name), file.text))
+        is TextFile.Refused -> ProgramFile.Refused(file.reason)
+    }
+
+private fun readJava(names: List<String>): ProgramFile {
+    val files =
+        names.distinct().map { name ->
+            when (val file = readTextFile(name)) {
+                is TextFile.Read -> SourceFile(name, file.text)
+                is TextFile.Refused -> return ProgramFile.Refused(file.reason)
+            }
+        }
+    return ProgramFile.Read(ProgramSource.Java(nameOf(names.first()), files))
+}
+
+/** The name of the file [path] without its folders. */
+internal fun nameOf(path: String): String = Path.of(path).name
+
+private fun isFolder(name: String): Boolean = runCatching { Path.of(name).isDirectory() }.getOrDefault(false)
+
+internal const val CLASS = ".class"
+private const val ROBOLANG = ".robo"
+private const val JAVA = ".java"
+private const val JAR = ".jar"
+private val FILES_OF_ONE_PROGRAM = listOf(JAVA, CLASS)

@@ -1,0 +1,60 @@
+package robotran.build.lejos
+
+import org.gradle.api.Project
+import org.gradle.api.artifacts.Configuration
+import org.gradle.api.file.ConfigurableFileTree
+import org.gradle.api.provider.Provider
+import org.gradle.api.tasks.TaskProvider
+import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
+import robotran.build.catalog
+import robotran.build.texts.GenerateTexts
+
+/** Where a module offers the class files of a brick's library to others. */
+internal const val BRICK_CLASSES = "brickClasses"
+
+/** A list of files of the module called [name], to be filled with a dependency. */
+internal fun resolvable(
+    project: Project,
+    name: String,
+): Configuration =
+    project.configurations.maybeCreate(name).also {
+        it.isCanBeConsumed = false
+        it.isCanBeResolved = true
+    }
+
+/** A task that compiles [sources] with ECJ; what it makes lies below the build folder in `brick/` and [folder]. */
+internal fun compileForBrick(
+    project: Project,
+    name: String,
+    folder: String,
+    sources: Provider<ConfigurableFileTree>,
+    configure: (CompileForBrick) -> Unit,
+): TaskProvider<CompileForBrick> {
+    val compiler = resolvable(project, "brickCompiler")
+    if (compiler.dependencies.isEmpty()) project.dependencies.add(compiler.name, catalog(project).findLibrary("ecj").get())
+    return project.tasks.register(name, CompileForBrick::class.java) { task ->
+        task.compiler.from(compiler)
+        task.sources.set(sources)
+        task.eachAlone.convention(false)
+        task.classFolder.set(project.layout.buildDirectory.dir("brick/$folder/classes"))
+        task.textFolder.set(project.layout.buildDirectory.dir("brick/$folder/texts"))
+        configure(task)
+    }
+}
+
+/** Gives [sourceSet] the constant [qualifiedName]: a map from the paths of the class files of [compiled] to them in Base64. */
+internal fun generateClassFiles(
+    project: Project,
+    compiled: TaskProvider<CompileForBrick>,
+    qualifiedName: String,
+    sourceSet: String,
+) {
+    val name = qualifiedName.substringAfterLast('.')
+    val generate =
+        project.tasks.register("generate" + name.replaceFirstChar(Char::uppercase), GenerateTexts::class.java) { task ->
+            task.texts.set(compiled.map { made -> project.fileTree(made.textFolder) { it.builtBy(made) } })
+            task.qualifiedName.set(qualifiedName)
+            task.outputFolder.set(project.layout.buildDirectory.dir("generated/texts/$name"))
+        }
+    project.extensions.getByType(KotlinMultiplatformExtension::class.java).sourceSets.getByName(sourceSet).kotlin.srcDir(generate)
+}

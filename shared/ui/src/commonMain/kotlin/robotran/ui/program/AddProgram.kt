@@ -1,0 +1,91 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.material3.DropdownMenu
+import androidx.compose.material3.DropdownMenuItem
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.exampleTexts
+import robotran.ui.lejosExampleTexts
+import robotran.ui.resources.Res
+import robotran.ui.resources.program_add
+import robotran.ui.resources.program_examples_java
+import robotran.ui.resources.program_examples_robolang
+import robotran.ui.resources.program_new_class
+import robotran.ui.resources.program_new_java
+import robotran.ui.resources.program_new_robolang
+import robotran.ui.resources.program_no_room
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.workshop.ProgramLanguage
+import robotran.ui.workshop.PupilProgram
+import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorkshopState
+
+/** The button with a plus: a new program in either language, an example, or one more class for a Java program. */
+@Composable
+internal fun AddProgram(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    var open by remember { mutableStateOf(false) }
+    val choose = { event: WorkshopEvent ->
+        open = false
+        onEvent(event)
+    }
+    Box {
+        RoundButton(Plus, stringResource(Res.string.program_add), "add-program") { open = true }
+        DropdownMenu(
+            expanded = open,
+            onDismissRequest = { open = false },
+            modifier = Modifier.widthIn(min = 240.dp).heightIn(max = 420.dp),
+            containerColor = LocalRobotranColours.current.pane,
+        ) {
+            if (state.hasRoom) NewPrograms(choose) else Note(stringResource(Res.string.program_no_room))
+            if (state.program.language == ProgramLanguage.JAVA) {
+                Choice(stringResource(Res.string.program_new_class), "new-class") { choose(WorkshopEvent.ClassAdded) }
+            }
+            if (state.hasRoom) {
+                Examples(stringResource(Res.string.program_examples_robolang), exampleTexts, choose)
+                Examples(stringResource(Res.string.program_examples_java), lejosExampleTexts, choose)
+            }
+        }
+    }
+}
+
+@Composable
+private fun NewPrograms(onEvent: (WorkshopEvent) -> Unit) {
+    Choice(stringResource(Res.string.program_new_robolang), "new-robolang") { onEvent(WorkshopEvent.ProgramBegun(ProgramLanguage.ROBOLANG)) }
+    Choice(stringResource(Res.string.program_new_java), "new-java") { onEvent(WorkshopEvent.ProgramBegun(ProgramLanguage.JAVA)) }
+}
+
+@Composable
+private fun Examples(title: String, examples: Map<String, String>, onEvent: (WorkshopEvent) -> Unit) {
+    HorizontalDivider(color = LocalRobotranColours.current.line)
+    Note(title)
+    for ((name, text) in examples) Choice(name, "example-$name") { onEvent(WorkshopEvent.ProgramAdded(PupilProgram(name, text))) }
+}
+
+@Composable
+private fun Note(text: String) {
+    val colour = LocalRobotranColours.current.quiet
+    Text(text, Modifier.padding(16.dp, 12.dp).widthIn(max = 280.dp), color = colour, fontSize = 14.sp, fontWeight = FontWeight.Medium)
+}
+
+@Composable
+private fun Choice(text: String, tag: String, onClick: () -> Unit) = DropdownMenuItem(
+    text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
+    onClick = onClick,
+    modifier = Modifier.testTag(tag).heightIn(min = Measures.TARGET),
+)

@@ -1,0 +1,52 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.selection.selectableGroup
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.program_close
+import robotran.ui.resources.program_tab
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.workshop.ProgramFile
+import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorkshopState
+
+/**
+ * The pupil's programs: which is shown, and another one. If there are several, each has the number that the brick's display shows for it, and can be
+ * closed while it is shown.
+ */
+@Composable
+internal fun ProgramTabs(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+    Row(modifier.fillMaxWidth().background(LocalRobotranColours.current.pane).height(Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
+        Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()).selectableGroup(), verticalAlignment = Alignment.CenterVertically) {
+            val several = state.programs.size > 1
+            state.programs.forEachIndexed { slot, program ->
+                val shown = slot == state.shownProgram
+                val title = if (several) stringResource(Res.string.program_tab, slot, program.name) else program.name
+                FileTab(title, shown, "program-$slot", { onEvent(WorkshopEvent.ProgramChosen(slot)) })
+                if (several && shown) {
+                    val close = stringResource(Res.string.program_close, program.name)
+                    RoundButton(Cross, close, "close-program") { onEvent(WorkshopEvent.ProgramClosed(slot)) }
+                }
+            }
+        }
+        AddProgram(state, onEvent)
+    }
+}
+
+/** The files of one program, where it has several. */
+@Composable
+internal fun FileTabs(files: List<ProgramFile>, shown: Int, onChoose: (Int) -> Unit, modifier: Modifier = Modifier) {
+    Row(modifier.fillMaxWidth().height(Measures.TARGET).horizontalScroll(rememberScrollState()).selectableGroup()) {
+        files.forEachIndexed { place, file -> FileTab(file.name, place == shown, "file-$place", { onChoose(place) }) }
+    }
+}

@@ -1,0 +1,56 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.shape.CircleShape
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+
+/** The strokes of a sign, from and to parts of its width and height. */
+internal typealias Sign = List<Pair<Offset, Offset>>
+
+internal val Cross: Sign = listOf(Offset(0f, 0f) to Offset(1f, 1f), Offset(0f, 1f) to Offset(1f, 0f))
+internal val Plus: Sign = listOf(Offset(0.5f, 0f) to Offset(0.5f, 1f), Offset(0f, 0.5f) to Offset(1f, 0.5f))
+
+/** A button with a [sign] and, for those who cannot see it, [words]. */
+@Composable
+internal fun RoundButton(sign: Sign, words: String, tag: String, onClick: () -> Unit) {
+    val colour = LocalRobotranColours.current.onPane
+    Box(
+        Modifier
+            .testTag(tag)
+            .size(Measures.TARGET)
+            .clip(CircleShape)
+            .focusRing()
+            .clickable(role = Role.Button, onClick = onClick)
+            .semantics { contentDescription = words },
+        Alignment.Center,
+    ) {
+        Canvas(Modifier.size(14.dp)) { drawSign(sign, colour) }
+    }
+}
+
+private fun DrawScope.drawSign(sign: Sign, colour: Color) {
+    for ((from, to) in sign) {
+        drawLine(colour, from.on(size), to.on(size), strokeWidth = 2.dp.toPx(), cap = StrokeCap.Round)
+    }
+}
+
+private fun Offset.on(size: Size) = Offset(x * size.width, y * size.height)

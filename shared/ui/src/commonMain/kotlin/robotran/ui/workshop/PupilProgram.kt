@@ -1,0 +1,38 @@
+package robotran.ui.workshop
+
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+
+/**
+ * A program as the pupil writes it.
+ *
+ * @property files one file for Robolang, one or more for Java; never empty.
+ */
+data class PupilProgram(
+    val files: List<ProgramFile>,
+) {
+    constructor(name: String, text: String) : this(listOf(ProgramFile(name, text)))
+
+    /** What the pupil knows it by. */
+    val name: String get() = files.first().name
+
+    val language: ProgramLanguage get() = if (name.endsWith(ProgramLanguage.JAVA.extension)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
+
+    /** Whether there is anything to run. */
+    val isBlank: Boolean get() = files.all { it.text.isBlank() }
+
+    internal fun source(): ProgramSource = when (language) {
+        ProgramLanguage.ROBOLANG -> ProgramSource.Robolang(name, files.first().text)
+        ProgramLanguage.JAVA -> ProgramSource.Java(name, files.map { SourceFile(it.name, it.text) })
+    }
+
+    internal fun withText(file: Int, text: String): PupilProgram =
+        copy(files = files.mapIndexed { place, old -> if (place == file) old.copy(text = text) else old })
+}
+
+/**
+ * What a program is written in.
+ *
+ * @property extension how the names of its files end.
+ */
+enum class ProgramLanguage(val extension: String) { ROBOLANG(".robo"), JAVA(".java") }

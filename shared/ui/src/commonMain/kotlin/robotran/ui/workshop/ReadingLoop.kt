@@ -1,0 +1,65 @@
+package robotran.ui.workshop
+
+import kotlinx.coroutines.CancellationException
+import kotlinx.coroutines.channels.Channel
+import kotlinx.coroutines.withTimeoutOrNull
+
+/**
+ * Reads programs that take a compiler, in the pauses of typing, or at once if somebody waits.
+ *
+ * @param tell is told how far it is.
+ */
+internal class ReadingLoop(
+    private val shelf: ProgramShelf,
+    private val tell: (ProgramReading) -> Unit,
+) {
+    private val changes = Channel<Unit>(Channel.CONFLATED)
+    private var isHurried = false
+
+    /** A program may have been changed. */
+    fun programsChanged() {
+        if (!shelf.hasUnread) return
+        tell(ProgramReading.WAITING)
+        changes.trySend(Unit)
+    }
+
+    /** Somebody waits for a program that was not read. */
+    fun hurry() {
+        isHurried = true
+        tell(ProgramReading.COMPILING)
+        changes.trySend(Unit)
+    }
+
+    /** Reads whenever there is something to be read, for ever. */
+    suspend fun run() {
+        if (shelf.hasUnread) changes.trySend(Unit)
+        while (true) {
+            changes.receive()
+            awaitPause()
+            readAll()
+        }
+    }
+
+    /** Reads all that was not read yet. */
+    suspend fun readAll() {
+        val reading = try {
+            shelf.readUnread()
+            ProgramReading.DONE
+        } catch (cancelled: CancellationException) {
+            throw cancelled
+        } catch (_: Throwable) {
+            ProgramReading.NO_COMPILER
+        }
+        tell(reading)
+    }
+
+    private suspend fun awaitPause() {
+        while (!isHurried) withTimeoutOrNull(PAUSE_MILLISECONDS) { changes.receive() } ?: return
+        isHurried = false
+    }
+
+    private companion object {
+        /** How long nobody must type before a program is compiled. */
+        const val PAUSE_MILLISECONDS = 300L
+    }
+}
