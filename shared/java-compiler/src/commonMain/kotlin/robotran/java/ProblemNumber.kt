@@ -38,7 +38,7 @@ internal object ProblemNumber {
     const val CLASS_IS_ABSTRACT = 157
     const val INVALID_OPERATOR = 160
     const val CODE_CANNOT_BE_REACHED = 161
-    const val EXCEPTION_NEVER_THROWN = 166
+    const val EXCEPTION_NEVER_THROWN = 162
     const val UNHANDLED_EXCEPTION = 168
     const val ASSIGNMENT_HAS_NO_EFFECT = 178
     const val POSSIBLE_ACCIDENTAL_BOOLEAN_ASSIGNMENT = 179
@@ -57,7 +57,7 @@ internal object ProblemNumber {
     const val PARSING_ERROR_INSERT_TO_COMPLETE = 240
     const val INVALID_CHARACTER_CONSTANT = 253
     const val UNTERMINATED_STRING = 259
-    const val BINARY_NUMBER = 268
+    const val BINARY_NUMBER = 267
     const val UNDERSCORES_IN_NUMBER = 269
     const val DUPLICATE_TYPE = 323
     const val PUBLIC_CLASS_MUST_MATCH_FILE_NAME = 325
