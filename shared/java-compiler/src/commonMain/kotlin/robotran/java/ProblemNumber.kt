@@ -1,6 +1,6 @@
 package robotran.java
 
-/** The kinds of problems with words of their own: below 0 those of `BrickRules`, above it those of ECJ's `IProblem` without their category. */
+/** The kinds of problems with words of their own: below 0 those of `BrickProblem`, above it those of ECJ's `IProblem` without their category. */
 internal object ProblemNumber {
     const val SWITCH = -1
     const val LONG_ARITHMETIC = -2
@@ -38,7 +38,7 @@ internal object ProblemNumber {
     const val CLASS_IS_ABSTRACT = 157
     const val INVALID_OPERATOR = 160
     const val CODE_CANNOT_BE_REACHED = 161
-    const val EXCEPTION_NEVER_THROWN = 162
+    const val EXCEPTION_NEVER_THROWN = 167
     const val UNHANDLED_EXCEPTION = 168
     const val ASSIGNMENT_HAS_NO_EFFECT = 178
     const val POSSIBLE_ACCIDENTAL_BOOLEAN_ASSIGNMENT = 179

@@ -17,8 +17,8 @@ internal fun causes(source: SourceText, problems: List<EcjProblem>): List<EcjPro
 
             problem.number == ProblemNumber.UNDEFINED_TYPE && newerWord(written) != null -> true
 
-            // What stands behind a place that could not be read may have been read wrongly.
-            problem.start >= firstUnread -> false
+            // What holds or stands behind a place that could not be read may have been read wrongly.
+            problem.end > firstUnread -> false
 
             problem.number == ProblemNumber.UNDEFINED_TYPE -> unknown.add(written)
 
@@ -29,8 +29,18 @@ internal fun causes(source: SourceText, problems: List<EcjProblem>): List<EcjPro
     }
 }
 
-/** A text that does not end takes brackets and semicolons away from the rest, so nothing else of what could not be read counts then. */
+/** What could not be read, without what only follows from that. */
 private fun unread(source: SourceText, problems: List<EcjProblem>): Set<EcjProblem> {
     val all = problems.filter { it.isSyntax && !BrickAdvisor.isOnlyNewer(it) }
-    return all.filter { source.unclosedText(it.start) != null }.ifEmpty { all }.toSet()
+    // A text that does not end takes brackets and semicolons away from the rest.
+    val unclosed = all.filter { source.unclosedText(it.start) != null }
+    if (unclosed.isNotEmpty()) return unclosed.toSet()
+    // A brace that stays open is told where it should be closed, and no brace is wrong if there are as many of both.
+    val paired = source.bracesBefore(Int.MAX_VALUE) == 0
+    return all.filterNot { if (paired) isAboutBrace(it, source) else isOpeningBrace(it, source) }.ifEmpty { all }.toSet()
 }
+
+private fun isAboutBrace(problem: EcjProblem, source: SourceText) =
+    isOpeningBrace(problem, source) || problem.arguments.firstOrNull() == "}"
+
+private fun isOpeningBrace(problem: EcjProblem, source: SourceText) = source.words(problem.start, problem.end) == "{"

@@ -34,18 +34,24 @@ internal class MemberAdvisor(
 
     private fun method(problem: EcjProblem, source: SourceText, name: String): Advice {
         val owner = problem.arguments.first()
-        val other = javaFor(name)
-        val called = absentCall(name).takeIf { source.codeBefore(problem.start) != '.' }
+        val isUnqualified = source.codeBefore(problem.start) != '.'
+        val called = absentCall(name).takeIf { isUnqualified }
+        if (called != null) return Advice(messages.unknownMethodHere(name, shortened(owner)), messages.absent(called))
+        if (isUnqualified) command(problem, source, name)?.let { return it }
+        val told = member(problem, source, name, owner, messages.unknownMethod(shortened(name), shortened(owner)))
+        val isOwn = told.hint == null && owner !in library.simpleNames && isUnqualified
+        return if (isOwn) Advice(told.message, messages.writeMethod(shortened(name))) else told
+    }
+
+    /** A command with a condition, such as `elseif` or `While`, looks like the call of a method. */
+    private fun command(problem: EcjProblem, source: SourceText, name: String): Advice? {
+        val range = source.range(problem.start, problem.end)
+        val foreign = javaFor(name)?.ifEmpty { null }
+        val small = smallWord(name)
         return when {
-            other == "else if" -> Advice(messages.otherWord(name, other), fix = JavaFix(source.range(problem.start, problem.end), other))
-
-            called != null -> Advice(messages.unknownMethodHere(name, shortened(owner)), messages.absent(called))
-
-            else -> {
-                val told = member(problem, source, name, owner, messages.unknownMethod(shortened(name), shortened(owner)))
-                val isOwn = told.hint == null && owner !in library.simpleNames && source.codeBefore(problem.start) != '.'
-                if (isOwn) Advice(told.message, messages.writeMethod(shortened(name))) else told
-            }
+            foreign != null -> Advice(messages.otherWord(name, foreign), fix = JavaFix(range, foreign))
+            small != null -> Advice(messages.lettersOf(small), fix = JavaFix(range, small))
+            else -> null
         }
     }
 

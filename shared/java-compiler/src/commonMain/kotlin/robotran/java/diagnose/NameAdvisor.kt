@@ -15,20 +15,22 @@ internal class NameAdvisor(
         val written = source.words(problem.start, problem.end)
         return when (problem.number) {
             ProblemNumber.IMPORT_NOT_FOUND -> importAdvice(problem, source, written)
-            ProblemNumber.UNDEFINED_TYPE -> otherWord(problem, source, written) ?: classAdvice(problem, source, written)
-            ProblemNumber.UNDEFINED_NAME, ProblemNumber.UNRESOLVED_VARIABLE -> otherWord(problem, source, written) ?: name(problem, source, written)
+            ProblemNumber.UNDEFINED_TYPE -> classAdvice(problem, source, written)
+            ProblemNumber.UNDEFINED_NAME, ProblemNumber.UNRESOLVED_VARIABLE -> name(problem, source, written)
             else -> null
         }
     }
 
     private fun name(problem: EcjProblem, source: SourceText, name: String): Advice {
         val isClass = name.firstOrNull()?.isUpperCase() == true
-        return if (isClass) classAdvice(problem, source, name) else variableAdvice(problem, source, name)
+        val isLiteral = smallWord(name) in LITERALS
+        return if (isClass && !isLiteral) classAdvice(problem, source, name) else variableAdvice(problem, source, name)
     }
 
     private fun importAdvice(problem: EcjProblem, source: SourceText, name: String): Advice {
         val message = messages.unknownImport(shortened(name))
-        val absent = absent(name)
+        // ECJ names as much of it as is not there: of lejos.nxt.Motor, only lejos.
+        val absent = absent(source.wordsUntil(problem.start, ';'))
         val home = library.packageOf(name)?.let { "$it.$name" }
         return when {
             absent != null -> Advice(message, messages.absent(absent))
@@ -36,18 +38,13 @@ internal class NameAdvisor(
         }
     }
 
-    private fun otherWord(problem: EcjProblem, source: SourceText, name: String): Advice? {
+    private fun otherWord(problem: EcjProblem, source: SourceText, name: String, message: String): Advice? {
         val range = source.range(problem.start, problem.end)
         val foreign = javaFor(name)?.ifEmpty { null }
         val small = smallWord(name)
         return when {
-            // A class of the library or the program may well be called like that, only not here.
-            small != null && name !in library.simpleNames -> {
-                Advice(messages.unknownVariable(shortened(name)), messages.lettersOf(small), JavaFix(range, small))
-            }
-
+            small != null -> Advice(message, messages.lettersOf(small), JavaFix(range, small))
             foreign != null -> Advice(messages.otherWord(name, foreign), fix = JavaFix(range, foreign))
-
             else -> null
         }
     }
@@ -61,17 +58,23 @@ internal class NameAdvisor(
             newer != null -> Advice(messages.newerJava(newer), messages.insteadOf(newer))
             absent != null -> Advice(message, messages.absent(absent))
             home != null -> "import $home.*;".let { Advice(message, messages.importIt(it), source.addLineAtTop(it)) }
-            else -> nearNames.suggested(problem, source, message, nearest(name, library.simpleNames + nearNames.classesIn(source)))
+            else -> {
+                otherWord(problem, source, name, message)
+                    ?: nearNames.suggested(problem, source, message, nearest(name, library.simpleNames + nearNames.classesIn(source)))
+            }
         }
     }
 
     private fun variableAdvice(problem: EcjProblem, source: SourceText, name: String): Advice {
         val message = messages.unknownVariable(shortened(name))
+        otherWord(problem, source, name, message)?.let { return it }
         val near = nearest(name, nearNames.namesIn(source) + library.simpleNames)
         return if (near == null) Advice(message, messages.declareIt(shortened(name))) else nearNames.suggested(problem, source, message, near)
     }
 
     companion object {
+        private val LITERALS = setOf("true", "false", "null", "this")
+
         /** Imports are long, so a third of their letters would forgive too much. */
         private const val FORGIVEN_IN_IMPORT = 2
 

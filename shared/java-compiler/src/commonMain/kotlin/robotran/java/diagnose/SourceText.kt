@@ -32,6 +32,9 @@ internal class SourceText(source: JavaSource) {
         return text.substring(from, end.coerceIn(from, lineEnd(from)))
     }
 
+    /** What stands from [start] to before [end], or up to the end of the line. */
+    fun wordsUntil(start: Int, end: Char): String = words(start, text.length).substringBefore(end)
+
     /** The name before the point before [place], null if there is none. */
     fun qualifier(place: Int): String? {
         if (text.getOrNull(place - 1) != '.') return null

@@ -50,11 +50,11 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
             Advice(messages.semicolonsInFor(), fix = JavaFix(source.range(problem.start, problem.end), ";"))
         }
 
-        word == "==" && problem.number == ProblemNumber.INVALID_TOKEN -> {
-            Advice(messages.setWithOneSign(), fix = JavaFix(source.range(problem.start, problem.end), "="))
-        }
+        expected != "AssignmentOperator" || problem.number != ProblemNumber.INVALID_TOKEN -> null
 
-        else -> null
+        word == "==" -> Advice(messages.setWithOneSign(), fix = JavaFix(source.range(problem.start, problem.end), "="))
+
+        else -> Advice(messages.noStatement())
     }
 
     private fun noStatement(word: String, problem: EcjProblem, source: SourceText): Advice? {

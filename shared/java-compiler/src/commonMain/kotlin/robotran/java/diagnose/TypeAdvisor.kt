@@ -50,9 +50,9 @@ internal class TypeAdvisor(private val messages: JavaMessages) {
     }
 
     private fun operator(problem: EcjProblem): Advice {
-        val types = problem.arguments.drop(1)
-        val message = messages.wrongOperator(problem.arguments[0], shortened(types.joinToString()))
-        return Advice(message, if (types.any { it in BOXES }) messages.insteadOf(NewerJava.AUTOBOXING) else null)
+        val types = problem.arguments[1]
+        val message = messages.wrongOperator(problem.arguments[0], shortened(types))
+        return Advice(message, if (types.split(", ").any { it in BOXES }) messages.insteadOf(NewerJava.AUTOBOXING) else null)
     }
 
     /** ECJ's arguments: the class, the method, what it takes and what it is given. */
