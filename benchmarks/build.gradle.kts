@@ -1,11 +1,18 @@
 plugins {
     id("robotran.benchmarks")
+    id("robotran.texts")
+}
+
+texts {
+    constant("commonMain", "robotran.benchmarks.javaPrograms", "examples/lejos", "*.java")
 }
 
 kotlin {
     sourceSets {
         commonMain.dependencies {
             implementation(project(":shared:robolang"))
+            implementation(project(":shared:java-compiler"))
+            implementation(project(":shared:lejos-library"))
             implementation(project(":shared:world"))
             implementation(libs.coroutines.core)
         }

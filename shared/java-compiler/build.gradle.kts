@@ -1,10 +1,20 @@
 plugins {
     id("robotran.core")
     id("robotran.ecj-web")
+    id("robotran.texts")
+}
+
+texts {
+    constant("commonTest", "robotran.java.librarySources", "shared/lejos-library/src/brick/java", "**/*.java")
+    constant("commonTest", "robotran.java.testPrograms", "shared/lejos-library/src/commonTest/resources/programs", "**/*.java")
+    constant("commonTest", "robotran.java.examplePrograms", "examples/lejos", "*.java")
 }
 
 kotlin {
     sourceSets {
+        commonTest.dependencies {
+            implementation(project(":shared:lejos-library"))
+        }
         jvmMain.dependencies {
             implementation(project(":shared:ecj"))
         }

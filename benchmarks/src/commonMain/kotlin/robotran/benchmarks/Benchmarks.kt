@@ -5,6 +5,7 @@ internal val BENCHMARKS: Map<String, suspend () -> Figure> =
     mapOf(
         "reading" to ::readingSpeed,
         "mistakes" to ::mistakesTime,
+        "compile" to ::compileTime,
         "statements" to ::statementSpeed,
         "open-sheet" to ::openSheetSpeed,
         "walls" to ::wallsSpeed,

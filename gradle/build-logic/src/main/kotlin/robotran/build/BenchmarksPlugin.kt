@@ -12,6 +12,7 @@ class BenchmarksPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.pluginManager.apply("org.jetbrains.kotlin.multiplatform")
         project.pluginManager.apply("robotran.physics-web")
+        project.pluginManager.apply("robotran.ecj-web")
         val kotlin = project.extensions.getByType(KotlinMultiplatformExtension::class.java)
         val jvm = kotlin.jvm().compilations.getByName("main")
         kotlin.wasmJs {

@@ -13,6 +13,7 @@ class WebAppPlugin : Plugin<Project> {
         project.pluginManager.apply("org.jetbrains.kotlin.plugin.compose")
         project.pluginManager.apply("org.jetbrains.compose")
         project.pluginManager.apply("robotran.physics-web")
+        project.pluginManager.apply("robotran.ecj-web")
         project.extensions.configure(KotlinMultiplatformExtension::class.java) { kotlin ->
             kotlin.wasmJs {
                 outputModuleName.set("robotran")

@@ -29,9 +29,12 @@ final class CheckingCompiler extends Compiler {
     @Override
     public void process(CompilationUnitDeclaration unit, int place) {
         super.process(unit, place);
-        BrickRules rules = new BrickRules(new String(unit.getFileName()));
-        unit.traverse(rules, unit.scope);
-        problems.addAll(rules.problems());
+        if (unit.compilationResult.hasSyntaxError) {
+            return; // The compiler guessed what could not be read.
+        }
+        BrickReport report = new BrickReport(new String(unit.getFileName()));
+        unit.traverse(new BrickRules(report), unit.scope);
+        problems.addAll(report.problems());
     }
 
     @Override

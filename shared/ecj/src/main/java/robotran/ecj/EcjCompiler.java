@@ -57,12 +57,12 @@ public final class EcjCompiler {
     public void addSource(String path, String text) {
         characters = Math.min(characters, SOURCE_CHARACTERS) + Math.min(text.length(), SOURCE_CHARACTERS + 1);
         if (characters > SOURCE_CHARACTERS || sources.size() == SOURCES) {
-            report(path, BrickRules.SOURCE_TOO_LONG, 0, Collections.singletonList(Integer.toString(SOURCE_CHARACTERS)));
+            report(path, BrickProblem.SOURCE_TOO_LONG, 0, Collections.singletonList(Integer.toString(SOURCE_CHARACTERS)));
             return;
         }
         int tooDeep = SourceBounds.tooDeep(text);
         if (tooDeep >= 0) {
-            report(path, BrickRules.NESTED_TOO_DEEPLY, tooDeep, Collections.emptyList());
+            report(path, BrickProblem.NESTED_TOO_DEEPLY, tooDeep, Collections.emptyList());
             return;
         }
         texts.put(path, text);

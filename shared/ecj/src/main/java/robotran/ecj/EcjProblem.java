@@ -40,7 +40,7 @@ public final class EcjProblem {
         return path;
     }
 
-    /** Its kind: ECJ's number without the bits for the category, or one of {@link BrickRules}, which are below 0. */
+    /** Its kind: ECJ's number without the bits for the category, or one of {@link BrickProblem}, which are below 0. */
     public int number() {
         return number;
     }

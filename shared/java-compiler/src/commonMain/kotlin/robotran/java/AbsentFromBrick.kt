@@ -11,6 +11,12 @@ enum class AbsentFromBrick {
     /** `ArrayList` and the other collections. */
     COLLECTIONS,
 
+    /** `Vector.add` and others that came later than `addElement`. */
+    VECTOR_METHODS,
+
+    /** All but `put` and `get`. */
+    HASHTABLE_METHODS,
+
     RUNNABLE,
 
     /** `String.format`, `printf`. */
@@ -21,6 +27,18 @@ enum class AbsentFromBrick {
 
     /** `Integer.parseInt` and its like. */
     PARSING,
+
+    /** `String.valueOf` of a number and its like. */
+    WRITING_NUMBERS,
+
+    /** `System.nanoTime`, `System.gc` and the like. */
+    SYSTEM_METHODS,
+
+    /** `System.arraycopy`. */
+    ARRAY_COPYING,
+
+    /** Waiting with no `Thread.` before it. */
+    WAITING,
 
     /** `Boolean`, `Character`, `Double` and the other classes for single values. */
     WRAPPERS,

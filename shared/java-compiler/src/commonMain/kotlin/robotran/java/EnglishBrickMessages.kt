@@ -19,6 +19,8 @@ internal object EnglishBrickMessages : BrickMessages {
         NewerJava.AUTOBOXING -> "Use \"int\", or \"new Integer(...)\" to put a number into a Vector."
         NewerJava.ASSERT -> "Use \"if\"."
         NewerJava.VAR -> "Write the type, such as \"int\"."
+        NewerJava.TEXT_BLOCK -> "Write a text between two quotation marks, on one line."
+        NewerJava.NUMBER_STYLE -> "Write the number with digits only."
     }
 
     private fun name(what: NewerJava) = when (what) {
@@ -36,19 +38,27 @@ internal object EnglishBrickMessages : BrickMessages {
         NewerJava.AUTOBOXING -> "way from a number to an object by itself"
         NewerJava.ASSERT -> "\"assert\""
         NewerJava.VAR -> "\"var\""
+        NewerJava.TEXT_BLOCK -> "texts between three quotation marks"
+        NewerJava.NUMBER_STYLE -> "\"_\" in numbers, and no numbers that begin with \"0b\""
     }
 
     override fun absent(what: AbsentFromBrick) = when (what) {
         AbsentFromBrick.PRINTING -> "The brick shows numbers with LCD.showNumber(7) and up to five letters with TextLCD.print(\"hello\")."
         AbsentFromBrick.KEYBOARD -> "The brick has no keyboard. Ask its buttons, such as Button.VIEW.isPressed()."
         AbsentFromBrick.COLLECTIONS -> "Use an array, such as int[], or a Vector from java.util."
+        AbsentFromBrick.VECTOR_METHODS -> "A Vector on the brick has addElement(), elementAt(), setElementAt(), removeElementAt() and size()."
+        AbsentFromBrick.HASHTABLE_METHODS -> "A Hashtable on the brick has put() and get(), and get() gives null for what is not in it."
         AbsentFromBrick.RUNNABLE -> "Write \"extends Thread\" instead, with a method \"public void run()\"."
         AbsentFromBrick.FORMATTING -> "The brick cannot format texts. Show a number with LCD.showNumber(7)."
         AbsentFromBrick.TEXT_METHODS -> "A text on the brick has length(), charAt(), toCharArray() and equals(), and little more."
         AbsentFromBrick.PARSING -> "The brick cannot read numbers from texts."
         AbsentFromBrick.WRAPPERS -> "Use boolean, char, int or float itself."
+        AbsentFromBrick.WRITING_NUMBERS -> "\"\" + number makes a text of a number. LCD.showNumber(number) shows it without one."
+        AbsentFromBrick.SYSTEM_METHODS -> "Time in milliseconds is System.currentTimeMillis(). The brick never takes memory back, so nothing can be tidied up."
+        AbsentFromBrick.ARRAY_COPYING -> "Copy one element after the other in a \"for\"."
+        AbsentFromBrick.WAITING -> "Thread.sleep(1000) waits a second."
         AbsentFromBrick.FILES -> "The brick has no files."
-        AbsentFromBrick.WINDOWS -> "The brick has no windows, only its LCD."
+        AbsentFromBrick.WINDOWS -> "The brick has no windows. It shows numbers and short texts with LCD and TextLCD."
         AbsentFromBrick.OTHER_BRICKS -> "That is for newer bricks. The classes of this one are in josx.platform.rcx."
     }
 
@@ -66,7 +76,11 @@ internal object EnglishBrickMessages : BrickMessages {
 
     override fun noArrayTypeTest() = "The brick cannot find out at run time whether something is an array."
 
+    override fun useArrayItself() = "Give the variable the array's own type from the beginning, such as int[]."
+
     override fun noClassLiteral() = "The brick has no \".class\"."
+
+    override fun useInstanceof() = "To find out what something is, use \"instanceof\"."
 
     override fun textJoinedInLoop() =
         "This makes a new text again and again, and the brick never gets its memory back."

@@ -6,6 +6,7 @@ object EnglishJavaMessages :
     JavaSyntaxMessages by EnglishJavaSyntaxMessages,
     JavaNameMessages by EnglishJavaNameMessages,
     JavaMeaningMessages by EnglishJavaMeaningMessages,
+    JavaClassMessages by EnglishJavaClassMessages,
     BrickMessages by EnglishBrickMessages
 
 /** [text] between quotation marks, unless it has one itself. */

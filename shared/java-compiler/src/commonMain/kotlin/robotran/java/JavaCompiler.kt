@@ -16,10 +16,11 @@ class JavaCompiler internal constructor(
     fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>): CompilationResult {
         val texts = sources.map { it.copy(text = it.text.removePrefix(BYTE_ORDER_MARK)) }
         val compilation = ecj.compile(texts, library)
-        val diagnostics = Diagnosis(texts, library.keys, compilation, messages).diagnostics()
+        val diagnosis = Diagnosis(texts, library.keys, compilation, messages)
+        val diagnostics = diagnosis.diagnostics()
         val mistakes = diagnostics.filter { it.severity == JavaSeverity.MISTAKE }
         return if (mistakes.isEmpty()) {
-            CompilationResult.Compiled(compilation.classes, diagnostics, compilation.mainClasses)
+            CompilationResult.Compiled(compilation.classes, diagnostics, compilation.mainClasses, diagnosis.missingMain())
         } else {
             CompilationResult.Refused(mistakes)
         }

@@ -8,6 +8,7 @@ interface JavaMessages :
     JavaSyntaxMessages,
     JavaNameMessages,
     JavaMeaningMessages,
+    JavaClassMessages,
     BrickMessages
 
 /** What is told about sources that cannot be read. */
@@ -30,7 +31,52 @@ interface JavaSyntaxMessages {
 
     fun unclosedText(): String
 
+    fun closeText(): String
+
     fun wrongCharacter(): String
+
+    /** [word] is a word of another language, and Java's is [javaWord]. */
+    fun otherWord(word: String, javaWord: String): String
+
+    /** [word] is a word of another language, for which Java has nothing. */
+    fun noSuchWord(word: String): String
+
+    /** [word] is one of `if`, `while`, `for`. */
+    fun conditionInBrackets(word: String): String
+
+    fun semicolonsInFor(): String
+
+    fun elseWithoutIf(): String
+
+    fun outsideMethod(): String
+
+    fun moveIntoMethod(): String
+
+    fun outsideClass(): String
+
+    /** Shows the first lines of a program in the class [className]. */
+    fun beginWithClass(className: String): String
+
+    /** [name] is a method, called without brackets. */
+    fun callWithBrackets(name: String): String
+
+    fun noStatement(): String
+
+    fun setWithOneSign(): String
+
+    fun wordOfJava(word: String): String
+
+    fun nameBeginsWithLetter(): String
+
+    fun typeOfParameter(): String
+
+    fun lengthOfArray(): String
+
+    fun arrayOfValues(): String
+
+    fun tryAlone(): String
+
+    fun addCatch(): String
 
     fun sourceTooLong(limit: String): String
 
@@ -48,58 +94,40 @@ interface JavaNameMessages {
     /** [owner] is a class. */
     fun unknownMethod(name: String, owner: String): String
 
+    /** No class is named before [name], so it is looked for in [owner]. */
+    fun unknownMethodHere(name: String, owner: String): String
+
     fun unknownField(name: String, owner: String?): String
 
     fun unknownImport(name: String): String
 
     fun didYouMean(suggestion: String): String
 
+    /** [suggestion] is the same but for small and capital letters. */
+    fun lettersOf(suggestion: String): String
+
     fun importIt(line: String): String
 
     fun declareIt(name: String): String
-}
 
-/** What is told about programs that can be read but make no sense. */
-interface JavaMeaningMessages {
-    fun doesNotFit(given: String, needed: String): String
+    fun writeMethod(name: String): String
 
-    fun castIt(type: String): String
+    /** [name] is private in the class [owner]. */
+    fun isPrivate(name: String, owner: String): String
 
-    fun writeFloat(number: String): String
+    fun usePublic(): String
 
-    fun compareWithTwoSigns(): String
+    /** An array's length is no method. */
+    fun lengthOfArrayValue(): String
 
-    fun makeText(): String
+    fun lengthOfTextOrArray(): String
 
-    fun notInitialized(name: String): String
+    fun noArray(type: String): String
 
-    fun declaredTwice(name: String): String
+    fun charAt(): String
 
-    fun returnsNothing(): String
-
-    fun mustReturn(): String
-
-    fun neverReached(): String
-
-    fun unhandledException(name: String): String
-
-    fun passItOn(name: String): String
-
-    fun wrongArguments(method: String, needed: String, given: String): String
-
-    fun staticNeeded(name: String): String
-
-    fun makeItStatic(): String
-
-    fun wrongFileName(className: String): String
-
-    fun numberTooLarge(number: String): String
-
-    fun noEffect(): String
-
-    fun emptyStatement(): String
-
-    fun wrongOperator(operator: String): String
+    /** A value of type [type], such as `int`, has no methods. */
+    fun noMembers(type: String): String
 }
 
 /** What is told about what a computer has and a brick has not. */
@@ -124,7 +152,11 @@ interface BrickMessages {
 
     fun noArrayTypeTest(): String
 
+    fun useArrayItself(): String
+
     fun noClassLiteral(): String
+
+    fun useInstanceof(): String
 
     fun textJoinedInLoop(): String
 

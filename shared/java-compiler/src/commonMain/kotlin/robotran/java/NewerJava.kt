@@ -16,4 +16,8 @@ enum class NewerJava {
     AUTOBOXING,
     ASSERT,
     VAR,
+    TEXT_BLOCK,
+
+    /** Underscores and binary digits. */
+    NUMBER_STYLE,
 }

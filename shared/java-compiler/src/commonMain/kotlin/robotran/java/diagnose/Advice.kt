@@ -5,11 +5,17 @@ import robotran.java.JavaFix
 /**
  * What to tell about a problem.
  *
- * @property atEnd whether something is missing behind the place the problem is at.
+ * @property at the place in the source that it is about, if it is not the problem's own; of no width where something is missing.
  */
 internal class Advice(
     val message: String,
     val hint: String? = null,
     val fix: JavaFix? = null,
-    val atEnd: Boolean = false,
+    val at: Place? = null,
+)
+
+/** A piece of a source, from the character [start], counted from 0, to before [end]. */
+internal class Place(
+    val start: Int,
+    val end: Int = start,
 )

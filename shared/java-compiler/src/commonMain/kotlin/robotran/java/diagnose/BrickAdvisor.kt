@@ -16,8 +16,8 @@ internal class BrickAdvisor(private val messages: JavaMessages) {
         ProblemNumber.SWITCH -> Advice(messages.noSwitch(), messages.useIf())
         ProblemNumber.LONG_ARITHMETIC -> Advice(messages.noLongArithmetic(), messages.useInt())
         ProblemNumber.FLOAT_REMAINDER -> Advice(messages.noFloatRemainder(), messages.useIntRemainder())
-        ProblemNumber.ARRAY_TYPE_TEST -> Advice(messages.noArrayTypeTest())
-        ProblemNumber.CLASS_LITERAL -> Advice(messages.noClassLiteral())
+        ProblemNumber.ARRAY_TYPE_TEST -> Advice(messages.noArrayTypeTest(), messages.useArrayItself())
+        ProblemNumber.CLASS_LITERAL -> Advice(messages.noClassLiteral(), messages.useInstanceof())
         ProblemNumber.TEXT_JOINED_IN_LOOP -> Advice(messages.textJoinedInLoop(), messages.makeTextOnce())
         ProblemNumber.DIVISOR_TOO_LARGE -> Advice(messages.divisorTooLarge(problem.arguments[0], problem.arguments[1]))
         ProblemNumber.ARRAY_TOO_LONG -> Advice(messages.arrayTooLong(problem.arguments[0], problem.arguments[1]))
@@ -41,6 +41,9 @@ internal class BrickAdvisor(private val messages: JavaMessages) {
             ProblemNumber.MULTI_CATCH to NewerJava.MULTI_CATCH,
             ProblemNumber.ARROW_IN_CASE to NewerJava.SWITCH_EXPRESSION,
             ProblemNumber.SWITCH_EXPRESSION to NewerJava.SWITCH_EXPRESSION,
+            ProblemNumber.PREVIEW_FEATURE to NewerJava.TEXT_BLOCK,
+            ProblemNumber.UNDERSCORES_IN_NUMBER to NewerJava.NUMBER_STYLE,
+            ProblemNumber.BINARY_NUMBER to NewerJava.NUMBER_STYLE,
         )
 
         /** Whether ECJ could read the source all the same, so that what it says of the rest can be trusted. */

@@ -7,7 +7,6 @@ import robotran.java.JavaMessages
 import robotran.java.JavaRange
 import robotran.java.JavaSeverity
 import robotran.java.JavaSource
-import robotran.java.ProblemNumber
 
 /** So much of the source is quoted in a message at most. */
 private const val QUOTED_CHARACTERS = 40
@@ -23,10 +22,13 @@ internal class Diagnosis(
 ) {
     private val sources = sources.map(::SourceText)
     private val byPath = compilation.problems.groupBy { it.path }
-    private val names = NameAdvisor(LibraryNames(library), undeclaredNames(), messages)
-    private val syntax = SyntaxAdvisor(messages)
-    private val meaning = MeaningAdvisor(messages)
+    private val nearNames = NearNames(undeclaredNames(), messages)
+    private val libraryNames = LibraryNames(library)
     private val brick = BrickAdvisor(messages)
+    private val names = NameAdvisor(libraryNames, nearNames, messages)
+    private val members = MemberAdvisor(libraryNames, nearNames, messages)
+    private val meaning = MeaningAdvisor(messages)
+    private val syntax = SyntaxAdvisor(messages)
 
     /** In the order of the sources. Never without a mistake if the compilation is of no use. */
     fun diagnostics(): List<JavaDiagnostic> {
@@ -35,6 +37,9 @@ internal class Diagnosis(
         val succeeded = compilation.completed && compilation.problems.none { it.isError }
         return if (succeeded || hasMistake(found)) found else found + compilerFailed()
     }
+
+    /** Why there is no method to begin with; null if there is one. */
+    fun missingMain(): JavaDiagnostic? = if (compilation.mainClasses.isEmpty()) MainMethod(messages).missing(sources) else null
 
     private fun undeclaredNames(): Set<String> = sources.flatMap { source ->
         byPath[source.path].orEmpty().filter { it.number in NameAdvisor.NUMBERS }.map { source.words(it.start, it.end) }
@@ -48,43 +53,19 @@ internal class Diagnosis(
 
     private fun hasMistake(diagnostics: List<JavaDiagnostic>) = diagnostics.any { it.severity == JavaSeverity.MISTAKE }
 
-    /** The problems without those that only follow from others. */
-    private fun causes(source: SourceText, problems: List<EcjProblem>): List<EcjProblem> {
-        val unread = problems.filter { it.isSyntax && !BrickAdvisor.isOnlyNewer(it) }
-        val firstUnread = unread.minOfOrNull { it.start } ?: Int.MAX_VALUE
-        val unknown = mutableSetOf<String>()
-        return problems.filter { problem ->
-            val written = source.words(problem.start, problem.end)
-            when {
-                problem in unread || BrickAdvisor.isOnlyNewer(problem) -> true
-
-                problem.number == ProblemNumber.UNDEFINED_TYPE && newerWord(written) != null -> true
-
-                // What stands behind a place that could not be read may have been read wrongly.
-                problem.start >= firstUnread -> false
-
-                problem.number == ProblemNumber.IMPORT_NOT_FOUND -> unknown.add(written.substringAfterLast('.')) || true
-
-                problem.number == ProblemNumber.UNDEFINED_TYPE -> unknown.add(written)
-
-                problem.number == ProblemNumber.CLASS_MUST_BE_ABSTRACT -> problems.none { it.number == ProblemNumber.ABSTRACT_METHOD }
-
-                else -> true
-            }
-        }
-    }
-
     private fun diagnostic(problem: EcjProblem, source: SourceText): JavaDiagnostic {
         val advice = brick.advice(problem)
             ?: names.advice(problem, source)
+            ?: members.advice(problem, source)
             ?: meaning.advice(problem, source)
             ?: syntax.advice(problem, source)
             ?: Advice(problem.message.trim().removeSuffix(".") + ".")
+        val place = advice.at ?: Place(problem.start, problem.end)
         return JavaDiagnostic(
             path = source.path,
             severity = if (problem.isError) JavaSeverity.MISTAKE else JavaSeverity.WARNING,
-            range = source.range(if (advice.atEnd) problem.end else problem.start, problem.end),
-            text = if (advice.atEnd) "" else source.words(problem.start, problem.end),
+            range = source.range(place),
+            text = source.words(place.start, place.end),
             message = advice.message,
             hint = advice.hint,
             fix = advice.fix,

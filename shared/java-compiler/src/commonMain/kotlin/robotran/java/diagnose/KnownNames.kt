@@ -14,14 +14,33 @@ private val ABSENT: Map<String, AbsentFromBrick> = buildMap {
     put(AbsentFromBrick.FORMATTING, "String.format Formatter DecimalFormat NumberFormat")
     put(AbsentFromBrick.TEXT_METHODS, "String.substring String.indexOf String.compareTo String.split String.trim String.isEmpty")
     put(AbsentFromBrick.TEXT_METHODS, "String.toUpperCase String.toLowerCase String.equalsIgnoreCase String.replace String.contains")
-    put(AbsentFromBrick.TEXT_METHODS, "String.startsWith String.endsWith String.valueOf String.lastIndexOf String.concat")
-    put(AbsentFromBrick.PARSING, "Integer.parseInt Integer.valueOf Float.parseFloat Double.parseDouble")
+    put(AbsentFromBrick.TEXT_METHODS, "String.startsWith String.endsWith String.lastIndexOf String.concat")
+    put(AbsentFromBrick.TEXT_METHODS, "String.matches String.replaceAll String.getBytes String.compareToIgnoreCase String.intern")
+    put(AbsentFromBrick.VECTOR_METHODS, "Vector.add Vector.get Vector.set Vector.remove Vector.contains Vector.firstElement Vector.lastElement")
+    put(AbsentFromBrick.VECTOR_METHODS, "Vector.addAll Vector.iterator Vector.elements Vector.removeAll")
+    put(AbsentFromBrick.HASHTABLE_METHODS, "Hashtable.containsKey Hashtable.contains Hashtable.containsValue Hashtable.remove Hashtable.size")
+    put(AbsentFromBrick.HASHTABLE_METHODS, "Hashtable.keys Hashtable.elements Hashtable.isEmpty Hashtable.clear Hashtable.keySet")
+    put(AbsentFromBrick.WRITING_NUMBERS, "String.valueOf Integer.toHexString Integer.toBinaryString Float.toString Integer.intValue")
+    put(AbsentFromBrick.SYSTEM_METHODS, "System.nanoTime System.gc System.identityHashCode System.getProperty")
+    put(AbsentFromBrick.ARRAY_COPYING, "System.arraycopy")
+    put(AbsentFromBrick.PARSING, "Integer.parseInt Integer.valueOf Integer.decode Float.parseFloat Double.parseDouble")
     put(AbsentFromBrick.WRAPPERS, "Boolean Byte Character Short Long Double Number BigInteger BigDecimal")
     put(AbsentFromBrick.FILES, "File FileReader FileWriter FileInputStream FileOutputStream PrintWriter")
     put(AbsentFromBrick.WINDOWS, "JFrame JPanel JButton JOptionPane Frame Graphics")
     put(AbsentFromBrick.OTHER_BRICKS, "LightSensor TouchSensor UltrasonicSensor ColorSensor DifferentialPilot")
     put(AbsentFromBrick.OTHER_BRICKS, "NXTRegulatedMotor MotorPort SensorPort")
 }
+
+/** Methods that programs for computers or other robots call with no class before them. */
+private val ABSENT_CALLS = mapOf(
+    "print" to AbsentFromBrick.PRINTING,
+    "println" to AbsentFromBrick.PRINTING,
+    "printf" to AbsentFromBrick.PRINTING,
+    "readLine" to AbsentFromBrick.KEYBOARD,
+    "sleep" to AbsentFromBrick.WAITING,
+    "delay" to AbsentFromBrick.WAITING,
+    "pause" to AbsentFromBrick.WAITING,
+)
 
 /** Beginnings of imports that lead to them. */
 private val ABSENT_PACKAGES = listOf(
@@ -43,5 +62,8 @@ internal fun absent(name: String, owner: String? = null): AbsentFromBrick? {
     if (owner != null) return ABSENT["$owner.$name"]
     return ABSENT[name.substringAfterLast('.')] ?: ABSENT_PACKAGES.firstOrNull { name.startsWith(it.first) }?.second
 }
+
+/** [method] is called with no class before it. */
+internal fun absentCall(method: String): AbsentFromBrick? = ABSENT_CALLS[method]
 
 internal fun newerWord(name: String): NewerJava? = NEWER_WORDS[name]

@@ -3,73 +3,70 @@ package robotran.java.diagnose
 import robotran.java.EcjProblem
 import robotran.java.JavaFix
 import robotran.java.JavaMessages
-import robotran.java.JavaRange
-import robotran.java.NewerJava
 import robotran.java.ProblemNumber
 
 /** What to tell about programs that can be read but make no sense. */
 internal class MeaningAdvisor(private val messages: JavaMessages) {
-    fun advice(problem: EcjProblem, source: SourceText): Advice? {
-        val word = shortened(source.words(problem.start, problem.end))
+    private val types = TypeAdvisor(messages)
+    private val classes = ClassAdvisor(messages)
 
-        fun argument(place: Int) = shortened(problem.arguments.getOrElse(place) { word })
+    fun advice(problem: EcjProblem, source: SourceText): Advice? =
+        types.advice(problem, source) ?: classes.advice(problem, source) ?: variable(problem) ?: way(problem, source)
+
+    private fun variable(problem: EcjProblem): Advice? {
+        fun argument(place: Int) = shortened(problem.arguments[place])
         return when (problem.number) {
-            ProblemNumber.TYPE_MISMATCH -> mismatch(problem, source, argument(0), argument(1))
             ProblemNumber.UNINITIALIZED_LOCAL_VARIABLE -> Advice(messages.notInitialized(argument(0)))
             ProblemNumber.REDEFINED_LOCAL, ProblemNumber.REDEFINED_ARGUMENT -> Advice(messages.declaredTwice(argument(0)))
-            ProblemNumber.VOID_METHOD_RETURNS_VALUE -> Advice(messages.returnsNothing())
-            ProblemNumber.SHOULD_RETURN_VALUE -> Advice(messages.mustReturn())
-            ProblemNumber.CODE_CANNOT_BE_REACHED -> Advice(messages.neverReached())
-            ProblemNumber.UNHANDLED_EXCEPTION -> Advice(messages.unhandledException(argument(0)), messages.passItOn(argument(0)))
-            ProblemNumber.PARAMETER_MISMATCH -> Advice(messages.wrongArguments(argument(1), argument(2), argument(3)))
+            ProblemNumber.FINAL_LOCAL_ASSIGNED -> Advice(messages.neverChanges(argument(0)))
+            ProblemNumber.FINAL_FIELD_ASSIGNED -> Advice(messages.neverChanges(argument(1)))
             ProblemNumber.NON_STATIC_FIELD -> Advice(messages.staticNeeded(argument(0)), messages.makeItStatic())
-            ProblemNumber.NON_STATIC_METHOD -> Advice(messages.staticNeeded(argument(1)), messages.makeItStatic())
-            ProblemNumber.PUBLIC_CLASS_MUST_MATCH_FILE_NAME -> Advice(messages.wrongFileName(argument(1)))
-            ProblemNumber.NUMERIC_VALUE_OUT_OF_RANGE -> Advice(messages.numberTooLarge(word))
+            ProblemNumber.THIS_IN_STATIC -> Advice(messages.staticNeeded("this"))
             ProblemNumber.ASSIGNMENT_HAS_NO_EFFECT -> Advice(messages.noEffect())
             ProblemNumber.POSSIBLE_ACCIDENTAL_BOOLEAN_ASSIGNMENT -> Advice(messages.compareWithTwoSigns())
-            ProblemNumber.EMPTY_STATEMENT -> Advice(messages.emptyStatement())
-            ProblemNumber.INVALID_OPERATOR -> Advice(messages.wrongOperator(argument(0)))
             else -> null
         }
     }
 
-    private fun mismatch(problem: EcjProblem, source: SourceText, given: String, needed: String): Advice {
-        val message = messages.doesNotFit(given, needed)
-        val text = source.words(problem.start, problem.end)
-        val range = source.range(problem.start, problem.end)
-        return when {
-            needed == "boolean" && SINGLE_EQUALS_SIGN.containsMatchIn(text) -> {
-                Advice(messages.compareWithTwoSigns(), fix = twoSigns(text, range))
-            }
+    /** About the ways that a program can take. */
+    private fun way(problem: EcjProblem, source: SourceText): Advice? = when (problem.number) {
+        ProblemNumber.NON_STATIC_METHOD -> nonStatic(problem, source)
 
-            given == "double" && needed == "float" && DECIMAL_NUMBER.matches(text) -> {
-                Advice(message, messages.writeFloat(text), JavaFix(range, "${text}f"))
-            }
+        ProblemNumber.VOID_METHOD_RETURNS_VALUE -> Advice(messages.returnsNothing())
 
-            given in WIDTHS && needed in WIDTHS -> {
-                Advice(message, messages.castIt(needed))
-            }
+        ProblemNumber.SHOULD_RETURN_VALUE -> Advice(messages.mustReturn(), messages.returnValue())
 
-            (given in WIDTHS && needed == "Object") || setOf(given, needed) == setOf("int", "Integer") -> {
-                Advice(message, messages.insteadOf(NewerJava.AUTOBOXING))
-            }
+        ProblemNumber.CODE_CANNOT_BE_REACHED -> Advice(messages.neverReached())
 
-            needed == "String" -> {
-                Advice(message, messages.makeText())
-            }
+        ProblemNumber.UNHANDLED_EXCEPTION -> unhandled(problem, source)
 
-            else -> {
-                Advice(message)
-            }
+        ProblemNumber.EXCEPTION_NEVER_THROWN, ProblemNumber.UNREACHABLE_CATCH -> {
+            Advice(messages.neverThrown(shortened(problem.arguments[0])), messages.takeCatchAway())
         }
+
+        ProblemNumber.EMPTY_STATEMENT -> Advice(messages.emptyStatement())
+
+        else -> null
     }
 
-    private fun twoSigns(text: String, range: JavaRange) = JavaFix(range, SINGLE_EQUALS_SIGN.replaceFirst(text, "=="))
+    private fun nonStatic(problem: EcjProblem, source: SourceText): Advice {
+        val owner = shortened(problem.arguments[0])
+        val name = shortened(problem.arguments[1])
+        val onClass = source.words(problem.start, problem.end).startsWith("$owner.")
+        return if (onClass) Advice(messages.objectNeeded(name, owner)) else Advice(messages.staticNeeded(name), messages.makeItStatic())
+    }
+
+    private fun unhandled(problem: EcjProblem, source: SourceText): Advice {
+        val exception = problem.arguments[0]
+        val name = shortened(exception)
+        val end = source.codeFrom(problem.end)
+        val statement = source.words(problem.start, end + 1)
+        val isWhole = source.codeBefore(problem.start) in STATEMENT_STARTS && statement.endsWith(';')
+        val fix = JavaFix(source.range(problem.start, end + 1), "try { $statement } catch ($exception e) { }")
+        return Advice(messages.unhandledException(name), messages.handleIt(name), fix.takeIf { isWhole })
+    }
 
     private companion object {
-        val WIDTHS = setOf("byte", "short", "char", "int", "long", "float", "double")
-        val DECIMAL_NUMBER = Regex("[0-9]*[.][0-9]+")
-        val SINGLE_EQUALS_SIGN = Regex("(?<![=!<>+*/%&|^-])=(?!=)")
+        val STATEMENT_STARTS = setOf('{', '}', ';')
     }
 }

@@ -5,51 +5,47 @@ import robotran.java.JavaFix
 import robotran.java.JavaMessages
 import robotran.java.ProblemNumber
 
-/**
- * What to tell about names that nothing declares: what the brick has instead, a missing import, or the name that was probably meant.
- *
- * @param undeclared all such names, since none of them can be meant by another.
- */
+/** What to tell about classes, imports and variables that nothing declares: what the brick has instead, a missing import, or what was meant. */
 internal class NameAdvisor(
     private val library: LibraryNames,
-    private val undeclared: Set<String>,
+    private val nearNames: NearNames,
     private val messages: JavaMessages,
 ) {
     fun advice(problem: EcjProblem, source: SourceText): Advice? {
         val written = source.words(problem.start, problem.end)
-        val name = shortened(written)
         return when (problem.number) {
-            ProblemNumber.IMPORT_NOT_FOUND -> {
-                Advice(messages.unknownImport(name), absent(written)?.let(messages::absent))
-            }
+            ProblemNumber.IMPORT_NOT_FOUND -> importAdvice(problem, source, written)
+            ProblemNumber.UNDEFINED_TYPE -> classAdvice(problem, source, written)
+            ProblemNumber.UNDEFINED_NAME, ProblemNumber.UNRESOLVED_VARIABLE -> name(problem, source, written)
+            else -> null
+        }
+    }
 
-            ProblemNumber.UNDEFINED_TYPE -> {
-                classAdvice(problem, source, written)
-            }
+    private fun name(problem: EcjProblem, source: SourceText, name: String): Advice {
+        val isClass = name.firstOrNull()?.isUpperCase() == true
+        val isLiteral = smallWord(name) in LITERALS
+        return if (isClass && !isLiteral) classAdvice(problem, source, name) else variableAdvice(problem, source, name)
+    }
 
-            ProblemNumber.UNDEFINED_NAME, ProblemNumber.UNRESOLVED_VARIABLE -> {
-                if (written.firstOrNull()?.isUpperCase() ==
-                    true
-                ) {
-                    classAdvice(problem, source, written)
-                } else {
-                    variableAdvice(problem, source, written)
-                }
-            }
+    private fun importAdvice(problem: EcjProblem, source: SourceText, name: String): Advice {
+        val message = messages.unknownImport(shortened(name))
+        // ECJ names as much of it as is not there: of lejos.nxt.Motor, only lejos.
+        val absent = absent(source.wordsUntil(problem.start, ';'))
+        val home = library.packageOf(name)?.let { "$it.$name" }
+        return when {
+            absent != null -> Advice(message, messages.absent(absent))
+            else -> nearNames.suggested(problem, source, message, home ?: nearest(name, library.packages + library.qualifiedNames, FORGIVEN_IN_IMPORT))
+        }
+    }
 
-            ProblemNumber.UNDEFINED_FIELD -> {
-                val owner = source.qualifier(problem.start)
-                memberAdvice(problem, source, written, owner, messages.unknownField(name, owner?.let(::shortened)))
-            }
-
-            ProblemNumber.UNDEFINED_METHOD, ProblemNumber.METHOD_NOT_VISIBLE -> {
-                val owner = problem.arguments.first()
-                memberAdvice(problem, source, written, owner, messages.unknownMethod(name, shortened(owner)))
-            }
-
-            else -> {
-                null
-            }
+    private fun otherWord(problem: EcjProblem, source: SourceText, name: String, message: String): Advice? {
+        val range = source.range(problem.start, problem.end)
+        val foreign = javaFor(name)?.ifEmpty { null }
+        val small = smallWord(name)
+        return when {
+            small != null -> Advice(message, messages.lettersOf(small), JavaFix(range, small))
+            foreign != null -> Advice(messages.otherWord(name, foreign), fix = JavaFix(range, foreign))
+            else -> null
         }
     }
 
@@ -62,36 +58,27 @@ internal class NameAdvisor(
             newer != null -> Advice(messages.newerJava(newer), messages.insteadOf(newer))
             absent != null -> Advice(message, messages.absent(absent))
             home != null -> "import $home.*;".let { Advice(message, messages.importIt(it), source.addLineAtTop(it)) }
-            else -> suggested(problem, source, message, nearest(name, library.simpleNames + classesIn(source)))
+            else -> {
+                otherWord(problem, source, name, message)
+                    ?: nearNames.suggested(problem, source, message, nearest(name, library.simpleNames + nearNames.classesIn(source)))
+            }
         }
     }
 
     private fun variableAdvice(problem: EcjProblem, source: SourceText, name: String): Advice {
         val message = messages.unknownVariable(shortened(name))
-        val near = nearest(name, namesIn(source) + library.simpleNames)
-        return if (near == null) Advice(message, messages.declareIt(shortened(name))) else suggested(problem, source, message, near)
+        otherWord(problem, source, name, message)?.let { return it }
+        val near = nearest(name, nearNames.namesIn(source) + library.simpleNames)
+        return if (near == null) Advice(message, messages.declareIt(shortened(name))) else nearNames.suggested(problem, source, message, near)
     }
-
-    private fun memberAdvice(problem: EcjProblem, source: SourceText, name: String, owner: String?, message: String): Advice {
-        val absent = owner?.let { absent(name, it) }
-        if (absent != null) return Advice(message, messages.absent(absent))
-        // A class of the program itself has no members that are known here, but their names are in the source.
-        return suggested(problem, source, message, nearest(name, problem.members.ifEmpty { namesIn(source) }))
-    }
-
-    private fun suggested(problem: EcjProblem, source: SourceText, message: String, suggestion: String?) = Advice(
-        message,
-        suggestion?.let(messages::didYouMean),
-        suggestion?.let { JavaFix(source.range(problem.start, problem.end), it) },
-    )
-
-    /** The names of the source that may be declared. */
-    private fun namesIn(source: SourceText) = source.names.filterNot { it in KEYWORDS || it in undeclared }
-
-    private fun classesIn(source: SourceText) = namesIn(source).filter { it.first().isUpperCase() }
 
     companion object {
-        /** The problems that this is about. */
+        private val LITERALS = setOf("true", "false", "null", "this")
+
+        /** Imports are long, so a third of their letters would forgive too much. */
+        private const val FORGIVEN_IN_IMPORT = 2
+
+        /** The problems of names that nothing declares. */
         val NUMBERS = setOf(
             ProblemNumber.IMPORT_NOT_FOUND,
             ProblemNumber.UNDEFINED_TYPE,
@@ -100,12 +87,5 @@ internal class NameAdvisor(
             ProblemNumber.UNDEFINED_FIELD,
             ProblemNumber.UNDEFINED_METHOD,
         )
-
-        /** Words of Java that a name can be a slip of but never means. */
-        private val KEYWORDS = (
-            "abstract boolean break byte case catch char class continue default do double else extends final finally float for if " +
-                "implements import instanceof int interface long new package private protected public return short static super switch " +
-                "synchronized throw throws try void while"
-        ).split(' ').toSet()
     }
 }

@@ -1,31 +1,29 @@
 package robotran.java.diagnose
 
-/** Longer names get no suggestion, and only so many are compared, so that it costs next to nothing. */
-private const val LONGEST_NAME = 30
-private const val COMPARED_NAMES = 600
+import robotran.java.EcjProblem
+import robotran.java.JavaFix
+import robotran.java.JavaMessages
 
-/** Short names look alike too easily: one slip in three letters. */
-private const val LETTERS_FOR_A_SLIP = 3
-
-/** The one of [candidates] that [name] is probably a slip of, null if none is near enough. The first one wins a draw. */
-internal fun nearest(name: String, candidates: Collection<String>): String? {
-    if (name.length > LONGEST_NAME) return null
-    val others = candidates.asSequence().filter { it != name && it.length <= LONGEST_NAME }.take(COMPARED_NAMES)
-    val lowercase = name.lowercase()
-    return others.map { it to slips(lowercase, it.lowercase()) }.minByOrNull { it.second }
-        ?.takeIf { (_, slips) -> slips <= name.length / LETTERS_FOR_A_SLIP }?.first
-}
-
-/** How many letters are too many, too few, wrong or have changed places with their neighbour. */
-private fun slips(typed: String, meant: String): Int {
-    val distance = Array(typed.length + 1) { row -> IntArray(meant.length + 1) { column -> if (row == 0) column else row } }
-    for (row in 1..typed.length) {
-        for (column in 1..meant.length) {
-            val wrong = if (typed[row - 1] == meant[column - 1]) 0 else 1
-            val fewest = minOf(distance[row - 1][column] + 1, distance[row][column - 1] + 1, distance[row - 1][column - 1] + wrong)
-            val swapped = row > 1 && column > 1 && typed[row - 1] == meant[column - 2] && typed[row - 2] == meant[column - 1]
-            distance[row][column] = if (swapped) minOf(fewest, distance[row - 2][column - 2] + 1) else fewest
-        }
+/**
+ * Finds the names that are meant by slips.
+ *
+ * @param undeclared all names that nothing declares, since none of them can be meant by another.
+ */
+internal class NearNames(
+    private val undeclared: Set<String>,
+    private val messages: JavaMessages,
+) {
+    /** [message] with the advice to write [suggestion] in the place of the problem, if there is one. */
+    fun suggested(problem: EcjProblem, source: SourceText, message: String, suggestion: String?): Advice {
+        if (suggestion == null) return Advice(message)
+        val written = source.words(problem.start, problem.end)
+        val sameLetters = suggestion.equals(written, ignoreCase = true)
+        val hint = if (sameLetters) messages.lettersOf(suggestion) else messages.didYouMean(suggestion)
+        return Advice(message, hint, JavaFix(source.range(problem.start, problem.end), suggestion))
     }
-    return distance[typed.length][meant.length]
+
+    /** The names of the source that may be declared. */
+    fun namesIn(source: SourceText): List<String> = source.names.filterNot { it in KEYWORDS || it in undeclared }
+
+    fun classesIn(source: SourceText): List<String> = namesIn(source).filter { it.first().isUpperCase() }
 }

@@ -1,0 +1,41 @@
+package robotran.ecj;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import org.eclipse.jdt.internal.compiler.ast.ASTNode;
+
+/** What {@link BrickRules} found in one source. */
+final class BrickReport {
+    private final String path;
+    private final List<EcjProblem> problems = new ArrayList<>();
+
+    BrickReport(String path) {
+        this.path = path;
+    }
+
+    List<EcjProblem> problems() {
+        return problems;
+    }
+
+    void refuse(int number, ASTNode node) {
+        add(number, true, node.sourceStart, node.sourceEnd + 1);
+    }
+
+    void refuse(int number, int start, int end) {
+        add(number, true, start, end);
+    }
+
+    void warn(int number, ASTNode node, int... arguments) {
+        add(number, false, node.sourceStart, node.sourceEnd + 1, arguments);
+    }
+
+    private void add(int number, boolean error, int start, int end, int... arguments) {
+        String[] texts = new String[arguments.length];
+        for (int i = 0; i < arguments.length; i++) {
+            texts[i] = Integer.toString(arguments[i]);
+        }
+        problems.add(new EcjProblem(path, number, error, false, start, end, "", Arrays.asList(texts), Collections.emptyList()));
+    }
+}
