@@ -100,7 +100,7 @@ internal class Shell(
      */
     fun resumeProgram(steps: Int) {
         val standsStill = BrickButton.ON_OFF in buttons.pressed && !isPaused
-        if (rom.milliseconds < waitUntil || standsStill || shownFailure != null || hardware.asleep) return
+        if (rom.milliseconds < waitUntil || standsStill || ending.shownFailure != null || hardware.asleep) return
         val share = if (isPaused) pausedSteps else steps
         pausedSteps = 0
         when (val status = run?.resume(share)) {
