@@ -173,7 +173,15 @@ class ProgramOnBrickTest {
     fun `looking at buttons and messages is no ROM call`() {
         var seen: Set<BrickButton> = emptySet()
         var hasMessage = true
-        val brick = started(listOf({ rom -> ProgramStatus.Running.also { seen = rom.pressedButtons } }, { rom -> ProgramStatus.Running.also { hasMessage = rom.hasMessage } }))
+        val brick =
+            started(
+                listOf({ rom -> ProgramStatus.Running.also { seen = rom.pressedButtons } }, { rom ->
+                    ProgramStatus.Running.also {
+                        hasMessage =
+                            rom.hasMessage
+                    }
+                }),
+            )
         val calls = brick.log.total
         brick.press(BrickButton.VIEW)
         brick.tick()

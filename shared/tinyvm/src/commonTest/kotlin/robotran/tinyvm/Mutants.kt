@@ -30,9 +30,10 @@ private fun run(program: TinyVmProgram) {
         val status = run.resume(STEPS)
         if (status == ProgramStatus.Ended || status is ProgramStatus.Failed) break
     }
-    for (thread in run.threads) thread.callStack.indices.forEach { run.variablesOf(thread.number, it) }
+    for (thread in run.threads) thread.callStack.indices.take(LOOKED_INTO).forEach { run.variablesOf(thread.number, it) }
     checkHeap(run)
 }
 
 private const val ROUNDS = 20
 private const val STEPS = 50
+private const val LOOKED_INTO = 3

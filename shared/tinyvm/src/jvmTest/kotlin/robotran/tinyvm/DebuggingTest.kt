@@ -78,7 +78,12 @@ class DebuggingTest {
         assertEquals(listOf(CallFrame("Helper.help", 4, "Helper.java"), CallFrame("Program.main", 3, "Program.java")), run.callStack)
         assertEquals(RunState.Running(4, "Helper.java"), brick.state.run)
         repeat(50) { brick.tick() }
-        assertEquals(listOf("0x27ac ; clear the LCD ; Helper.java:4"), brick.log.entries.filter { it.sourceLine > 0 }.map { it.text.substringAfter(' ') })
+        assertEquals(
+            listOf("0x27ac ; clear the LCD ; Helper.java:4"),
+            brick.log.entries.filter {
+                it.sourceLine > 0
+            }.map { it.text.substringAfter(' ') },
+        )
         val failure = assertIs<RunState.Failed>(brick.state.run).failure
         assertEquals("Helper.java, line 5", failure.place)
     }

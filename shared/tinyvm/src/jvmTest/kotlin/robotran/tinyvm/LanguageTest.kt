@@ -63,7 +63,8 @@ class LanguageTest {
         shownBy(
             "Outer outer = new Outer(); outer.makeInner().add(); show(outer.count);" +
                 "final int ten = 10; Adder adder = new Adder() { int add(int x) { return x + ten; } }; show(adder.add(2));",
-            "static class Outer { int count = 4; class Inner { void add() { count++; } } Inner makeInner() { return new Inner(); } } static abstract class Adder { abstract " +
+            "static class Outer { int count = 4; class Inner { void add() { count++; } } Inner makeInner() { return new Inner(); } }" +
+                " static abstract class Adder { abstract " +
                 "int add(int x); }",
         ),
     )

@@ -37,6 +37,8 @@ internal class Machine(val program: LinkedProgram, val rom: Rom, val mode: TinyV
     /** Whether the program has ended itself. */
     var isExited = false
 
+    // Made before anything else, while there is room for sure.
+    private val mainReference = heap.newObject(program.thread)
     private val exceptions = IntArray(program.exceptions.size) { heap.newObject(program.exceptions[it]) }
 
     init {
@@ -76,9 +78,8 @@ internal class Machine(val program: LinkedProgram, val rom: Rom, val mode: TinyV
 
     /** The thread that runs main, which is started. */
     fun startMain() {
-        val reference = heap.newObject(program.thread)
-        val main = VmThread(reference, MachineConstants.MAIN_PRIORITY, isMain = true)
-        threadsByReference[reference] = main
+        val main = VmThread(mainReference, MachineConstants.MAIN_PRIORITY, isMain = true)
+        threadsByReference[mainReference] = main
         scheduler.start(main)
     }
 

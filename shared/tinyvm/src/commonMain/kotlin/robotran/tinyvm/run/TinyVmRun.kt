@@ -6,6 +6,7 @@ import robotran.rom.ProgramRemark
 import robotran.rom.ProgramStatus
 import robotran.rom.Rom
 import robotran.rom.StatementWatch
+import robotran.rom.ThreadActivity
 import robotran.rom.ThreadView
 import robotran.rom.VariableScope
 import robotran.tinyvm.RunMessages
@@ -47,6 +48,9 @@ internal class TinyVmRun(
     override val remarks: List<ProgramRemark> get() = machine.remarks.all
 
     override val threads: List<ThreadView> get() = machine.scheduler.threads.map { inspector.threadView(it, isCurrent = it === focus) }
+
+    override fun activityOf(thread: Int): ThreadActivity? =
+        machine.scheduler.threads.find { it.number == thread }?.let { inspector.activityOf(it) }
 
     override val callStack: List<CallFrame> get() = inspector.callStack(focus)
 

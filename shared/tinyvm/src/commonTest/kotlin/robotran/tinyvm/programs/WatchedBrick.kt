@@ -25,7 +25,9 @@ internal class WatchedBrick(program: RcxProgram, private val events: List<Event>
 
     /** The ROM calls of each line of the program, as their words. */
     val romCalls: Map<Int, List<String>>
-        get() = brick.log.entries.filter { it.sourceLine > 0 }.groupBy({ it.sourceLine }, { it.text.substringBefore(" ; ").substringAfter(' ') })
+        get() = brick.log.entries.filter {
+            it.sourceLine > 0
+        }.groupBy({ it.sourceLine }, { it.text.substringBefore(" ; ").substringAfter(' ') })
 
     /** The ROM log as far as it does not depend on when something was done. */
     val log: List<String> get() = brick.log.entries.map { it.text.substringAfter(' ') }

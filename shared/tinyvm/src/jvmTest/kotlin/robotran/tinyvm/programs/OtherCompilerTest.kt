@@ -1,6 +1,7 @@
 package robotran.tinyvm.programs
 
 import robotran.tinyvm.JavaCompiler
+import robotran.tinyvm.TinyVmMode
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.testPrograms
 import kotlin.test.Test
@@ -29,13 +30,17 @@ class OtherCompilerTest {
         return compilation.classes.takeIf { compilation.errors.isEmpty() }
     }
 
-    private fun compare(path: String, byJdk: Map<String, ByteArray>, expected: Expectations): List<String> = expected.modes.mapNotNull { mode ->
-        val logs = listOf(classFilesOf(path), byJdk).map { classes ->
-            val program = assertIs<TinyVmResult.Ready>(link(path, classes, mode = mode), path).program
-            WatchedBrick(program, expected.events).apply { run(expected.runsOnAfter ?: LONGEST) }.log
+    private fun compare(path: String, byJdk: Map<String, ByteArray>, expected: Expectations): List<String> =
+        expected.modes.mapNotNull { mode ->
+            val ecj = log(path, classFilesOf(path), expected, mode)
+            val jdk = log(path, byJdk, expected, mode)
+            val different = ecj.zip(jdk).firstOrNull { it.first != it.second }
+            if (ecj == jdk) null else "$path, $mode: ${different ?: "${ecj.size} calls and ${jdk.size}"}"
         }
-        val (ecj, jdk) = logs.map { log -> log.map(::withoutNumbersOfMethods) }
-        "$path, $mode: ${ecj.zip(jdk).firstOrNull { it.first != it.second } ?: "${ecj.size} calls and ${jdk.size}"}".takeIf { ecj != jdk }
+
+    private fun log(path: String, classes: Map<String, ByteArray>, expected: Expectations, mode: TinyVmMode): List<String> {
+        val program = assertIs<TinyVmResult.Ready>(link(path, classes, mode), path).program
+        return WatchedBrick(program, expected.events).apply { run(expected.runsOnAfter ?: LONGEST) }.log.map(::withoutNumbersOfMethods)
     }
 
     /** Which number a method has depends on what else is in a class file, so that what is shown of a failure differs. */
