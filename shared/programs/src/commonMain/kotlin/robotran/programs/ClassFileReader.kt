@@ -18,7 +18,7 @@ internal class ClassFileReader(private val settings: JavaSettings) {
     }
 
     private fun mistakeOf(refusal: Refusal, file: String?): Mistake {
-        val place = listOfNotNull(refusal.className.ifEmpty { it.sourceFile }, refusal.methodName).joinToString(".")
+        val place = listOfNotNull(refusal.className.ifEmpty { null }, refusal.methodName).joinToString(".")
         val line = refusal.sourceLine.takeIf { it > 0 }
         return Mistake(
             file = file ?: place,

@@ -22,7 +22,7 @@ internal class JavaReader(
 
     private fun link(source: ProgramSource.Java, compiled: CompilationResult.Compiled): ProgramResult {
         val first = source.files.firstOrNull()?.name.orEmpty()
-        val mainClass = mainClassOf(first, compiled.mainClasses) ?: return ProgramResult.Mistaken(listOf(Mistake(first, null, NO_MAIN)))
+        val mainClass = mainClassOf(first, compiled.mainClasses) ?: return ProgramResult.Mistaken(listOfNotNull(compiled.missingMain?.let(::mistakeOf)))
         val linked = classFiles.link(source.name, compiled.classes, mainClass) { refusal -> fileOf(source.files, refusal) }
         return when (linked) {
             is ProgramResult.Ready -> linked.copy(warnings = compiled.warnings.map(::mistakeOf))
@@ -49,9 +49,4 @@ internal class JavaReader(
     )
 
     private fun rangeOf(range: JavaRange) = TextRange(range.line, range.column, range.endColumn)
-
-    private companion object {
-        const val NO_MAIN = "The brick does not know where to begin: no class has a method main. " +
-            "Write one: public static void main(String[] args) { }, with your program between the braces."
-    }
 }

@@ -48,6 +48,7 @@ internal fun run(program: RcxProgram, rom: StandingClockRom, mostCalls: Int, las
             ProgramStatus.Running, is ProgramStatus.Paused -> continue
             is ProgramStatus.Waiting -> if (status.untilMilliseconds > rom.milliseconds) still = 0.also { rom.milliseconds = status.untilMilliseconds }
             ProgramStatus.Ended -> return Outcome.Done
+            is ProgramStatus.ThreadFailed -> return Outcome.Failed(status.failure.message)
             is ProgramStatus.Failed -> return Outcome.Failed(status.failure.message)
         }
     }
@@ -56,8 +57,11 @@ internal fun run(program: RcxProgram, rom: StandingClockRom, mostCalls: Int, las
 
 private const val MOST_STILL_STEPS = 400_000
 
-/** Runs [program] on a true brick for [milliseconds] while its sensors measure [sensors]; the answer are the program's own calls. */
-internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, milliseconds: Long): List<TimedCall> {
+/** What a program has called on a true brick, and whether it came to its end. */
+internal class BrickRun(val calls: List<TimedCall>, val isOver: Boolean)
+
+/** Runs [program] on a true brick for [milliseconds] while its sensors measure [sensors]. */
+internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, milliseconds: Long): BrickRun {
     val brick = Brick(listOf(program))
     sensors.filter { it.milliseconds == 0L }.forEach { brick.setRawSensorValue(it.port - 1, it.raw) }
     // The firmware reads a sensor some milliseconds after it is told what it measures.
@@ -70,7 +74,8 @@ internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, millise
         brick.tick()
         if (brick.state.run !is RunState.Running) break
     }
-    return brick.log.entries.filter { it.sourceLine > 0 }.map { TimedCall(it.milliseconds - start, it.call) }
+    val calls = brick.log.entries.filter { it.sourceLine > 0 }.map { TimedCall(it.milliseconds - start, it.call) }
+    return BrickRun(calls, isOver = brick.state.run !is RunState.Running)
 }
 
 /** The call without the places in memory that its answer goes to, which each program chooses for itself. */

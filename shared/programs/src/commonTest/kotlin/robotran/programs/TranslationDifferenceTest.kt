@@ -31,7 +31,9 @@ class TranslationDifferenceTest {
         compareAll(robolangs.filter { it.hasBehaviours && it.path !in UNCERTAIN }, LEAST_REACTING) { program, java ->
             val interpreted = runOnBrick(program.robolang, program.sensors, BEHAVIOUR_MILLISECONDS)
             val translated = runOnBrick(java, program.sensors, BEHAVIOUR_MILLISECONDS)
-            differenceOf(ordered(interpreted), ordered(translated))
+            // One that never ends is a little further on after so many milliseconds than the other.
+            val most = if (interpreted.isOver || translated.isOver) Int.MAX_VALUE else minOf(interpreted.calls.size, translated.calls.size)
+            differenceOf(ordered(interpreted.calls).take(most), ordered(translated.calls).take(most))
         }
     }
 

@@ -24,11 +24,13 @@ static boolean mustGiveWay() {
 /** Here the main program stands still while a behaviour has the robot, and an action ends when a later behaviour takes over. */
 static void giveWay() throws InterruptedException {
     if (Thread.currentThread() == mainThread) {
-        while (mainIsPaused) {
-            mainStandsStill = true;
-            Thread.sleep(1);
-        }
-        mainStandsStill = false;
+        do {
+            while (mainIsPaused) {
+                mainStandsStill = true;
+                Thread.sleep(1);
+            }
+            mainStandsStill = false;
+        } while (mainIsPaused);
     } else if (mustGiveWay()) {
         throw takenOver;
     }
@@ -37,6 +39,7 @@ static void giveWay() throws InterruptedException {
     const val PAUSE = """/** Lets time pass. */
 static void pause(int milliseconds) throws InterruptedException {
     int end = (int) System.currentTimeMillis() + milliseconds;
+    if (Thread.currentThread() == mainThread) mainStandsStill = true;
     while (end - (int) System.currentTimeMillis() > 0) {
         Thread.sleep(1);
         if (Thread.currentThread() != mainThread) giveWay();
