@@ -33,8 +33,21 @@ final class EcjMessages implements IProblemFactory {
     @Override
     public CategorizedProblem createProblem(
             char[] path, int id, String[] names, int elaboration, String[] shortNames, int severity, int start, int end, int line, int column) {
-        String message = getLocalizedMessage(id, elaboration, shortNames);
-        return new DefaultProblem(path, message, id, shortNames, severity, start, end, line, column);
+        String[] known = withoutNulls(shortNames);
+        String message = getLocalizedMessage(id, elaboration, known);
+        return new DefaultProblem(path, message, id, known, severity, start, end, line, column);
+    }
+
+    /** ECJ does not know the names of Java's newer features, which its command line has. */
+    private static String[] withoutNulls(String[] names) {
+        if (names == null) {
+            return null;
+        }
+        String[] known = names.clone();
+        for (int place = 0; place < known.length; place++) {
+            known[place] = known[place] == null ? "" : known[place];
+        }
+        return known;
     }
 
     @Override

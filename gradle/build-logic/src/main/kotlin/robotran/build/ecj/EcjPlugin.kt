@@ -2,6 +2,10 @@ package robotran.build.ecj
 
 import org.gradle.api.Plugin
 import org.gradle.api.Project
+import org.gradle.api.tasks.SourceSetContainer
+import org.gradle.api.tasks.TaskProvider
+import org.gradle.language.base.plugins.LifecycleBasePlugin
+import robotran.build.AndroidPlugin
 import robotran.build.catalog
 import robotran.build.teavm.CompileToWasm
 import robotran.build.teavm.TeaVmPlugin
@@ -17,11 +21,24 @@ class EcjPlugin : Plugin<Project> {
             it.rewrittenLibrary.set(project.layout.buildDirectory.file("ecj/ecj-in-memory.jar"))
         }
         project.dependencies.add("implementation", project.files(rewrite.map { it.rewrittenLibrary }))
+        checkForAndroid(project, rewrite)
         project.tasks.named(TeaVmPlugin.COMPILE_TASK, CompileToWasm::class.java) {
             it.mainClass.set("robotran.ecj.browser.EcjModule")
             it.moduleName.set("ecj")
             // ECJ catches such exceptions where a source is broken.
             it.strict.set(true)
         }
+    }
+    private fun checkForAndroid(project: Project, rewrite: TaskProvider<RewriteEcj>) {
+        val check = project.tasks.register("checkAndroidReferences", CheckAndroidReferences::class.java) { task ->
+            task.group = LifecycleBasePlugin.VERIFICATION_GROUP
+            task.description = "Looks for classes and methods that Android does not have."
+            task.classes.from(rewrite.map { it.rewrittenLibrary })
+            task.classes.from(project.extensions.getByType(SourceSetContainer::class.java).getByName("main").output.classesDirs)
+            val sdk = project.providers.environmentVariable("ANDROID_HOME")
+            task.framework.from(sdk.map { "$it/platforms/android-${AndroidPlugin.COMPILE_SDK}/android.jar" })
+            task.report.set(project.layout.buildDirectory.file("reports/androidReferences.txt"))
+        }
+        project.tasks.named(LifecycleBasePlugin.CHECK_TASK_NAME) { it.dependsOn(check) }
     }
 }

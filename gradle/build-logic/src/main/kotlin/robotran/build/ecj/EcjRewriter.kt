@@ -10,7 +10,8 @@ import org.objectweb.asm.Type
 
 /**
  * Fits ECJ's class files to a compiler that works in memory, on one thread, on untrusted sources and as WebAssembly: without monitors
- * and pauses, without the methods that need reflection or files, and with constant texts kept short enough for a class file.
+ * and pauses, without the methods that need reflection or files, with constant texts kept short enough for a class file, and with
+ * divisions that do not end a WebAssembly module.
  */
 internal class EcjRewriter {
     private val seen = mutableSetOf<String>()
@@ -40,7 +41,7 @@ internal class EcjRewriter {
                 in EMPTIED_METHODS -> Emptied(target, Type.getArgumentsAndReturnSizes(descriptor) shr 2, Type.getReturnType(descriptor))
                 TEXT_CONSTANT -> BoundedText(target)
                 FILE_READING -> ReadingByByte(target)
-                else -> WithoutThreads(target)
+                else -> WithoutThreads(if (className == CONSTANTS) SafeDivision(target) else target)
             }
         }
     }
@@ -118,6 +119,20 @@ internal class EcjRewriter {
         override fun visitMaxs(maxStack: Int, maxLocals: Int) = super.visitMaxs(maxOf(maxStack, 2), maxLocals)
     }
 
+    /** Leaves divisions to `Division.java`. */
+    private class SafeDivision(target: MethodVisitor) : MethodVisitor(Opcodes.ASM9, target) {
+        override fun visitInsn(opcode: Int) = when (opcode) {
+            Opcodes.IDIV -> divide("quotient", "(II)I")
+            Opcodes.LDIV -> divide("quotient", "(JJ)J")
+            Opcodes.IREM -> divide("remainder", "(II)I")
+            Opcodes.LREM -> divide("remainder", "(JJ)J")
+            else -> super.visitInsn(opcode)
+        }
+
+        private fun divide(method: String, descriptor: String) =
+            visitMethodInsn(Opcodes.INVOKESTATIC, "robotran/ecj/Division", method, descriptor, false)
+    }
+
     private class WithoutThreads(target: MethodVisitor) : MethodVisitor(Opcodes.ASM9, target) {
         override fun visitInsn(opcode: Int) {
             val monitor = opcode == Opcodes.MONITORENTER || opcode == Opcodes.MONITOREXIT
@@ -142,6 +157,7 @@ internal class EcjRewriter {
             // What ECJ's command line says while it works, found by reflection; without it the fields of Messages stay null.
             "$COMPILER/util/Messages.bind",
             "$COMPILER/util/Messages.initializeMessages",
+            "$COMPILER/util/Util.collectPlatformLibraries",
         )
 
         /**
@@ -152,6 +168,9 @@ internal class EcjRewriter {
             "java/lang/Object.wait", "java/lang/Object.notify", "java/lang/Object.notifyAll", "java/lang/Thread.sleep",
             "java/lang/Thread.start", "java/lang/Thread.yield", "java/lang/Thread.join",
         )
+
+        /** The class that works out what is known before a program runs. */
+        const val CONSTANTS = "$COMPILER/impl/Constant"
 
         const val TEXT_CONSTANT = "$COMPILER/impl/StringConstant.fromValue"
 

@@ -5,7 +5,7 @@ import org.gradle.api.tasks.CacheableTask
 import org.gradle.api.tasks.TaskAction
 import robotran.build.teavm.RewriteLibrary
 
-/** Copies ECJ's jar without what only its command line and its annotation processors need, see [EcjRewriter] for the rest. */
+/** Copies ECJ's jar without what only its command line, Ant, Eclipse and annotation processors need, see [EcjRewriter] for the rest. */
 @CacheableTask
 abstract class RewriteEcj : RewriteLibrary() {
     @TaskAction
@@ -20,9 +20,16 @@ abstract class RewriteEcj : RewriteLibrary() {
     private companion object {
         val LEFT_OUT = listOf(
             "META-INF/services/",
+            "ecj.1",
+            "org/eclipse/jdt/core/BuildJarIndex",
+            "org/eclipse/jdt/core/CheckDebugAttributes",
+            "org/eclipse/jdt/core/JDTCompilerAdapter",
             "org/eclipse/jdt/core/compiler/batch/",
             "org/eclipse/jdt/internal/antadapter/",
+            "org/eclipse/jdt/internal/compiler/ExtraFlags",
+            "org/eclipse/jdt/internal/compiler/SourceElementNotifier",
             "org/eclipse/jdt/internal/compiler/apt/",
+            "org/eclipse/jdt/internal/compiler/batch/",
             "org/eclipse/jdt/internal/compiler/tool/",
         )
     }

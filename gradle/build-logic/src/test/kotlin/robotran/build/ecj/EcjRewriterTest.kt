@@ -32,6 +32,20 @@ class EcjRewriterTest {
     }
 
     @Test
+    fun `constants are divided with care`() {
+        val rewritten = rewriter.rewrite(
+            classWith("org/eclipse/jdt/internal/compiler/impl/Constant", "work", "()I") {
+                it.visitInsn(Opcodes.ICONST_1)
+                it.visitInsn(Opcodes.ICONST_0)
+                it.visitInsn(Opcodes.IDIV)
+                it.visitInsn(Opcodes.IRETURN)
+            },
+        )
+        assertEquals(listOf(Opcodes.ICONST_1, Opcodes.ICONST_0, Opcodes.IRETURN), instructions(rewritten))
+        assertContains(String(rewritten, Charsets.ISO_8859_1), "robotran/ecj/Division")
+    }
+
+    @Test
     fun `a text constant beyond what a class file holds is refused`() {
         val owner = "org/eclipse/jdt/internal/compiler/impl/StringConstant"
         val descriptor = "(Ljava/lang/String;)Ljava/lang/String;"

@@ -11,6 +11,9 @@ import robotran.java.JavaSource
 /** So much of the source is quoted in a message at most. */
 private const val QUOTED_CHARACTERS = 40
 
+/** More is not told, so that a source of nothing but mistakes takes no longer than another; errors come first. */
+private const val MOST_PROBLEMS = 300
+
 internal fun shortened(text: String) = if (text.length <= QUOTED_CHARACTERS) text else text.take(QUOTED_CHARACTERS - 2) + ".."
 
 /** Turns what ECJ says about [sources] into what a pupil is told: one thing a line, nothing that only follows from another mistake. */
@@ -21,7 +24,7 @@ internal class Diagnosis(
     private val messages: JavaMessages,
 ) {
     private val sources = sources.map(::SourceText)
-    private val byPath = compilation.problems.groupBy { it.path }
+    private val byPath = compilation.problems.sortedByDescending { it.isError }.take(MOST_PROBLEMS).groupBy { it.path }
     private val nearNames = NearNames(undeclaredNames(), messages)
     private val libraryNames = LibraryNames(library)
     private val brick = BrickAdvisor(messages)

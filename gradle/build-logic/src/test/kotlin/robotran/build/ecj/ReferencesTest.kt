@@ -1,0 +1,43 @@
+package robotran.build.ecj
+
+import org.objectweb.asm.ClassWriter
+import org.objectweb.asm.Opcodes
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+class ReferencesTest {
+    private val references = References().apply {
+        addFramework(classFile("java/lang/Object", null, method = "hashCode"))
+        addFramework(classFile("java/util/List", "java/lang/Object", method = "size"))
+    }
+
+    @Test
+    fun `what a class or the framework has is there, inherited or not`() {
+        references.add(classFile("Own", "java/util/List", "go", calls = listOf("Own" to "size", "java/util/List" to "hashCode", "[I" to "clone")))
+        assertEquals(emptyList(), references.missing())
+    }
+
+    @Test
+    fun `classes and methods that are not there are named with who uses them`() {
+        references.add(classFile("Own", "javax/tools/Tool", "go", calls = listOf("java/util/List" to "reversed")))
+        assertEquals(listOf("java/util/List.reversed()V, used by Own.go", "javax/tools/Tool, used by Own"), references.missing())
+    }
+
+    private fun classFile(
+        name: String,
+        above: String?,
+        method: String,
+        calls: List<Pair<String, String>> = emptyList(),
+    ): ByteArray {
+        val writer = ClassWriter(0)
+        writer.visit(Opcodes.V1_8, Opcodes.ACC_PUBLIC, name, null, above, null)
+        val code = writer.visitMethod(Opcodes.ACC_PUBLIC, method, "()V", null, null)
+        code.visitCode()
+        calls.forEach { (owner, called) -> code.visitMethodInsn(Opcodes.INVOKESTATIC, owner, called, "()V", false) }
+        code.visitInsn(Opcodes.RETURN)
+        code.visitMaxs(0, 1)
+        code.visitEnd()
+        writer.visitEnd()
+        return writer.toByteArray()
+    }
+}
