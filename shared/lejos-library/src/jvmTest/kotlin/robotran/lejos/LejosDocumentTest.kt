@@ -26,7 +26,7 @@ class LejosDocumentTest {
     }
 
     private fun isThrowable(name: String): Boolean =
-        name == "java/lang/Throwable" || name != "java/lang/Object" && isThrowable(superclasses.getValue(name))
+        name == "java/lang/Throwable" || (name != "java/lang/Object" && isThrowable(superclasses.getValue(name)))
 
     private fun rowOfException(name: String) = "| `${name.substringAfterLast('/')}` | ${libraryHelp.getValue(name).ofClass} |"
 
