@@ -43,6 +43,7 @@ class ProgramsTest {
                 ProgramStatus.Running, is ProgramStatus.Paused -> Unit
                 is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
                 ProgramStatus.Ended -> return emptyList()
+                is ProgramStatus.ThreadFailed -> error("Robolang has no threads.")
                 is ProgramStatus.Failed -> return listOf("${program.name}:${status.failure.sourceLine} ${status.failure.message}")
             }
         }

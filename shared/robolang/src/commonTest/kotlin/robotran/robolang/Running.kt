@@ -38,6 +38,7 @@ internal fun runOn(rom: RecordingRom, program: RcxProgram, steps: Int = STEPS): 
             is ProgramStatus.Paused -> throw AssertionError("Nobody wanted a pause.")
             ProgramStatus.Ended -> return null
             is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
+            is ProgramStatus.ThreadFailed -> throw AssertionError("Robolang has no threads.")
             is ProgramStatus.Failed -> return status.failure
         }
     }

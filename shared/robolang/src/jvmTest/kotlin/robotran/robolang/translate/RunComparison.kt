@@ -53,7 +53,7 @@ internal class RunComparison(private val programs: Map<String, RobolangProgram>)
                 ProgramStatus.Running, is ProgramStatus.Paused -> Unit
                 is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
                 ProgramStatus.Ended -> break
-                is ProgramStatus.Failed -> return null
+                is ProgramStatus.ThreadFailed, is ProgramStatus.Failed -> return null
             }
         }
         return rom.calls.filter { it.milliseconds <= lastMillisecond(program) }.take(MOST_CALLS)
