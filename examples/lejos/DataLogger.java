@@ -1,23 +1,24 @@
+// Measures the light ten times, half a second apart, and shows the
+// average. A timer calls timedOut again and again.
+// Next: show the darkest and the brightest.
+
 import josx.platform.rcx.LCD;
 import josx.platform.rcx.Sensor;
 import josx.util.Timer;
 import josx.util.TimerListener;
 
-/** Measures the light ten times, half a second apart, and shows the average. */
 public class DataLogger implements TimerListener {
     private final int[] values = new int[10];
     private int count;
 
-    public static void main(String[] arguments) throws InterruptedException {
+    public static void main(String[] args) throws InterruptedException {
         Sensor.S2.activate();
         DataLogger logger = new DataLogger();
         new Timer(500, logger).start();
-        synchronized (logger) {
-            logger.wait();
-        }
+        logger.awaitAll();
         LCD.showNumber(logger.average());
         Thread.sleep(2000);
-        System.exit(0);
+        System.exit(0); // or the timer would go on
     }
 
     public synchronized void timedOut() {
@@ -25,7 +26,11 @@ public class DataLogger implements TimerListener {
         values[count] = Sensor.S2.readValue();
         LCD.showNumber(values[count]);
         count++;
-        if (count == values.length) notifyAll();
+        notifyAll();
+    }
+
+    private synchronized void awaitAll() throws InterruptedException {
+        while (count < values.length) wait();
     }
 
     private int average() {

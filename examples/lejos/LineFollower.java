@@ -1,24 +1,24 @@
-import josx.platform.rcx.LCD;
+// Follows the left edge of a dark line; the light sensor looks down.
+// It always drives a curve: to the left on the line, to the right off it.
+// Next: follow the right edge.
+
 import josx.platform.rcx.Motor;
 import josx.platform.rcx.Sensor;
 
-/** Follows the left edge of a dark line with the light sensor, which faces down. */
 public class LineFollower {
-    static final int EDGE = 42;
+    static final int BORDER = 45; // dark is below
 
-    public static void main(String[] arguments) throws InterruptedException {
+    public static void main(String[] args) throws InterruptedException {
         Sensor.S2.activate();
-        Thread.sleep(50);
+        Thread.sleep(50); // until it has measured
         while (true) {
-            int light = Sensor.S2.readValue();
-            if (light > EDGE) {
-                Motor.A.forward();
-                Motor.C.stop();
-            } else {
+            if (Sensor.S2.readValue() < BORDER) {
                 Motor.A.stop();
                 Motor.C.forward();
+            } else {
+                Motor.A.forward();
+                Motor.C.stop();
             }
-            LCD.showNumber(light);
             Thread.sleep(10);
         }
     }

@@ -1,3 +1,7 @@
+// Walks to and fro until the left bumper is touched: the activity with
+// the higher priority then has the robot for a while.
+// Next: add an activity that is more important than both.
+
 import josx.platform.rcx.Motor;
 import josx.platform.rcx.Sensor;
 import josx.platform.rcx.SensorConstants;
@@ -6,9 +10,8 @@ import josx.platform.rcx.Sound;
 import josx.robotics.Activity;
 import josx.robotics.StopException;
 
-/** Walks to and fro until a bumper calls: the activity with the higher priority then has the robot for a while. */
 public class Patrol {
-    public static void main(String[] arguments) throws InterruptedException {
+    public static void main(String[] args) throws InterruptedException {
         Walk walk = new Walk();
         walk.setPriority(3);
         walk.start();
@@ -17,9 +20,10 @@ public class Patrol {
         alarm.start();
         Sensor.S1.setTypeAndMode(SensorConstants.SENSOR_TYPE_TOUCH, SensorConstants.SENSOR_MODE_BOOL);
         Sensor.S1.addSensorListener(alarm);
-        Thread.sleep(60000);
+        Thread.sleep(60000); // then the program ends
     }
 
+    /** Always wants the robot. */
     static class Walk extends Activity {
         protected void resetRunnable() {
             super.resetRunnable();
@@ -35,25 +39,26 @@ public class Patrol {
                     Motor.A.backward();
                     Motor.C.backward();
                     pause(2000);
-                } catch (InterruptedException again) {
-                    // Begin with the first leg again.
+                } catch (InterruptedException calledAgain) {
+                    // It begins with the first leg.
                 }
             }
         }
     }
 
+    /** Wants the robot when the bumper is touched. */
     static class Alarm extends Activity implements SensorListener {
-        public void stateChanged(Sensor source, int oldValue, int newValue) {
+        public void stateChanged(Sensor bumper, int oldValue, int newValue) {
             if (newValue == 1) iWantToRun();
         }
 
         protected void action() throws StopException {
+            Motor.A.stop();
+            Motor.C.stop();
+            Sound.buzz();
             try {
-                Motor.A.stop();
-                Motor.C.stop();
-                Sound.buzz();
                 pause(1500);
-            } catch (InterruptedException again) {
+            } catch (InterruptedException calledAgain) {
                 Sound.beep();
             }
         }

@@ -1,18 +1,28 @@
+// How fast are you? When it beeps, press View: the display shows your
+// time in seconds.
+// Next: buzz if View comes too soon.
+
 import java.util.Random;
 import josx.platform.rcx.Button;
 import josx.platform.rcx.LCD;
+import josx.platform.rcx.LCDConstants;
 import josx.platform.rcx.Sound;
 import josx.platform.rcx.TextLCD;
 
-/** Press Run after the beep as fast as you can; the display shows the milliseconds. */
 public class ReactionGame {
-    public static void main(String[] arguments) throws InterruptedException {
+    public static void main(String[] args) throws InterruptedException {
         TextLCD.print("READY");
-        Thread.sleep(1000 + new Random().nextInt(3000));
+        Thread.sleep(1000 + new Random().nextInt(2000));
         Sound.beep();
-        TextLCD.print("GO");
-        int began = (int) System.currentTimeMillis();
-        while (!Button.RUN.isPressed()) Thread.yield();
-        LCD.showNumber((int) System.currentTimeMillis() - began);
+        int began = now();
+        while (!Button.VIEW.isPressed()) Thread.yield();
+        int milliseconds = now() - began;
+        LCD.clear();
+        LCD.setNumber(LCDConstants.LCD_SIGNED, milliseconds, LCDConstants.LCD_DECIMAL_3);
+        LCD.refresh();
+    }
+
+    static int now() {
+        return (int) System.currentTimeMillis();
     }
 }

@@ -1,13 +1,23 @@
-import java.util.Vector;
+// Draws a triangle and a hexagon. Each kind of shape is a class that
+// knows its corners; what all of them do is in the class Shape.
+// Next: write a class for a pentagon.
+
 import josx.platform.rcx.Motor;
 
-/** Draws shapes from a list: each kind of shape is a class that knows its corners. */
 public class Shapes {
-    static abstract class Shape {
+    public static void main(String[] args) throws InterruptedException {
+        Shape[] shapes = {new Triangle(), new Hexagon()};
+        Motor.B.forward(); // the pen goes down
+        Thread.sleep(200);
+        Motor.B.stop();
+        for (int index = 0; index < shapes.length; index++) shapes[index].draw();
+    }
+
+    abstract static class Shape {
         abstract int corners();
 
         int sideMilliseconds() {
-            return 2400 / corners();
+            return 3000 / corners();
         }
 
         void draw() throws InterruptedException {
@@ -29,20 +39,14 @@ public class Shapes {
         }
     }
 
+    /** Twice as large as others. */
     static class Hexagon extends Shape {
         int corners() {
             return 6;
         }
 
         int sideMilliseconds() {
-            return super.sideMilliseconds() * 2;
+            return 2 * super.sideMilliseconds();
         }
-    }
-
-    public static void main(String[] arguments) throws InterruptedException {
-        Vector shapes = new Vector();
-        shapes.addElement(new Triangle());
-        shapes.addElement(new Hexagon());
-        for (int index = 0; index < shapes.size(); index++) ((Shape) shapes.elementAt(index)).draw();
     }
 }

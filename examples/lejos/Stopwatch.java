@@ -1,18 +1,21 @@
+// A stopwatch. View starts and stops it, Prgm sets it back to zero.
+// A listener is told when a button is pressed.
+// Next: beep every ten seconds.
+
 import josx.platform.rcx.Button;
 import josx.platform.rcx.ButtonListener;
 import josx.platform.rcx.LCD;
 import josx.platform.rcx.LCDConstants;
 
-/** Run starts and stops the watch, View sets it to zero. A listener hears of the buttons. */
 public class Stopwatch implements ButtonListener {
     private boolean isRunning;
     private int began;
-    private int shown;
+    private int shown; // milliseconds
 
-    public static void main(String[] arguments) throws InterruptedException {
+    public static void main(String[] args) throws InterruptedException {
         Stopwatch watch = new Stopwatch();
-        Button.RUN.addButtonListener(watch);
         Button.VIEW.addButtonListener(watch);
+        Button.PRGM.addButtonListener(watch);
         while (true) {
             watch.show();
             Thread.sleep(100);
@@ -21,15 +24,16 @@ public class Stopwatch implements ButtonListener {
 
     public synchronized void buttonPressed(Button button) {
         if (button == Button.VIEW) {
-            shown = 0;
-            began = now();
-        } else {
             isRunning = !isRunning;
             began = now() - shown;
+        } else {
+            isRunning = false;
+            shown = 0;
         }
     }
 
     public void buttonReleased(Button button) {
+        // Only pressing counts.
     }
 
     private synchronized void show() {

@@ -1,8 +1,25 @@
+// Does two things at once: main drives in circles, and a thread of its
+// own counts the seconds.
+// Next: add a thread that beeps every two seconds.
+
 import josx.platform.rcx.LCD;
 import josx.platform.rcx.Motor;
 
-/** Does two things at once: one thread drives in circles, the other counts the seconds. */
 public class TwoThings {
+    public static void main(String[] args) throws InterruptedException {
+        new Counter().start();
+        Motor.A.setPower(1);
+        Motor.C.setPower(7);
+        for (int circle = 0; circle < 4; circle++) {
+            Motor.A.forward();
+            Motor.C.forward();
+            Thread.sleep(1500);
+            Motor.A.stop();
+            Thread.sleep(500);
+        }
+        Motor.C.stop();
+    }
+
     static class Counter extends Thread {
         public void run() {
             for (int second = 0; second <= 10; second++) {
@@ -14,20 +31,5 @@ public class TwoThings {
                 }
             }
         }
-    }
-
-    public static void main(String[] arguments) throws InterruptedException {
-        new Counter().start();
-        for (int circle = 0; circle < 5; circle++) {
-            Motor.A.setPower(3);
-            Motor.C.setPower(7);
-            Motor.A.forward();
-            Motor.C.forward();
-            Thread.sleep(1500);
-            Motor.C.backward();
-            Thread.sleep(500);
-        }
-        Motor.A.stop();
-        Motor.C.stop();
     }
 }

@@ -1,47 +1,53 @@
+// Drives ahead until it bumps into something, then turns away from it.
+// A listener is told when a bumper is touched.
+// Next: let it draw where it drives.
+
 import josx.platform.rcx.Motor;
 import josx.platform.rcx.Sensor;
 import josx.platform.rcx.SensorConstants;
 import josx.platform.rcx.SensorListener;
 
-/** Drives around and backs away from whatever a bumper touches. A listener hears of the bumpers. */
 public class WallBouncer implements SensorListener {
-    private static Sensor touched;
+    private Sensor touched;
 
-    public static void main(String[] arguments) throws InterruptedException {
-        WallBouncer listener = new WallBouncer();
-        listen(Sensor.S1, listener);
-        listen(Sensor.S3, listener);
+    public static void main(String[] args) throws InterruptedException {
+        WallBouncer robot = new WallBouncer();
+        robot.listenTo(Sensor.S1); // left
+        robot.listenTo(Sensor.S3); // right
         while (true) {
             Motor.A.forward();
             Motor.C.forward();
-            synchronized (listener) {
-                while (touched == null) listener.wait();
+            if (robot.awaitTouch() == Sensor.S1) {
+                backAway(Motor.A, Motor.C);
+            } else {
+                backAway(Motor.C, Motor.A);
             }
-            backAway(touched == Sensor.S1 ? Motor.C : Motor.A);
-            touched = null;
         }
     }
 
-    public synchronized void stateChanged(Sensor source, int oldValue, int newValue) {
-        if (newValue == 0) return;
-        touched = source;
-        notify();
-    }
-
-    static void listen(Sensor bumper, WallBouncer listener) {
+    private void listenTo(Sensor bumper) {
         bumper.setTypeAndMode(SensorConstants.SENSOR_TYPE_TOUCH, SensorConstants.SENSOR_MODE_BOOL);
-        bumper.addSensorListener(listener);
+        bumper.addSensorListener(this);
     }
 
-    /** The motor that goes on backward for longer turns the robot away. */
-    static void backAway(Motor longer) throws InterruptedException {
-        Motor.A.backward();
-        Motor.C.backward();
-        Thread.sleep(500);
-        Motor.A.stop();
-        Motor.C.stop();
-        longer.backward();
-        Thread.sleep(400);
-        longer.stop();
+    public synchronized void stateChanged(Sensor bumper, int oldValue, int newValue) {
+        if (newValue == 0) return; // it was let go
+        touched = bumper;
+        notifyAll();
+    }
+
+    private synchronized Sensor awaitTouch() throws InterruptedException {
+        touched = null;
+        while (touched == null) wait();
+        return touched;
+    }
+
+    /** Drives back, then turns away from the side of the near motor. */
+    static void backAway(Motor near, Motor far) throws InterruptedException {
+        near.backward();
+        far.backward();
+        Thread.sleep(250);
+        near.forward();
+        Thread.sleep(350);
     }
 }

@@ -1,6 +1,13 @@
 plugins {
     id("robotran.core")
     id("robotran.ecj-web")
+    id("robotran.texts")
+}
+
+texts {
+    constant("commonTest", "robotran.programs.robolangPrograms", "shared/robolang/src/commonTest/resources/programs", "**/*.robo")
+    constant("commonTest", "robotran.programs.robolangExamples", "examples", "*.robo")
+    constant("commonTest", "robotran.programs.lejosExamples", "examples/lejos", "*.java")
 }
 
 kotlin {

@@ -8,7 +8,7 @@ texts {
     constant("commonTest", "robotran.robolang.examplePrograms", "examples", "*.robo")
     constant("commonTest", "robotran.robolang.recordedTranslations", "shared/robolang/src/commonTest/resources/translations", "*.*")
     blocks("commonTest", "robotran.robolang.documentedPrograms", "docs", "*.md", "robolang")
-    blocks("commonTest", "robotran.robolang.documentedTranslations", "docs", "*.md", "java")
+    blocks("commonTest", "robotran.robolang.documentedTranslations", "docs", "*.md", "java translation")
     blocks("commonTest", "robotran.robolang.documentedGrammar", "docs", "robolang.md", "ebnf")
     constant("commonTest", "robotran.robolang.documents", "docs", "robolang.md")
 }

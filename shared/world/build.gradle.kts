@@ -3,6 +3,7 @@ plugins {
     id("org.jetbrains.kotlin.plugin.serialization")
     id("robotran.physics-web")
     id("robotran.texts")
+    id("robotran.brick-programs")
 }
 
 texts {
@@ -10,6 +11,10 @@ texts {
     blocks("commonTest", "robotran.world.documentedWorlds", "docs", "worlds.md", "json")
     constant("commonTest", "robotran.world.exampleTexts", "examples", "*.robo")
     constant("commonTest", "robotran.world.expectedRuns", "shared/world/src/commonTest/resources/runs", "*")
+}
+
+brickPrograms {
+    constant("commonTest", "robotran.world.steppedPrograms", "shared/world/src/commonTest/resources/java")
 }
 
 kotlin {
@@ -20,6 +25,8 @@ kotlin {
         }
         commonTest.dependencies {
             implementation(project(":shared:robolang"))
+            implementation(project(":shared:tinyvm"))
+            implementation(project(":shared:lejos-library"))
         }
         jvmMain.dependencies {
             implementation(project(":shared:physics"))

@@ -16,7 +16,7 @@ final class SourceBounds {
     static final int LEVELS = 1_000;
 
     /** How many brackets may be inside each other. */
-    static final int BRACKETS = 100;
+    static final int BRACKETS = 120;
 
     private final List<Integer> levelsOutside = new ArrayList<>();
     private int levels;

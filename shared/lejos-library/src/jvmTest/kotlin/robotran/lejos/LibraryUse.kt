@@ -7,13 +7,13 @@ import org.apache.bcel.classfile.ConstantClass
 import org.apache.bcel.classfile.ConstantNameAndType
 import org.apache.bcel.classfile.JavaClass
 
-/** What of the library [programs], class files by name, call or write anew. */
+/** What of the library [programs], class files by name, call or implement. */
 internal class LibraryUse(programs: Map<String, ByteArray>) {
     private val ownClasses = programs.map { (name, bytes) -> ClassParser(bytes.inputStream(), name).parse() }
     private val classes = (ownClasses + libraryClassFiles).associateBy { it.className }
 
     /** Each method and constructor as `josx.robotics.Arbitrator.start()V`. */
-    val members: Set<String> = (ownClasses.flatMap(::calls) + ownClasses.flatMap(::overridden) + ownClasses.flatMap(::runs)).toSet()
+    val members: Set<String> = (ownClasses.flatMap(::calls) + ownClasses.flatMap(::implemented) + ownClasses.flatMap(::runs)).toSet()
 
     private fun calls(caller: JavaClass): List<String> {
         val constants = caller.constantPool
@@ -27,13 +27,16 @@ internal class LibraryUse(programs: Map<String, ByteArray>) {
     /** The method that a call of [called] reaches, and those it has to be there for. */
     private fun declarationsOf(owner: String, called: String): List<String> {
         val declaring = typesOf(owner).filter { declares(it, called) }
-        val reached = declaring.take(1) + declaring.drop(1).filter { type -> type.methods.any { it.isAbstract && it.name + it.signature == called } }
-        return reached.map { "${it.className}.$called" }
+        val demanding = declaring.drop(1).filter { isAbstract(it, called) }
+        return (declaring.take(1) + demanding).map { "${it.className}.$called" }
     }
 
-    private fun overridden(programClass: JavaClass): List<String> = programClass.methods.filter { it.name != "<init>" }.flatMap { method ->
-        typesOf(programClass.className).drop(1).filter { declares(it, method.name + method.signature) }
-            .map { "${it.className}.${method.name}${method.signature}" }
+    /** What a program has to write is used by writing it. */
+    private fun implemented(programClass: JavaClass): List<String> {
+        val own = programClass.methods.map { it.name + it.signature }
+        return typesOf(programClass.className).drop(1).flatMap { type ->
+            own.filter { isAbstract(type, it) }.map { "${type.className}.$it" }
+        }
     }
 
     /** The brick itself calls `run` of a thread. */
@@ -46,6 +49,9 @@ internal class LibraryUse(programs: Map<String, ByteArray>) {
         val above = if (declared.isInterface || name == OBJECT) emptyList() else typesOf(declared.superclassName)
         return listOf(declared) + above + declared.interfaceNames.flatMap(::typesOf)
     }
+
+    private fun isAbstract(type: JavaClass, member: String): Boolean =
+        type.methods.any { it.isAbstract && it.name + it.signature == member }
 
     private fun declares(type: JavaClass, member: String): Boolean = type.methods.any { it.name + it.signature == member }
 

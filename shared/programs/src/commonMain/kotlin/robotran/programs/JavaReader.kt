@@ -5,6 +5,7 @@ import robotran.java.JavaCompiler
 import robotran.java.JavaDiagnostic
 import robotran.java.JavaRange
 import robotran.java.JavaSource
+import robotran.tinyvm.Refusal
 
 /** Compiles and links leJOS programs. */
 internal class JavaReader(
@@ -21,8 +22,8 @@ internal class JavaReader(
 
     private fun link(source: ProgramSource.Java, compiled: CompilationResult.Compiled): ProgramResult {
         val first = source.files.firstOrNull()?.name.orEmpty()
-        val mainClass = mainClassOf(first, compiled.mainClasses) ?: return ProgramResult.Mistaken(listOf(Mistake(first, null, NO_MAIN)))
-        val linked = classFiles.link(source.name, compiled.classes, mainClass) { refusal -> fileOf(source.files, refusal.className) }
+        val mainClass = mainClassOf(first, compiled.mainClasses) ?: return ProgramResult.Mistaken(listOfNotNull(compiled.missingMain?.let(::mistakeOf)))
+        val linked = classFiles.link(source.name, compiled.classes, mainClass) { refusal -> fileOf(source.files, refusal) }
         return when (linked) {
             is ProgramResult.Ready -> linked.copy(warnings = compiled.warnings.map(::mistakeOf))
             is ProgramResult.Mistaken -> linked
@@ -30,16 +31,15 @@ internal class JavaReader(
     }
 
     private fun mainClassOf(file: String, candidates: List<String>): String? {
-        val expected = file.substringAfterLast('/').substringAfterLast('\\').removeSuffix(".java")
+        val expected = simpleName(file).removeSuffix(".java")
         return candidates.firstOrNull { it.substringAfterLast('/') == expected } ?: candidates.firstOrNull()
     }
 
-    /** The file that declares the class [name], whose name has dots; the first if none seems to. */
-    private fun fileOf(files: List<SourceFile>, name: String): String? {
-        val simple = Regex.escape(name.substringAfterLast('.').substringBefore('$'))
-        val declaration = Regex("\\b(class|interface)\\s+$simple\\b")
-        return (files.firstOrNull { declaration.containsMatchIn(it.text) } ?: files.firstOrNull())?.name
-    }
+    /** The file that [refusal] is about; the first if that is not known. */
+    private fun fileOf(files: List<SourceFile>, refusal: Refusal): String? =
+        (files.firstOrNull { simpleName(it.name) == refusal.sourceFile } ?: files.firstOrNull())?.name
+
+    private fun simpleName(path: String): String = path.substringAfterLast('/').substringAfterLast('\\')
 
     private fun mistakeOf(diagnostic: JavaDiagnostic) = Mistake(
         diagnostic.path,
@@ -49,9 +49,4 @@ internal class JavaReader(
     )
 
     private fun rangeOf(range: JavaRange) = TextRange(range.line, range.column, range.endColumn)
-
-    private companion object {
-        const val NO_MAIN = "The brick does not know where to begin: no class has a method main. " +
-            "Write one: public static void main(String[] args) { }, with your program between the braces."
-    }
 }

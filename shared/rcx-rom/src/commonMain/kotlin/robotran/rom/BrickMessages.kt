@@ -8,6 +8,9 @@ interface BrickMessages {
     /** What it means that the display shows the numbers of [failure], and what to do; whole sentences. */
     fun failureShown(failure: ProgramFailure): String
 
+    /** The same if only a thread of the program cannot go on. */
+    fun threadFailureShown(failure: ProgramFailure): String
+
     /** Why the robot stopped when its program came to its end with motors running, and how to go on driving. */
     fun motorsBrakedAtEnd(): String
 

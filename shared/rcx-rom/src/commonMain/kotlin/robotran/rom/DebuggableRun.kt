@@ -9,7 +9,14 @@ interface DebuggableRun : ProgramRun {
     val variables: List<VariableScope>
 
     /** The threads that live, in the order of their start; a language without threads has one. */
-    val threads: List<ThreadView> get() = listOf(ThreadView(FIRST_THREAD, callStack.lastOrNull()?.name.orEmpty(), callStack = callStack, isCurrent = true))
+    val threads: List<ThreadView>
+        get() {
+            val callStack = callStack
+            return listOf(ThreadView(FIRST_THREAD, callStack.lastOrNull()?.name.orEmpty(), callStack = callStack, isCurrent = true))
+        }
+
+    /** What the thread with this number is doing, null if it does not live; the same as in [threads], but cheaper. */
+    fun activityOf(thread: Int): ThreadActivity? = threads.find { it.number == thread }?.activity
 
     /**
      * The variables that a routine knows, its own first.

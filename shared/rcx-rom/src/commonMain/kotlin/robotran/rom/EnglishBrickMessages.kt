@@ -2,10 +2,13 @@ package robotran.rom
 
 /** The messages in English. */
 object EnglishBrickMessages : BrickMessages {
-    override fun failureShown(failure: ProgramFailure): String {
-        val place = failure.place?.let { "$it: " }.orEmpty()
-        return "The program cannot go on. $place${failure.message} Press On-Off to go back to the start."
-    }
+    override fun failureShown(failure: ProgramFailure) =
+        "The program cannot go on. ${placed(failure)} Press On-Off to go back to the start."
+
+    override fun threadFailureShown(failure: ProgramFailure) =
+        "A thread of the program cannot go on. ${placed(failure)} Press On-Off to let the others go on."
+
+    private fun placed(failure: ProgramFailure) = listOfNotNull(failure.place, failure.message).joinToString(": ")
 
     override fun motorsBrakedAtEnd() = "The program has come to its end, so the brick stopped the motors, as a real one does. " +
         "To let the robot drive on, let the program go on, too: with a wait, or with a loop that never ends."

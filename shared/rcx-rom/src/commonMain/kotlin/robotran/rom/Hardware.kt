@@ -36,6 +36,7 @@ internal class Hardware(
             SensorRoutines(memory, sensors, messages).routines + SerialRoutines(memory, serial, sounds, messages).routines +
             TimerRoutines(this, messages).routines,
         sensors,
+        buttons,
         messages,
         clock = { milliseconds },
     )

@@ -38,6 +38,12 @@ sealed interface ProgramStatus {
     /** Nothing to do until the brick's clock, [Rom.milliseconds], has reached [untilMilliseconds]. */
     data class Waiting(val untilMilliseconds: Long) : ProgramStatus
 
+    /**
+     * One of the program's threads cannot go on; the others can. A brick shows the failure and waits for On-Off first; its motors go on
+     * meanwhile.
+     */
+    data class ThreadFailed(val failure: ProgramFailure) : ProgramStatus
+
     /** The program came to its end. */
     data object Ended : ProgramStatus
 

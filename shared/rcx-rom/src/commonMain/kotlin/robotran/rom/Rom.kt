@@ -28,6 +28,12 @@ interface Rom {
      */
     fun readSensor(port: Int, request: SensorRequest): Int
 
+    /** The buttons held down that belong to a program, as leJOS looks at them for josx `Poll`; looking is no ROM call. */
+    val pressedButtons: Set<BrickButton> get() = emptySet()
+
+    /** Whether a message has come that nobody has taken yet, as leJOS looks for it for josx `Poll`; looking is no ROM call. */
+    val hasMessage: Boolean get() = false
+
     /**
      * How the firmware is to read a sensor from its next reading on: josx `Sensor.setTypeAndMode`, which is no ROM call either.
      *

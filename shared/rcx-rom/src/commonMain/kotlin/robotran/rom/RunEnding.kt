@@ -3,6 +3,7 @@ package robotran.rom
 /** How the last run of a program ended, and what a pupil should be told about it. */
 internal class RunEnding(private val messages: BrickMessages) {
     private var motorsBraked = false
+    private var isOfThread = false
 
     var state: RunState = RunState.Idle
         private set
@@ -12,7 +13,9 @@ internal class RunEnding(private val messages: BrickMessages) {
         private set
 
     /** What the display's numbers mean, or why the robot stands still, where a pupil could not know. */
-    val explanation: String? get() = shownFailure?.let(messages::failureShown) ?: if (motorsBraked) messages.motorsBrakedAtEnd() else null
+    val explanation: String?
+        get() = shownFailure?.let { if (isOfThread) messages.threadFailureShown(it) else messages.failureShown(it) }
+            ?: if (motorsBraked) messages.motorsBrakedAtEnd() else null
 
     /** A program begins: there is nothing to say about the last one any more. */
     fun forget() {
@@ -39,6 +42,13 @@ internal class RunEnding(private val messages: BrickMessages) {
     fun failed(failure: ProgramFailure) {
         state = RunState.Failed(failure)
         shownFailure = failure
+        isOfThread = false
+    }
+
+    /** A thread of the program cannot go on; the others stand still until [leaveFailure]. */
+    fun threadFailed(failure: ProgramFailure) {
+        shownFailure = failure
+        isOfThread = true
     }
 
     /** On-Off was pressed: the failure is shown no longer. */

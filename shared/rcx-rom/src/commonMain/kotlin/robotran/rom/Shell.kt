@@ -30,7 +30,11 @@ internal class Shell(
     var selectedSlot = firstSlot
         private set
 
-    val runState: RunState get() = run?.let { RunState.Running(it.sourceLine, it.sourceFile) } ?: ending.state
+    val runState: RunState
+        get() {
+            val run = run ?: return ending.state
+            return ending.shownFailure?.let { RunState.Failed(it) } ?: RunState.Running(run.sourceLine, run.sourceFile)
+        }
 
     /** What the run has to say, or the last one if none runs. */
     val remarks: List<ProgramRemark> get() = run?.remarks ?: earlierRemarks
@@ -96,13 +100,14 @@ internal class Shell(
      */
     fun resumeProgram(steps: Int) {
         val standsStill = BrickButton.ON_OFF in buttons.pressed && !isPaused
-        if (rom.milliseconds < waitUntil || standsStill || hardware.asleep) return
+        if (rom.milliseconds < waitUntil || standsStill || ending.shownFailure != null || hardware.asleep) return
         val share = if (isPaused) pausedSteps else steps
         pausedSteps = 0
         when (val status = run?.resume(share)) {
             null, ProgramStatus.Running -> return
             is ProgramStatus.Paused -> pausedSteps = status.stepsLeft
             is ProgramStatus.Waiting -> waitUntil = status.untilMilliseconds
+            is ProgramStatus.ThreadFailed -> showThreadFailure(status.failure)
             ProgramStatus.Ended -> endProgram(stopped = false)
             is ProgramStatus.Failed -> showFailure(status.failure)
         }
@@ -153,9 +158,17 @@ internal class Shell(
         firmware.showFailure(failure)
     }
 
+    /** The program stands still as long as this is shown. */
+    private fun showThreadFailure(failure: ProgramFailure) {
+        ending.threadFailed(failure)
+        firmware.playNow(SystemSounds.BUZZ)
+        firmware.showFailure(failure)
+    }
+
+    /** The brick goes back to the start, or the rest of the program goes on. */
     private fun leaveFailure() {
         ending.leaveFailure()
-        showReady(SystemSounds.TWO_BEEPS)
+        if (run == null) showReady(SystemSounds.TWO_BEEPS)
     }
 
     private val selectedProgram: RcxProgram? get() = programs.getOrNull(selectedSlot)
@@ -181,6 +194,7 @@ internal class Shell(
     private fun leaveProgram() {
         earlierRemarks = remarks
         run = null
+        ending.leaveFailure()
         pausedSteps = 0
         pressedInShell.clear()
     }

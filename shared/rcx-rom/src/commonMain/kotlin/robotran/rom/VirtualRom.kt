@@ -11,6 +11,7 @@ internal class VirtualRom(
     private val log: RomLog,
     private val routines: Map<Int, RomRoutine>,
     private val sensors: Sensors,
+    private val buttons: Buttons,
     private val messages: BrickMessages,
     private val clock: () -> Long,
 ) : Rom {
@@ -20,6 +21,10 @@ internal class VirtualRom(
         val effect = perform(call)
         log.add(RomLogEntry(milliseconds, call, effect.meaning, sourceLine, effect.outcome, sourceFile))
     }
+
+    override val pressedButtons: Set<BrickButton> get() = buttons.pressed - BrickButton.ON_OFF
+
+    override val hasMessage: Boolean get() = memory.readByte(SerialMemory.VALID) != 0
 
     override fun readSensor(port: Int, request: SensorRequest): Int = sensors.value(port, request)
 

@@ -98,6 +98,35 @@ class ProgramOnBrickTest {
     }
 
     @Test
+    fun `a thread that fails is shown and the others go on at On-Off`() {
+        val failure = ProgramFailure("The number is too big.", sourceLine = 3, sourceFile = "Robot.java")
+        val forward = calling(RomAddress.CONTROL_MOTOR, 0x2000, 1, 3)
+        val brick = started(listOf(forward, { ProgramStatus.ThreadFailed(failure) }, calling(RomAddress.CLEAR_LCD)))
+        brick.tick(50)
+        assertEquals(RunState.Failed(failure), brick.state.run)
+        assertEquals(MotorMode.FORWARD, brick.state.motors.first().mode)
+        assertEquals(
+            "A thread of the program cannot go on. Robot.java, line 3: The number is too big. Press On-Off to let the others go on.",
+            brick.state.explanation,
+        )
+        assertEquals(1, brick.log.entries.count { it.sourceLine == TEST_LINE })
+        brick.push(BrickButton.ON_OFF)
+        assertEquals(null, brick.state.explanation)
+        brick.tick(5)
+        assertEquals(2, brick.log.entries.count { it.sourceLine == TEST_LINE })
+        assertEquals(RunState.Ended(stopped = false), brick.state.run)
+    }
+
+    @Test
+    fun `a program whose thread has failed can be stopped`() {
+        val brick = started(listOf({ ProgramStatus.ThreadFailed(ProgramFailure("Too big.", sourceLine = 3)) }))
+        brick.tick(5)
+        brick.stopProgram()
+        assertEquals(RunState.Ended(stopped = true), brick.state.run)
+        assertEquals(null, brick.state.explanation)
+    }
+
+    @Test
     fun `a slot without a program that could run is passed by Prgm and not started by Run`() {
         val program = ScriptedProgram(emptyList())
         val brick = Brick(listOf(program, null), firstSlot = 1)
@@ -115,6 +144,50 @@ class ProgramOnBrickTest {
     fun `a brick takes five programs and no more`() {
         Brick(List(Brick.MOST_PROGRAMS) { endlessProgram() })
         assertFailsWith<IllegalArgumentException> { Brick(List(Brick.MOST_PROGRAMS + 1) { endlessProgram() }) }
+    }
+
+    @Test
+    fun `remarks stay until the next program is started`() {
+        val remark = ProgramRemark("This divisor is too large.", sourceLine = 2)
+        var isFirst = true
+        val program = object : RcxProgram {
+            override val name = "remarking"
+
+            override fun start(rom: Rom) = object : ProgramRun {
+                override val sourceLine = 2
+                override val remarks = if (isFirst) listOf(remark) else emptyList()
+
+                override fun resume(steps: Int) = ProgramStatus.Ended
+            }.also { isFirst = false }
+        }
+        val brick = Brick(listOf(program))
+        assertEquals(emptyList(), brick.remarks)
+        for (expected in listOf(listOf(remark), emptyList())) {
+            brick.push(BrickButton.RUN)
+            brick.tick(5)
+            assertEquals(expected, brick.remarks)
+        }
+    }
+
+    @Test
+    fun `looking at buttons and messages is no ROM call`() {
+        var seen: Set<BrickButton> = emptySet()
+        var hasMessage = true
+        val brick =
+            started(
+                listOf({ rom -> ProgramStatus.Running.also { seen = rom.pressedButtons } }, { rom ->
+                    ProgramStatus.Running.also {
+                        hasMessage =
+                            rom.hasMessage
+                    }
+                }),
+            )
+        val calls = brick.log.total
+        brick.press(BrickButton.VIEW)
+        brick.tick()
+        assertEquals(setOf(BrickButton.VIEW), seen)
+        assertEquals(false, hasMessage)
+        assertEquals(calls, brick.log.total)
     }
 
     @Test

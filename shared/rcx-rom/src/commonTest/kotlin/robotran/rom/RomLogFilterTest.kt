@@ -85,4 +85,11 @@ class RomLogFilterTest {
         val entry = RomLogEntry(5, RomCall(RomAddress.REFRESH_LCD, emptyList()), "says \"so\"", 1, RomOutcome.DONE)
         assertEquals("5,display,0x27c8,,\"says \"\"so\"\"\",1,done\r\n", listOf(entry).toCsv().substringAfter("\r\n"))
     }
+
+    @Test
+    fun `the line of a program with several files has its file before it`() {
+        val entry = RomLogEntry(5, RomCall(RomAddress.REFRESH_LCD, emptyList()), "refresh the LCD", 7, RomOutcome.DONE, "Robot.java")
+        assertEquals("5 0x27c8 ; refresh the LCD ; Robot.java:7", entry.text)
+        assertEquals("5,display,0x27c8,,refresh the LCD,Robot.java:7,done", listOf(entry).toCsv().lines()[1].trimEnd())
+    }
 }

@@ -19,6 +19,9 @@ internal object EnglishLinkMessages : LinkMessages {
 
     override fun tooMany(counted: Counted, limit: Int) = "A brick takes at most $limit ${nameOf(counted)}."
 
+    override fun programTooLarge(bytes: Int, limit: Int) =
+        "This program takes about $bytes bytes of the brick's memory, but it has room for $limit. Use fewer classes of leJOS, or write less code."
+
     override fun nativeMethod(name: String) = "The brick has no built-in method \"$name\". Write it in Java, without \"native\"."
 
     override fun lacks(feature: LackedFeature) = when (feature) {
@@ -41,10 +44,6 @@ internal object EnglishLinkMessages : LinkMessages {
 
         LackedFeature.MANY_LOCALS -> {
             "A method can have at most 255 variables on the brick."
-        }
-
-        LackedFeature.LARGE_STEP -> {
-            "The brick cannot add or subtract more than 127 with += or -=. Write x = x + 1000 instead."
         }
 
         LackedFeature.MANY_CONSTANTS -> {

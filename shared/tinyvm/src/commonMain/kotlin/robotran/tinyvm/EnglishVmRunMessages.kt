@@ -42,6 +42,9 @@ internal object EnglishVmRunMessages : RunMessages {
         }
     }
 
+    override fun sharesMemory(programBytes: Int, allBytes: Int) =
+        "Of its $allBytes bytes, the program itself takes about $programBytes."
+
     override fun wouldBite(quirk: Quirk) = when (quirk) {
         Quirk.DIVISOR_OF_16_BITS -> "A real brick would drop all but 16 bits of this divisor and get another result."
         Quirk.INDEX_OF_16_BITS -> "A real brick would drop all but 16 bits of this index and might meet another element."

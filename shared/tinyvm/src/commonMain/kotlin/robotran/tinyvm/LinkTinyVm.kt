@@ -12,6 +12,8 @@ import robotran.tinyvm.natives.NativeMethods
  * @param program its class files by any names.
  * @param library the class files of leJOS by their names with slashes, such as `java/lang/Object`.
  * @param mainClass the class to begin with, its name with slashes; null for the first that has a main method.
+ * @param mode how true to the brick it runs.
+ * @param speed how fast it runs.
  */
 fun linkTinyVm(
     name: String,
@@ -20,9 +22,16 @@ fun linkTinyVm(
     mainClass: String? = null,
     mode: TinyVmMode = TinyVmMode.BRICK,
     messages: TinyVmMessages = EnglishTinyVmMessages,
+    speed: TinyVmSpeed = TinyVmSpeed.BRICK,
 ): TinyVmResult = try {
-    val linker = Linker(ClassFiles(program, library, messages), messages) { NativeMethods.find(it) != null }
-    TinyVmResult.Ready(TinyVmProgram(name, linker.link(mainClass), mode, messages))
+    val files = ClassFiles(program, library, messages)
+    try {
+        val linked = Linker(files, messages) { NativeMethods.find(it) != null }.link(mainClass)
+        TinyVmResult.Ready(TinyVmProgram(name, linked, mode, messages, speed))
+    } catch (refused: RefusalException) {
+        val refusal = refused.refusal
+        TinyVmResult.Refused(refusal.copy(sourceFile = files.sourceFileOf(refusal.className.replace('.', '/'))))
+    }
 } catch (refused: RefusalException) {
     TinyVmResult.Refused(refused.refusal)
 } catch (_: DamagedClassFile) {

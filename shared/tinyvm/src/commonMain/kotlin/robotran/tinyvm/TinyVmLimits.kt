@@ -15,6 +15,15 @@ object TinyVmLimits {
     /** Classes and interfaces of a program, the library's included. */
     const val CLASSES = 255
 
+    /**
+     * Bytes of a brick's memory for a program and its objects: from 0x8000 to 0xEF31 there are 28 KB, of which leJOS takes about 16. Source:
+     * leJOS `main.c`.
+     */
+    const val MEMORY_BYTES = 0xEF32 - 0x8000 - 16 * 1024
+
+    /** The largest program: it has to leave room for its first objects. */
+    const val PROGRAM_BYTES = MEMORY_BYTES - 256
+
     /** Arrays of different kinds, each depth counted. */
     const val ARRAY_TYPES = 1024
 

@@ -33,6 +33,8 @@ interface LinkMessages {
 
     fun tooMany(counted: Counted, limit: Int): String
 
+    fun programTooLarge(bytes: Int, limit: Int): String
+
     fun nativeMethod(name: String): String
 
     fun lacks(feature: LackedFeature): String
@@ -50,9 +52,6 @@ enum class LackedFeature {
     DECIMAL_REMAINDER,
     FAR_JUMP,
     MANY_LOCALS,
-
-    /** `x += 1000`, for which compilers use an instruction that leJOS does not know. */
-    LARGE_STEP,
     MANY_CONSTANTS,
     INVOKE_DYNAMIC,
     ARRAY_TEST,
@@ -68,6 +67,9 @@ interface RunMessages {
 
     /** What the brick does, in brick mode. */
     fun bites(quirk: Quirk): String
+
+    /** What is added when the memory is full: the program takes so many bytes of it before any object is made. */
+    fun sharesMemory(programBytes: Int, allBytes: Int): String
 
     /** What a brick would do instead, in forgiving mode. */
     fun wouldBite(quirk: Quirk): String

@@ -12,6 +12,7 @@ class TinyVmProgram internal constructor(
     internal val linked: LinkedProgram,
     private val mode: TinyVmMode,
     private val messages: RunMessages,
+    private val speed: TinyVmSpeed,
 ) : RcxProgram {
-    override fun start(rom: Rom): DebuggableRun = TinyVmRun(linked, rom, mode, messages)
+    override fun start(rom: Rom): DebuggableRun = TinyVmRun(linked, rom, mode, messages, speed)
 }

@@ -66,6 +66,37 @@ class VerifierTest {
         )
 
     @Test
+    fun `a large step is done though leJOS knows no wide bytecodes`() =
+        // i = 0; i += 1000; i += -2; show(i)
+        assertEquals(
+            listOf(998),
+            shownBy {
+                listOf(0x03, 0x3C, 0xC4, 0x84, 0, 1) + short(1000) + listOf(0xC4, 0x84, 0, 1) + short(-2) + 0x1B + show() + 0xB1
+            },
+        )
+
+    @Test
+    fun `what leJOS refuses is refused with class and method`() {
+        val refused = mapOf(
+            listOf(0xBA, 0, 1, 0, 0) to LackedFeature.INVOKE_DYNAMIC,
+            listOf(0xC4, 0x15, 0, 1) to LackedFeature.MANY_LOCALS,
+            listOf(0xC4, 0x84, 1, 0, 0, 1) to LackedFeature.MANY_LOCALS,
+            listOf(0x13, 0, 1) to LackedFeature.MANY_CONSTANTS,
+            listOf(0xC8, 0, 0, 0, 5) to LackedFeature.FAR_JUMP,
+            listOf(0xAA) to LackedFeature.SWITCH,
+            listOf(0xAB) to LackedFeature.SWITCH,
+            listOf(0x61) to LackedFeature.LONG_ARITHMETIC,
+            listOf(0x94) to LackedFeature.LONG_ARITHMETIC,
+            listOf(0x72) to LackedFeature.DECIMAL_REMAINDER,
+            listOf(0x73) to LackedFeature.DECIMAL_REMAINDER,
+        )
+        for ((code, feature) in refused) {
+            val refusal = assertIs<TinyVmResult.Refused>(linkMain { code + 0xB1 }).refusal
+            assertEquals(Refusal(EnglishTinyVmMessages.lacks(feature), "Main", "main"), refusal)
+        }
+    }
+
+    @Test
     fun `taking from an empty stack is refused`() = assertUnsound { listOf(0x57, 0xB1) }
 
     @Test

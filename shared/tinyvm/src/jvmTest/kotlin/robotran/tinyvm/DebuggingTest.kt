@@ -1,10 +1,14 @@
 package robotran.tinyvm
 
+import robotran.rom.Brick
+import robotran.rom.BrickButton
 import robotran.rom.CallFrame
 import robotran.rom.DebuggableRun
 import robotran.rom.ProgramStatus
+import robotran.rom.RunState
 import robotran.rom.StatementWatch
 import robotran.rom.VariableView
+import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -18,7 +22,7 @@ class DebuggingTest {
                 int first = 1;
                 String text = "hi";
                 add(first);
-                ROM.show(total);
+                LCD.showNumber(total);
             }
             static void add(int more) {
                 total += more;
@@ -57,6 +61,44 @@ class DebuggingTest {
         val run = pausedAt(8)
         assertEquals(6, run.statementsBegun)
         assertEquals(ProgramStatus.Ended, run.resume(100))
+    }
+
+    @Test
+    fun `a program of several files tells the file of each line`() {
+        val main = "public class Program {\npublic static void main(String[] arguments) {\nHelper.help();\n}\n}"
+        val helper = "class Helper {\nstatic int none;\nstatic void help() {\njosx.platform.rcx.LCD.clear();\nnone = 1 / none;\n}\n}"
+        val classes = JavaCompiler.compile(mapOf("Program" to main, "Helper" to helper))
+        val program = assertIs<TinyVmResult.Ready>(linkTinyVm("Program", classes, libraryClassFiles)).program
+        val brick = Brick(listOf(program))
+        brick.press(BrickButton.RUN)
+        brick.release(BrickButton.RUN)
+        val run = checkNotNull(brick.debuggableRun)
+        run.watch = StatementWatch { it.sourceLine == 4 && it.sourceFile == "Helper.java" }
+        while (!brick.isPaused) brick.tick()
+        assertEquals(listOf(CallFrame("Helper.help", 4, "Helper.java"), CallFrame("Program.main", 3, "Program.java")), run.callStack)
+        assertEquals(RunState.Running(4, "Helper.java"), brick.state.run)
+        repeat(50) { brick.tick() }
+        assertEquals(
+            listOf("0x27ac ; clear the LCD ; Helper.java:4"),
+            brick.log.entries.filter {
+                it.sourceLine > 0
+            }.map { it.text.substringAfter(' ') },
+        )
+        val failure = assertIs<RunState.Failed>(brick.state.run).failure
+        assertEquals("Helper.java, line 5", failure.place)
+    }
+
+    @Test
+    fun `decimal numbers look as the program itself would show them`() {
+        val body = "int bits = 1;\nfor (int i = 0; i < 400; i++) {\nfloat number = Float.intBitsToFloat(bits);\n" +
+            "String text = \"\" + number;\nbits = bits * 1103515245 + 12345;\n}"
+        val run = linked(program(body), TinyVmMode.FORGIVING).start(ShowingRom())
+        run.watch = StatementWatch { it.sourceLine == 8 }
+        repeat(400) {
+            while (run.resume(100) !is ProgramStatus.Paused) continue
+            val values = run.variables.first().variables.associate { it.name to it.value }
+            assertEquals(values["text"], "\"${values["number"]}\"")
+        }
     }
 
     @Test

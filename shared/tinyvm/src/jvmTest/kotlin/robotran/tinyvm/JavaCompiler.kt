@@ -1,10 +1,10 @@
 package robotran.tinyvm
 
+import robotran.tinyvm.programs.libraryClassFiles
 import java.io.ByteArrayOutputStream
-import java.io.File
+import java.io.InputStream
 import java.io.OutputStream
 import java.net.URI
-import java.nio.file.Files
 import java.util.Locale
 import javax.tools.Diagnostic
 import javax.tools.DiagnosticCollector
@@ -13,49 +13,73 @@ import javax.tools.ForwardingJavaFileManager
 import javax.tools.JavaFileManager
 import javax.tools.JavaFileObject
 import javax.tools.SimpleJavaFileObject
+import javax.tools.StandardLocation
 import javax.tools.ToolProvider
 
-/** Compiles Java against a small class library in the test's resources, all in memory. */
+/** The JDK's own compiler for class files of Java 8, with nothing but the brick's class library, all in memory. */
 internal object JavaCompiler {
     private val compiler = checkNotNull(ToolProvider.getSystemJavaCompiler()) { "These tests need a JDK." }
-    private val librarySources: List<JavaFileObject> = readLibrary()
+    private val options = listOf("-source", "8", "-target", "8", "-g", "-proc:none", "-nowarn", "-Xlint:-options")
 
-    /** The class files of the library by their names with slashes. */
-    val library: Map<String, ByteArray> = compile(librarySources)
+    /** What came of compiling: class files by their names with slashes, and what the compiler found wrong. */
+    class Compilation(val classes: Map<String, ByteArray>, val errors: List<String>)
 
-    /** The class files of a program by their names with slashes, the library's left out. */
-    fun compile(source: String): Map<String, ByteArray> = compile(librarySources + SourceInMemory("Program.java", source)) - library.keys
-
-    private fun compile(sources: List<JavaFileObject>): Map<String, ByteArray> {
-        val problems = DiagnosticCollector<JavaFileObject>()
-        val nothing = Files.createTempDirectory("nothing").toFile().apply { deleteOnExit() }
-        val options =
-            listOf("-source", "8", "-target", "8", "-bootclasspath", nothing.path, "-g", "-proc:none", "-nowarn", "-Xlint:-options")
-        val classes = compiler.getStandardFileManager(problems, Locale.ENGLISH, Charsets.UTF_8).use { files ->
-            val memory = ClassesInMemory(files)
-            compiler.getTask(null, memory, problems, options, null, sources).call()
-            memory.classes.entries.associate { it.key.replace('.', '/') to it.value.toByteArray() }
-        }
-        val errors = problems.diagnostics.filter { it.kind == Diagnostic.Kind.ERROR }
-        if (errors.isNotEmpty()) throw AssertionError(errors.joinToString("\n"))
-        return classes
+    /** The class files of a program by their names with slashes. */
+    fun compile(source: String): Map<String, ByteArray> {
+        return compile(mapOf("Program" to source))
     }
 
-    private fun readLibrary(): List<JavaFileObject> {
-        val folder = File(checkNotNull(javaClass.getResource("/library")) { "The class library is missing." }.toURI())
-        return folder.walk().filter { it.extension == "java-stub" }.map { file ->
-            SourceInMemory(file.relativeTo(folder).invariantSeparatorsPath.replace(".java-stub", ".java"), file.readText())
-        }.toList()
+    /** The class files of a program with several [sources], which belong into files called like them. */
+    fun compile(sources: Map<String, String>): Map<String, ByteArray> {
+        val compilation = tryToCompile(sources)
+        if (compilation.errors.isNotEmpty()) throw AssertionError(compilation.errors.joinToString("\n"))
+        return compilation.classes
+    }
+
+    /** Compiles [sources] by their names without `.java`. */
+    fun tryToCompile(sources: Map<String, String>): Compilation {
+        val problems = DiagnosticCollector<JavaFileObject>()
+        val classes = compiler.getStandardFileManager(problems, Locale.ENGLISH, Charsets.UTF_8).use { files ->
+            val memory = FilesInMemory(files)
+            compiler.getTask(null, memory, problems, options, null, sources.map { SourceInMemory(it.key, it.value) }).call()
+            memory.classes.entries.associate { it.key.replace('.', '/') to it.value.toByteArray() }
+        }
+        return Compilation(classes, problems.diagnostics.filter { it.kind == Diagnostic.Kind.ERROR }.map { it.toString() })
     }
 }
 
 private class SourceInMemory(name: String, private val text: String) :
-    SimpleJavaFileObject(URI("memory", null, "/$name", null), JavaFileObject.Kind.SOURCE) {
+    SimpleJavaFileObject(URI("memory", null, "/$name.java", null), JavaFileObject.Kind.SOURCE) {
     override fun getCharContent(ignoreEncodingErrors: Boolean): CharSequence = text
 }
 
-private class ClassesInMemory(files: JavaFileManager) : ForwardingJavaFileManager<JavaFileManager>(files) {
+/** What the compiler wants to see of the classes that it makes objects of numbers with, though a brick has none. */
+private val boxes: Map<String, ByteArray> = listOf("Boolean", "Byte", "Character", "Short", "Long", "Double", "Void")
+    .associate { "java/lang/$it" to ClassAssembler("java/lang/$it", "java/lang/Object").assemble() }
+
+/** A class of the library; [className] has dots. */
+private class LibraryClass(val className: String, private val bytes: ByteArray) :
+    SimpleJavaFileObject(URI("memory", null, "/$className.class", null), JavaFileObject.Kind.CLASS) {
+    override fun openInputStream(): InputStream = bytes.inputStream()
+}
+
+/** The library in the place of the JDK's classes, and nothing else. */
+private class FilesInMemory(files: JavaFileManager) : ForwardingJavaFileManager<JavaFileManager>(files) {
     val classes = mutableMapOf<String, ByteArrayOutputStream>()
+
+    override fun list(
+        location: JavaFileManager.Location,
+        packageName: String,
+        kinds: Set<JavaFileObject.Kind>,
+        recurse: Boolean,
+    ): Iterable<JavaFileObject> {
+        if (location != StandardLocation.PLATFORM_CLASS_PATH || JavaFileObject.Kind.CLASS !in kinds) return emptyList()
+        return (boxes + libraryClassFiles).filterKeys { it.substringBeforeLast('/').replace('/', '.') == packageName }
+            .map { (name, bytes) -> LibraryClass(name.replace('/', '.'), bytes) }
+    }
+
+    override fun inferBinaryName(location: JavaFileManager.Location, file: JavaFileObject): String =
+        (file as? LibraryClass)?.className ?: super.inferBinaryName(location, file)
 
     override fun getJavaFileForOutput(
         location: JavaFileManager.Location,

@@ -9,7 +9,7 @@ class LanguageTest {
         listOf(7, -1, 12, 2, -3, 7, 1, -8, 40, 15, 6, -2),
         shownBy(
             "int a = 3, b = 4; show(a + b); show(a - b); show(a * b); show(9 / b); show(-a); show(a | b ^ 2 & 3 | 5);" +
-                "show(9 % b); show(-32 >> 2); show(10 << 2); show((-1 >>> 28)); b += 2; show(b); show((byte) 254);",
+                "show(9 % b); show(-32 >> 2); show(10 << 2); show((-1 >>> 28)); b += 2; show(b); b += 1000; b -= 1000; show((byte) 254);",
         ),
     )
 
@@ -61,9 +61,10 @@ class LanguageTest {
     fun `inner classes see what is around them`() = assertEquals(
         listOf(5, 12),
         shownBy(
-            "Outer outer = new Outer(); Outer.Inner inner = outer.new Inner(); inner.add(); show(outer.count);" +
+            "Outer outer = new Outer(); outer.makeInner().add(); show(outer.count);" +
                 "final int ten = 10; Adder adder = new Adder() { int add(int x) { return x + ten; } }; show(adder.add(2));",
-            "static class Outer { int count = 4; class Inner { void add() { count++; } } } static abstract class Adder { abstract " +
+            "static class Outer { int count = 4; class Inner { void add() { count++; } } Inner makeInner() { return new Inner(); } }" +
+                " static abstract class Adder { abstract " +
                 "int add(int x); }",
         ),
     )

@@ -20,6 +20,27 @@ class QuirkTest {
     }
 
     @Test
+    fun `each quirk that bites is explained once with its line`() {
+        for ((quirk, code) in BITING) {
+            for (mode in TinyVmMode.entries) {
+                val body = "for (int again = 0; again < 2; again++) {\n$code\n}"
+                val remarks = ran(body, "interface Named { int name(); }", mode).run.remarks
+                val expected = if (mode == TinyVmMode.BRICK) EnglishTinyVmMessages.bites(quirk) else EnglishTinyVmMessages.wouldBite(quirk)
+                assertEquals(listOf(5), remarks.map { it.sourceLine }, "$quirk $mode")
+                assertTrue(remarks.single().message.startsWith(expected), remarks.toString())
+            }
+        }
+        assertEquals(Quirk.entries.toSet(), BITING.keys)
+    }
+
+    @Test
+    fun `a full memory tells what the program itself takes`() {
+        val ran = ran("try { while (true) new Object(); } catch (OutOfMemoryError full) { show(1); }")
+        val said = ran.run.remarks.single().message
+        assertTrue(Regex("Of its 12082 bytes, the program itself takes about \\d{3}\\.").containsMatchIn(said), said)
+    }
+
+    @Test
     fun `a brick looks at sixteen bits of an index`() {
         val body = "int[] a = {5, 6}; int index = 65537; try { show(a[index]); } catch (ArrayIndexOutOfBoundsException e) { show(1); }"
         assertEquals(listOf(6), shownBy(body))
@@ -96,4 +117,18 @@ class QuirkTest {
                     "return deeper(x + 1); }",
             ),
         )
+
+    private companion object {
+        val BITING: Map<Quirk, String> = mapOf(
+            Quirk.DIVISOR_OF_16_BITS to "int divisor = 70000; show(100000 / divisor);",
+            Quirk.INDEX_OF_16_BITS to
+                "int[] a = {5, 6}; int index = 65537; try { show(a[index]); } catch (ArrayIndexOutOfBoundsException e) { show(1); }",
+            Quirk.SIGNED_CHARACTER to "int code = 40000; show((char) code);",
+            Quirk.UNCHECKED_INTERFACE to "Object o = \"x\"; show(o instanceof Named);",
+            Quirk.LONG_ARRAY to "try { show(new int[512].length); } catch (OutOfMemoryError e) { show(1); }",
+            Quirk.HEAP_FULL to "try { for (int i = 0; i < 100; i++) { int[] a = new int[100]; } } catch (OutOfMemoryError e) { show(1); }",
+            Quirk.NOT_A_NUMBER to "float none = again - again; none = none / none; show(none < 1f);",
+            Quirk.JOIN_DOES_NOTHING to "Thread thread = new Thread() { public void run() { } }; thread.join();",
+        )
+    }
 }

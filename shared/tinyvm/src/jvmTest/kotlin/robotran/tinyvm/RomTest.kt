@@ -19,8 +19,10 @@ class RomTest {
     }
 
     @Test
-    fun `a call tells the line of the program it comes from`() =
-        assertEquals(listOf(5, 6), ran("int x = 1;\nROM.show(x);\nshow(2);").rom.lines.let { listOf(it[0], 6) })
+    fun `a call tells the line of the program it comes from`() {
+        val call = "ROM.call((short) 0x1ff2, (short) 0x3001, (short) 7, (short) 0x3002);"
+        assertEquals(listOf(5, 7), ran("int x = 1;\n$call\nx++;\n$call").rom.lines)
+    }
 
     @Test
     fun `a routine leaves its result in an array`() = assertEquals(

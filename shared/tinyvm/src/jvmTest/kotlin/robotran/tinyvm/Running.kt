@@ -1,21 +1,23 @@
 package robotran.tinyvm
 
 import robotran.rom.DebuggableRun
+import robotran.rom.ProgramFailure
 import robotran.rom.ProgramStatus
+import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.fail
 
 /** What came of a run. */
-internal class Ran(val rom: ShowingRom, val run: DebuggableRun, val status: ProgramStatus)
+internal class Ran(val rom: ShowingRom, val run: DebuggableRun, val status: ProgramStatus, val failures: List<ProgramFailure>)
 
 /** The program in [source], linked; fails if it is refused. */
 internal fun linked(source: String, mode: TinyVmMode = TinyVmMode.BRICK): TinyVmProgram =
-    when (val result = linkTinyVm("Program", JavaCompiler.compile(source), JavaCompiler.library, mode = mode)) {
+    when (val result = linkTinyVm("Program", JavaCompiler.compile(source), libraryClassFiles, mode = mode)) {
         is TinyVmResult.Ready -> result.program
         is TinyVmResult.Refused -> fail(result.refusal.toString())
     }
 
 internal fun refusal(source: String): Refusal =
-    when (val result = linkTinyVm("Program", JavaCompiler.compile(source), JavaCompiler.library)) {
+    when (val result = linkTinyVm("Program", JavaCompiler.compile(source), libraryClassFiles)) {
         is TinyVmResult.Ready -> fail("it was not refused")
         is TinyVmResult.Refused -> result.refusal
     }
@@ -23,15 +25,17 @@ internal fun refusal(source: String): Refusal =
 /** Runs [program] for at most [milliseconds], or until it ends. */
 internal fun run(program: TinyVmProgram, milliseconds: Int = 20_000, steps: Int = 100, rom: ShowingRom = ShowingRom()): Ran {
     val run = program.start(rom)
+    val failures = mutableListOf<ProgramFailure>()
     var status: ProgramStatus = ProgramStatus.Running
     while (rom.milliseconds < milliseconds) {
         rom.milliseconds++
         val waiting = status as? ProgramStatus.Waiting
         if (waiting != null && waiting.untilMilliseconds > rom.milliseconds) continue
         status = run.resume(steps)
+        if (status is ProgramStatus.ThreadFailed) failures += status.failure
         if (status == ProgramStatus.Ended || status is ProgramStatus.Failed) break
     }
-    return Ran(rom, run, status)
+    return Ran(rom, run, status, failures)
 }
 
 /** The numbers that the statements of a main method [body] show, with [members] beside it in the class. */
@@ -46,8 +50,8 @@ internal fun program(body: String, members: String = ""): String = """
         public static void main(String[] args) throws Exception {
             $body
         }
-        static void show(int value) { ROM.show(value); }
-        static void show(boolean value) { ROM.show(value ? 1 : 0); }
+        static void show(int value) { ROM.call((short) 0x1ff2, (short) 0x3001, (short) value, (short) 0x3002); }
+        static void show(boolean value) { show(value ? 1 : 0); }
         $members
     }
     """.trimIndent()

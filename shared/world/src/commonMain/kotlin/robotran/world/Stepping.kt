@@ -54,8 +54,8 @@ internal class Stepping(
     /** Whether the thread of the step will not come to the step's end, or, for a step into whatever comes next, not now. */
     private fun isStepGivenUp(): Boolean {
         if (step == null) return false
-        val now = run.threads.find { it.number == thread?.number } ?: return true
-        return step == StepKind.INTO && now.activity != ThreadActivity.RUNNABLE
+        val activity = thread?.let { run.activityOf(it.number) }
+        return activity == null || (step == StepKind.INTO && activity != ThreadActivity.RUNNABLE)
     }
 
     private fun isBreakpoint(statement: Statement): Boolean = breakpoints.any {

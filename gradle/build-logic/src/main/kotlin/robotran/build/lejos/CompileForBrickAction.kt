@@ -32,7 +32,13 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
         classes.deleteRecursively()
         texts.deleteRecursively()
         val sources = parameters.sources.files.sorted()
-        if (parameters.eachAlone.get()) sources.filterNot(::tellsMistakes).forEach { compileAlone(it, classes) } else compile(sources, classes)
+        if (parameters.eachAlone.get()) {
+            sources.filterNot(::tellsMistakes).forEach {
+                compileAlone(it, classes)
+            }
+        } else {
+            compile(sources, classes)
+        }
         classes.walk().filter { it.isFile }.forEach { file ->
             val text = texts.resolve(file.relativeTo(classes).path)
             text.parentFile.mkdirs()

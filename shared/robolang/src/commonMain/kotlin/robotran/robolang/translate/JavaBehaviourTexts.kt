@@ -16,8 +16,10 @@ static class MainProgram implements Behavior {
         mainIsPaused = false;
     }
 
+    /** Only when the main program has ended what it was at, somebody else may act. */
     public void suppress() {
         mainIsPaused = true;
+        while (!mainStandsStill && mainThread.isAlive()) Thread.yield();
     }
 }"""
 

@@ -26,10 +26,11 @@ internal class JavaBehaviours(
         behaviours.indices.forEach { names.reserve(className(it)) }
     }
 
-    /** Lets the behaviours begin to watch, once the declarations that the main program begins with are done. */
+    /** Lets the behaviours begin to watch, once the declarations that the main program begins with are done; the first look is theirs. */
     fun writeStart() {
         writer.line("mainThread = Thread.currentThread();")
         writer.line("new $REACTIONS().start();")
+        writer.line("giveWay();")
     }
 
     fun writeClasses() {

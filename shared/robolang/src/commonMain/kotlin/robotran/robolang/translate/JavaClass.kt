@@ -34,7 +34,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
 
     private fun main() {
         body.blank()
-        body.open("public static void main(String[] arguments)${throwsClause(throwing.mayWait(tree.statements))}")
+        body.open("public static void main(String[] arguments)${throwsClause(helpers.isReacting || throwing.mayWait(tree.statements))}")
         tree.robot?.let { body.takeComments(comments.of(it.range)) }
         JavaSensors(tree).setUp(body)
         tree.robot?.let { body.commentsAbove(it.endRange.line + 1) }

@@ -8,7 +8,8 @@ internal object JavaReactingTexts {
     const val CONTROL = """/** Who has the robot: the main program and a behaviour each look here whether they have to give way. */
 static Thread mainThread;
 static Thread watchingThread;
-static boolean mainIsPaused = false;
+static boolean mainIsPaused = true;
+static boolean mainStandsStill = false;
 static boolean actionIsSuppressed = false;
 
 /** Thrown again and again, for the brick never takes back the memory of a new one. */
@@ -23,7 +24,13 @@ static boolean mustGiveWay() {
 /** Here the main program stands still while a behaviour has the robot, and an action ends when a later behaviour takes over. */
 static void giveWay() throws InterruptedException {
     if (Thread.currentThread() == mainThread) {
-        while (mainIsPaused) Thread.sleep(1);
+        do {
+            while (mainIsPaused) {
+                mainStandsStill = true;
+                Thread.sleep(1);
+            }
+            mainStandsStill = false;
+        } while (mainIsPaused);
     } else if (mustGiveWay()) {
         throw takenOver;
     }
@@ -32,6 +39,7 @@ static void giveWay() throws InterruptedException {
     const val PAUSE = """/** Lets time pass. */
 static void pause(int milliseconds) throws InterruptedException {
     int end = (int) System.currentTimeMillis() + milliseconds;
+    if (Thread.currentThread() == mainThread) mainStandsStill = true;
     while (end - (int) System.currentTimeMillis() > 0) {
         Thread.sleep(1);
         if (Thread.currentThread() != mainThread) giveWay();

@@ -22,15 +22,17 @@ internal class Inspector(private val machine: Machine) {
         if (thread.isMain) "main" else (machine.heap.typeOf(thread.reference) as LinkedClass).sourceName,
         thread.priority,
         thread.isDaemon,
-        when (thread.state) {
-            ThreadState.SLEEPING -> ThreadActivity.SLEEPING
-            ThreadState.WAITING -> ThreadActivity.WAITING_FOR_NOTIFICATION
-            ThreadState.BLOCKED -> ThreadActivity.WAITING_FOR_MONITOR
-            else -> ThreadActivity.RUNNABLE
-        },
+        activityOf(thread),
         callStack(thread),
         isCurrent,
     )
+
+    fun activityOf(thread: VmThread): ThreadActivity = when (thread.state) {
+        ThreadState.SLEEPING -> ThreadActivity.SLEEPING
+        ThreadState.WAITING -> ThreadActivity.WAITING_FOR_NOTIFICATION
+        ThreadState.BLOCKED -> ThreadActivity.WAITING_FOR_MONITOR
+        else -> ThreadActivity.RUNNABLE
+    }
 
     /** The statement on [line] that [thread] stands before. */
     fun statementOf(thread: VmThread, line: Int): Statement {

@@ -27,7 +27,9 @@ internal class ClassFiles(
     /** The file that the source of the program's class [name] stands in; null if all of them stand in the same. */
     fun sourceFileOf(name: String): String? = own[name]?.sourceFile?.takeIf { hasSeveralSources }
 
-    private val hasSeveralSources: Boolean by lazy(LazyThreadSafetyMode.NONE) { own.values.mapNotNull { it.sourceFile }.distinct().size > 1 }
+    private val hasSeveralSources: Boolean by lazy(LazyThreadSafetyMode.NONE) {
+        own.values.mapNotNull { it.sourceFile }.distinct().size > 1
+    }
 
     fun isOwn(name: String): Boolean = name in own
 

@@ -16,6 +16,8 @@ internal class Effects(
 ) {
     private val constants = method.owner.file.constants
     private val resolver = Resolver(constants, types, messages)
+    private val members = MemberEffects(method, types, relations, resolver, code)
+    private val arrays = ArrayEffects(relations, resolver, code)
 
     fun apply(instruction: Instruction, situation: Situation, place: Place) {
         val simple = SIMPLE_INSTRUCTIONS[instruction.opcode]
@@ -26,7 +28,7 @@ internal class Effects(
             }
 
             instruction.opcode in Opcode.IALOAD..Opcode.SALOAD || instruction.opcode in Opcode.IASTORE..Opcode.SASTORE -> {
-                element(instruction.opcode, situation)
+                arrays.element(instruction.opcode, situation)
             }
 
             instruction.opcode in Opcode.POP..Opcode.SWAP -> {
@@ -34,11 +36,11 @@ internal class Effects(
             }
 
             instruction.opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> {
-                field(instruction, situation, place)
+                members.field(instruction, situation, place)
             }
 
             instruction.opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> {
-                call(instruction, situation, place)
+                members.call(instruction, situation, place)
             }
 
             else -> {
@@ -112,28 +114,8 @@ internal class Effects(
                 situation.push(ValueType.reference(type))
             }
 
-            Opcode.NEWARRAY, Opcode.ANEWARRAY -> {
-                situation.popValue(ValueType.WHOLE)
-                val type = if (instruction.opcode ==
-                    Opcode.NEWARRAY
-                ) {
-                    resolver.numberArray(operand, place)
-                } else {
-                    resolver.arrayOf(operand, place)
-                }
-                situation.push(ValueType.reference(named(instruction, type)))
-            }
-
-            Opcode.MULTIANEWARRAY -> {
-                val type = resolver.type(operand, place)
-                if (instruction.second !in 1..type.descriptor.takeWhile { it == '[' }.length) unsound()
-                repeat(instruction.second) { situation.popValue(ValueType.WHOLE) }
-                situation.push(ValueType.reference(named(instruction, type)))
-            }
-
-            Opcode.ARRAYLENGTH -> {
-                if (relations.typeOrNull(situation.popReference()) is LinkedClass) unsound()
-                situation.push(ValueType.WHOLE)
+            Opcode.NEWARRAY, Opcode.ANEWARRAY, Opcode.MULTIANEWARRAY, Opcode.ARRAYLENGTH -> {
+                arrays.apply(instruction, situation, place)
             }
 
             Opcode.ATHROW -> {
@@ -152,7 +134,7 @@ internal class Effects(
             }
 
             in Opcode.IRETURN..Opcode.RETURN -> {
-                result(instruction.opcode, situation, place)
+                members.result(instruction.opcode, situation, place)
             }
         }
     }
@@ -195,69 +177,6 @@ internal class Effects(
         if (isWide != wide) unsound()
     }
 
-    private fun element(opcode: Int, situation: Situation) {
-        val isStore = opcode >= Opcode.IASTORE
-        val letters = ELEMENTS[opcode - if (isStore) Opcode.IASTORE else Opcode.IALOAD]
-        val isObject = letters == "L"
-        val stored = if (isStore && isObject) situation.popReference() else ValueType.UNUSABLE
-        if (isStore && !isObject) situation.popValue(ValueType.ofLetter(letters[0]))
-        situation.popValue(ValueType.WHOLE)
-        val array = relations.typeOrNull(situation.popReference())
-        if (array != null &&
-            (array !is ArrayType || (if (isObject) array.element == null else array.elementDescriptor !in letters))
-        ) {
-            unsound()
-        }
-        val element = array?.element
-        when {
-            isStore -> if (isObject && element != null && !relations.fits(stored, element)) unsound()
-            isObject -> situation.push(element?.let { ValueType.reference(it) } ?: ValueType.NULL)
-            else -> situation.pushValue(ValueType.ofLetter(letters[0]))
-        }
-    }
-
-    private fun field(instruction: Instruction, situation: Situation, place: Place) {
-        val isStatic = instruction.opcode <= Opcode.PUTSTATIC
-        val field = code.fields.getOrPut(instruction.place) { resolver.field(instruction.operand, isStatic, place) }
-        val isWrite = instruction.opcode == Opcode.PUTSTATIC || instruction.opcode == Opcode.PUTFIELD
-        if (isWrite) popOf(field.descriptor, situation, place)
-        if (!isStatic && !relations.fits(situation.popReference(), field.owner)) unsound()
-        if (!isWrite) pushOf(field.descriptor, situation, place)
-    }
-
-    private fun call(instruction: Instruction, situation: Situation, place: Place) {
-        val opcode = instruction.opcode
-        val called = code.methods.getOrPut(instruction.place) {
-            resolver.method(instruction.operand, opcode == Opcode.INVOKESTATIC, place)
-        }
-        if (called.isConstructor && opcode != Opcode.INVOKESPECIAL) unsound()
-        if (opcode == Opcode.INVOKESPECIAL && called.owner.isInterface) unsound()
-        for (parameter in called.types.parameters.asReversed()) popOf(parameter, situation, place)
-        if (!called.isStatic && !relations.fits(situation.popReference(), called.owner)) unsound()
-        if (called.resultWords > 0) pushOf(called.types.result, situation, place)
-    }
-
-    private fun result(opcode: Int, situation: Situation, place: Place) {
-        val result = method.types.result
-        val expected = when {
-            result == "V" -> Opcode.RETURN
-            isReferenceDescriptor(result) -> Opcode.ARETURN
-            else -> Opcode.IRETURN + KINDS.indexOf(RESULT_KINDS[ValueType.ofLetter(result[0])])
-        }
-        if (opcode != expected) unsound()
-        if (opcode != Opcode.RETURN) popOf(result, situation, place)
-    }
-
-    private fun popOf(descriptor: String, situation: Situation, place: Place) {
-        if (!isReferenceDescriptor(descriptor)) return situation.popValue(ValueType.ofLetter(descriptor[0]))
-        if (!relations.fits(situation.popReference(), types.typeOf(descriptor, place))) unsound()
-    }
-
-    private fun pushOf(descriptor: String, situation: Situation, place: Place) {
-        val isReference = isReferenceDescriptor(descriptor)
-        situation.pushValue(if (isReference) ValueType.reference(types.typeOf(descriptor, place)) else ValueType.ofLetter(descriptor[0]))
-    }
-
     private fun named(instruction: Instruction, type: HeapType): HeapType = type.also { code.types[instruction.place] = it }
 
     private companion object {
@@ -266,13 +185,7 @@ internal class Effects(
         const val SIPUSH = 17
         const val ABSTRACT = 0x0400
 
-        /** The kinds that loads, stores and returns come in, in the order of their numbers. */
+        /** The kinds that loads and stores come in, in the order of their numbers. */
         const val KINDS = "IJFD"
-
-        /** The letters of [ValueType]'s kinds by their numbers. */
-        const val RESULT_KINDS = " IFJD"
-
-        /** What elements the array instructions are for, in the order of their numbers. */
-        val ELEMENTS = listOf("I", "J", "F", "D", "L", "BZ", "C", "S")
     }
 }

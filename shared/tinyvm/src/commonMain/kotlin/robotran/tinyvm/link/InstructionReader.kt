@@ -2,6 +2,7 @@ package robotran.tinyvm.link
 
 import robotran.tinyvm.LackedFeature
 import robotran.tinyvm.LinkMessages
+import robotran.tinyvm.TinyVmLimits
 import robotran.tinyvm.classfile.ByteReader
 import robotran.tinyvm.classfile.CodeEntry
 import robotran.tinyvm.classfile.DamagedClassFile
@@ -30,8 +31,7 @@ internal class InstructionReader(
 
     private fun readInstruction(place: Int): Instruction {
         val opcode = reader.unsignedByte()
-        val isLargeStep = opcode == Opcode.WIDE && code.bytes.getOrNull(place + 1) == Opcode.IINC.toByte()
-        if (isLargeStep) placeOf(place).refuse(messages.lacks(LackedFeature.LARGE_STEP))
+        largeStep(opcode, place)?.let { return it }
         LACKED[opcode]?.let { placeOf(place).refuse(messages.lacks(it)) }
         if (SIMPLE_INSTRUCTIONS[opcode] != null) return made(opcode, place)
         return when (opcode) {
@@ -97,6 +97,19 @@ internal class InstructionReader(
                 placeOf(place).unsound(messages)
             }
         }
+    }
+
+    /**
+     * `number += 1000`: the linker of leJOS knows no wide bytecodes, but compilers write one for what a pupil cannot avoid, so it is accepted
+     * where one of another compiler could stand.
+     */
+    private fun largeStep(opcode: Int, place: Int): Instruction? {
+        if (opcode != Opcode.WIDE || code.bytes.getOrNull(place + 1) != Opcode.IINC.toByte()) return null
+        reader.unsignedByte()
+        val local = reader.unsignedShort()
+        val step = reader.signedShort()
+        if (local > TinyVmLimits.LOCALS) placeOf(place).refuse(messages.lacks(LackedFeature.MANY_LOCALS))
+        return made(Opcode.IINC, place, local, step)
     }
 
     private fun shortForm(first: Int, index: Int, place: Int) = made(first + index / SHORT_FORMS, place, index % SHORT_FORMS)

@@ -33,6 +33,9 @@ internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val 
     /** Where it stands among [HeapType.virtualMethods], -1 if it cannot be overridden. */
     var virtualIndex = -1
 
+    /** The methods that it names in calls. */
+    var called: Set<LinkedMethod> = emptySet()
+
     /** What it does; null if it is abstract or native. */
     var body: MethodBody? = null
 }

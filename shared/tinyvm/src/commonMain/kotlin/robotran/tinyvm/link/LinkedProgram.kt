@@ -8,6 +8,7 @@ package robotran.tinyvm.link
  * @property methods by their numbers.
  * @property statics the static fields by their slots.
  * @property texts the texts in the code by their numbers.
+ * @property bytes about how many bytes of a brick's memory it takes.
  * @property exceptions the classes of [BuiltInException], in its order.
  * @property text the class of texts, and [textField] its array of characters, of the type [characters].
  * @property thread the class of threads, and [threadRun] what a thread does.
@@ -19,6 +20,7 @@ internal class LinkedProgram(
     val methods: List<LinkedMethod>,
     val statics: List<LinkedField>,
     val texts: List<String>,
+    val bytes: Int,
     val exceptions: List<LinkedClass>,
     val text: LinkedClass,
     val textField: LinkedField,

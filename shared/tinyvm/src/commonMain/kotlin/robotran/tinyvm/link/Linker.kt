@@ -33,8 +33,10 @@ internal class Linker(
         val characters = types.typeOf("[C", start) as ArrayType
         linkBodies()
         types.members.completeInterfaces(types.classes)
+        val bytes = ProgramSize(types.classes, texts.texts).bytes(listOf(main, run))
+        if (bytes > TinyVmLimits.PROGRAM_BYTES) start.refuse(messages.programTooLarge(bytes, TinyVmLimits.PROGRAM_BYTES))
         return LinkedProgram(
-            main, types.types, types.classes, types.members.methods, types.members.statics, texts.texts,
+            main, types.types, types.classes, types.members.methods, types.members.statics, texts.texts, bytes,
             exceptions, text, textField, characters, thread, run, types.throwable,
         )
     }
@@ -64,6 +66,7 @@ internal class Linker(
             entry != null -> {
                 checkSizes(method, entry, place)
                 val code = Verifier(method, entry, types, messages, budget).verify()
+                method.called = code.methods.values.toSet()
                 method.body = Translator(method, entry, code, types, texts).translate()
             }
         }

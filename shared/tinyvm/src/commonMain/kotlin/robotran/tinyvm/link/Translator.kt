@@ -13,6 +13,7 @@ internal class Translator(
 ) {
     private val constants = method.owner.file.constants
     private val writer = CodeWriter()
+    private val members = MemberTranslator(method, code, types, writer)
 
     fun translate(): MethodBody {
         val positions = IntArray(entry.bytes.size + 1)
@@ -43,9 +44,9 @@ internal class Translator(
             simple?.constant != null -> writer.write(simple.operation, simple.constant)
             simple != null -> writer.write(simple.operation)
             opcode in Opcode.IFEQ..Opcode.JSR || opcode == Opcode.IFNULL || opcode == Opcode.IFNONNULL -> branch(instruction)
-            opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> field(instruction)
-            opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> call(instruction)
-            opcode in WITH_TYPE -> typed(instruction)
+            opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> members.field(instruction)
+            opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> members.call(instruction)
+            opcode in WITH_TYPE -> members.typed(instruction)
             else -> other(instruction)
         }
     }
@@ -66,16 +67,7 @@ internal class Translator(
             }
 
             in Opcode.ILOAD..Opcode.ALOAD -> {
-                writer.write(
-                    if ((opcode - Opcode.ILOAD) % 2 == 1 &&
-                        opcode != Opcode.ALOAD
-                    ) {
-                        Operation.LOAD_WIDE
-                    } else {
-                        Operation.LOAD
-                    },
-                    instruction.operand,
-                )
+                writer.write(if ((opcode - Opcode.ILOAD) % 2 == 1) Operation.LOAD_WIDE else Operation.LOAD, instruction.operand)
             }
 
             in Opcode.ISTORE..Opcode.ASTORE -> {
@@ -87,7 +79,7 @@ internal class Translator(
             }
 
             in Opcode.IASTORE..Opcode.SASTORE -> {
-                writer.write(STORES[opcode - Opcode.IASTORE])
+                writer.write(OperationTables.STORES[opcode - Opcode.IASTORE])
             }
 
             in Opcode.POP..Opcode.SWAP -> {
@@ -149,75 +141,10 @@ internal class Translator(
             Opcode.IF_ACMPNE -> Operation.IF_NOT_EQUAL
             Opcode.GOTO -> Operation.JUMP
             Opcode.JSR -> Operation.SUBROUTINE
-            in Opcode.IFEQ..Opcode.IFLE -> IF_ZERO_OPERATIONS[opcode - Opcode.IFEQ]
-            else -> IF_EQUAL_OPERATIONS[opcode - Opcode.IF_ICMPEQ]
+            in Opcode.IFEQ..Opcode.IFLE -> OperationTables.IF_ZERO[opcode - Opcode.IFEQ]
+            else -> OperationTables.IF_EQUAL[opcode - Opcode.IF_ICMPEQ]
         }
         writer.writeBranch(operation, instruction.operand)
-    }
-
-    private fun field(instruction: Instruction) {
-        val field = code.fields.getValue(instruction.place)
-        if (field.isStatic) initialize(field.owner)
-        val plain = when (instruction.opcode) {
-            Opcode.GETSTATIC -> Operation.STATIC
-            Opcode.PUTSTATIC -> Operation.SET_STATIC
-            Opcode.GETFIELD -> Operation.FIELD
-            else -> Operation.SET_FIELD
-        }
-        writer.write(if (field.isWide) plain + 1 else plain, field.slot)
-    }
-
-    private fun call(instruction: Instruction) {
-        val called = code.methods.getValue(instruction.place)
-        when {
-            instruction.opcode == Opcode.INVOKESTATIC -> {
-                initialize(called.owner)
-                writer.write(Operation.CALL_STATIC, called.number)
-            }
-
-            instruction.opcode == Opcode.INVOKESPECIAL -> {
-                writer.write(Operation.CALL_EXACTLY, called.number)
-            }
-
-            called.owner.isInterface -> {
-                writer.write(Operation.CALL_INTERFACE, types.members.interfaceNumber(called.signature), called.argumentWords)
-            }
-
-            else -> {
-                writer.write(Operation.CALL_VIRTUAL, called.virtualIndex, called.argumentWords)
-            }
-        }
-    }
-
-    private fun typed(instruction: Instruction) {
-        val type = code.types.getValue(instruction.place)
-        when (instruction.opcode) {
-            Opcode.NEW -> {
-                initialize(type as LinkedClass)
-                writer.write(Operation.NEW, type.id)
-            }
-
-            Opcode.MULTIANEWARRAY -> {
-                writer.write(Operation.NEW_ARRAYS, type.id, instruction.second)
-            }
-
-            Opcode.CHECKCAST -> {
-                writer.write(Operation.CAST, type.id)
-            }
-
-            Opcode.INSTANCEOF -> {
-                writer.write(Operation.IS_INSTANCE, type.id)
-            }
-
-            else -> {
-                writer.write(Operation.NEW_ARRAY, type.id)
-            }
-        }
-    }
-
-    /** Sees to it that [used] is ready; the method's own class and those above it are. */
-    private fun initialize(used: LinkedClass) {
-        if (used.needsInitializing && !method.owner.isA(used)) writer.write(Operation.INITIALIZE, used.number)
     }
 
     private fun isWideElement(index: Int) = index == 1 || index == 3
@@ -231,22 +158,6 @@ internal class Translator(
         private const val SIPUSH = 17
         private val WITH_TYPE = setOf(
             Opcode.NEW, Opcode.NEWARRAY, Opcode.ANEWARRAY, Opcode.MULTIANEWARRAY, Opcode.CHECKCAST, Opcode.INSTANCEOF,
-        )
-
-        /** For int, long, float, double, objects, bytes, characters and shorts. */
-        private val STORES = listOf(
-            Operation.SET_ELEMENT, Operation.SET_WIDE, Operation.SET_ELEMENT, Operation.SET_WIDE,
-            Operation.SET_REFERENCE, Operation.SET_BYTE, Operation.SET_CHARACTER, Operation.SET_SHORT,
-        )
-
-        /** In the order of the bytecodes: equal, not equal, less, not less, greater, not greater. */
-        private val IF_ZERO_OPERATIONS = listOf(
-            Operation.IF_ZERO, Operation.IF_NOT_ZERO, Operation.IF_NEGATIVE,
-            Operation.IF_NOT_NEGATIVE, Operation.IF_POSITIVE, Operation.IF_NOT_POSITIVE,
-        )
-        private val IF_EQUAL_OPERATIONS = listOf(
-            Operation.IF_EQUAL, Operation.IF_NOT_EQUAL, Operation.IF_LESS,
-            Operation.IF_NOT_LESS, Operation.IF_GREATER, Operation.IF_NOT_GREATER,
         )
     }
 }

@@ -4,5 +4,7 @@ package robotran.tinyvm.natives
 internal object NativeMethods {
     private val all: Map<String, NativeMethod> = objectMethods + threadMethods + systemMethods + memoryMethods + sensorMethods
 
+    val names: Set<String> get() = all.keys
+
     fun find(name: String): NativeMethod? = all[name]
 }

@@ -1,8 +1,10 @@
 package robotran.tinyvm.natives
 
+import robotran.rom.RomAddress
+import robotran.rom.RomCall
 import robotran.rom.SensorCode
+import robotran.rom.SensorField
 import robotran.rom.SensorRequest
-import robotran.tinyvm.run.Machine
 
 /** `josx.platform.rcx.Sensor` and `Poll`, and what of `Serial` needs nobody else. Source: leJOS `native.c`. */
 internal val sensorMethods: Map<String, NativeMethod> = mapOf(
@@ -12,23 +14,15 @@ internal val sensorMethods: Map<String, NativeMethod> = mapOf(
         if (port in 0 until SensorCode.PORTS && request != null) machine.rom.readSensor(port, request) else 0
     },
     "josx/platform/rcx/Sensor.setSensorValue(III)V" to action { machine, thread, first ->
-        set(machine, thread.stack[first], thread.stack[first + 1], thread.stack[first + 2])
+        val port = thread.stack[first]
+        val field = SensorField.entries.find { it.code == thread.stack[first + 2] }
+        if (port in 0 until SensorCode.PORTS && field != null) machine.rom.setSensorValue(port, thread.stack[first + 1], field)
     },
     "josx/platform/rcx/Poll.setPoller()V" to action { machine, thread, first -> machine.poller.register(thread.stack[first]) },
     "josx/platform/rcx/Poll.setThrottle(I)V" to action { machine, thread, first ->
         machine.poller.setThrottle(thread.stack[first + 1])
     },
-    "josx/platform/rcx/Serial.resetSerial()V" to action { _, _, _ -> },
+    "josx/platform/rcx/Serial.resetSerial()V" to action { machine, _, _ ->
+        machine.rom.call(RomCall(RomAddress.INIT_SERIAL, listOf(0, 0, 1, 1)), 0)
+    },
 )
-
-/** Sets what [request] says of the sensor on [port]: 0 its mode, 1 its type. */
-private fun set(machine: Machine, port: Int, value: Int, request: Int) {
-    if (port !in 0 until SensorCode.PORTS) return
-    val settings = machine.sensorSettings[port]
-    when (request) {
-        0 -> settings.mode = value and 0xFF
-        1 -> settings.type = value and 0xFF
-        else -> return
-    }
-    machine.rom.setSensorTypeAndMode(port, settings.type, settings.mode)
-}

@@ -7,25 +7,27 @@ import robotran.tinyvm.link.brickBytesOf
 /**
  * Shows arrays in the brick's memory to ROM routines, which take and leave results at addresses. An array has an address from the moment it
  * is asked for; its elements are copied to the memory before somebody looks there, and back afterwards.
+ *
+ * @param charge told how many bytecodes the copying takes as long as.
  */
-internal class ArrayAddresses(private val heap: Heap, private val memory: RcxMemory) {
+internal class ArrayAddresses(private val heap: Heap, private val memory: RcxMemory, private val charge: (Int) -> Unit) {
     private class Shown(val array: Int, val address: Int, val elementBytes: Int, val length: Int) {
         val end: Int get() = address + length * elementBytes
     }
 
     private val shown = LinkedHashMap<Int, Shown>()
-    private var nextAddress = MachineConstants.FIRST_ARRAY_ADDRESS
 
     /** Where the first element of [reference] is; of an object that is no array of numbers just a number of its own. */
     fun addressOf(reference: Int): Int {
         val type = heap.typeOf(reference)
-        if (type !is ArrayType || type.element != null) return reference
+        if (type !is ArrayType || type.element != null) return reference and 0xFFFF
         return (shown[reference] ?: show(reference, type)).address
     }
 
     /** Does [work], which may look at or change the memory at [addresses]. */
     fun <T> around(addresses: List<Int>, work: () -> T): T {
         val touched = shown.values.filter { array -> addresses.any { it in array.address until array.end } }
+        charge((shown.size + touched.sumOf { it.length }) / MachineConstants.WORDS_IN_A_BYTECODE)
         touched.forEach { copyOut(it) }
         val result = work()
         touched.forEach { copyBack(it) }
@@ -40,13 +42,22 @@ internal class ArrayAddresses(private val heap: Heap, private val memory: RcxMem
     private fun show(array: Int, type: ArrayType): Shown {
         val elementBytes = brickBytesOf(type.elementDescriptor)
         val length = minOf(heap.length(array), (MachineConstants.LAST_ARRAY_ADDRESS - MachineConstants.FIRST_ARRAY_ADDRESS) / elementBytes)
-        if (nextAddress + length * elementBytes > MachineConstants.LAST_ARRAY_ADDRESS) nextAddress = MachineConstants.FIRST_ARRAY_ADDRESS
-        val added = Shown(array, nextAddress, elementBytes, length)
-        shown.values.filter { (it.address < added.end && added.address < it.end) || it.address == added.address }
-            .forEach { shown -= it.array }
-        nextAddress = (added.end + 2) and 1.inv()
+        val added = Shown(array, freeAddress(length * elementBytes), elementBytes, length)
         shown[array] = added
         return added
+    }
+
+    /** Where [bytes] are free; if nowhere, the arrays that were shown last make room, so that those of the class library stay. */
+    private fun freeAddress(bytes: Int): Int {
+        while (true) {
+            var address = MachineConstants.FIRST_ARRAY_ADDRESS
+            for (taken in shown.values.sortedBy { it.address }) {
+                if (address + bytes < taken.address) break
+                address = (taken.end + 2) and 1.inv()
+            }
+            if (shown.size < MachineConstants.SHOWN_ARRAYS && address + bytes <= MachineConstants.LAST_ARRAY_ADDRESS) return address
+            shown -= shown.keys.last()
+        }
     }
 
     private fun copyOut(array: Shown) {

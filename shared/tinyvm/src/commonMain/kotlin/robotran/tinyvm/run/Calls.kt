@@ -98,6 +98,7 @@ internal class Calls(
 
     /** Goes on where somebody catches [exception], or ends the thread. */
     fun throwObject(thread: VmThread, exception: Int) {
+        machine.charge(thread.depth / FRAMES_IN_A_BYTECODE)
         if (thread.callStack.none { targetOf(it, exception) >= 0 }) {
             uncaught(thread, exception)
             while (thread.depth > 0) drop(thread, thread.frame)
@@ -119,6 +120,7 @@ internal class Calls(
 
     private fun targetOf(frame: Frame, exception: Int): Int {
         val handlers = frame.body.handlers
+        if (handlers.size > MachineConstants.WORDS_IN_A_BYTECODE) machine.charge(handlers.size / MachineConstants.WORDS_IN_A_BYTECODE)
         val at = frame.next - 1
         for (index in handlers.indices step HANDLER_NUMBERS) {
             if (at < handlers[index] || at >= handlers[index + 1]) continue
@@ -173,5 +175,8 @@ internal class Calls(
 
     private companion object {
         const val HANDLER_NUMBERS = 4
+
+        /** How many methods are looked through for somebody who catches in the time of a bytecode. */
+        const val FRAMES_IN_A_BYTECODE = 4
     }
 }

@@ -12,10 +12,11 @@ import robotran.tinyvm.link.brickBytesOf
  * the brick's own bytes, and nothing ever comes back.
  *
  * @param types by their ids.
+ * @param bytes how many of a brick there are for objects.
  */
-internal class Heap(private val types: List<HeapType>, private val mode: TinyVmMode) {
+internal class Heap(private val types: List<HeapType>, private val mode: TinyVmMode, private val bytes: Int) {
     val words = IntArray(
-        if (mode == TinyVmMode.BRICK) MachineConstants.BRICK_HEAP_BYTES + FIRST_OBJECT else MachineConstants.FORGIVING_HEAP_WORDS,
+        if (mode == TinyVmMode.BRICK) bytes + FIRST_OBJECT else MachineConstants.FORGIVING_HEAP_WORDS,
     )
     private val begins = BitSet(words.size)
     private val marked = BitSet(words.size)
@@ -26,12 +27,19 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
     var brickBytes = 0
         private set
 
+    /** Words of all objects ever made. */
+    var wordsTaken = 0L
+        private set
+
+    /** Whether the objects made so far would be too many for a brick. */
+    val isTooMuchForBrick: Boolean get() = brickBytes > bytes
+
     /** Bytes that are left, as the program is told. */
     val freeBytes: Int
-        get() = if (mode == TinyVmMode.BRICK) MachineConstants.BRICK_HEAP_BYTES - brickBytes else free.words * WORD_BYTES
+        get() = if (mode == TinyVmMode.BRICK) bytes - brickBytes else free.words * WORD_BYTES
 
     val totalBytes: Int
-        get() = if (mode == TinyVmMode.BRICK) MachineConstants.BRICK_HEAP_BYTES else words.size * WORD_BYTES
+        get() = if (mode == TinyVmMode.BRICK) bytes else words.size * WORD_BYTES
 
     fun typeOf(reference: Int): HeapType = types[words[reference]]
 
@@ -44,16 +52,16 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
     fun newArray(type: ArrayType, length: Int): Int =
         take(type, length, length, ARRAY_HEADER_BYTES + length * brickBytesOf(type.elementDescriptor))
 
-    /** Takes [bytes] of a brick's memory for something that is no object; false if there are too few. */
-    fun reserve(bytes: Int): Boolean {
-        if (mode == TinyVmMode.BRICK && brickBytes + bytes > MachineConstants.BRICK_HEAP_BYTES) return false
-        brickBytes += bytes
+    /** Takes [wanted] bytes of a brick's memory for something that is no object; false if there are too few. */
+    fun reserve(wanted: Int): Boolean {
+        if (mode == TinyVmMode.BRICK && brickBytes + wanted > bytes) return false
+        brickBytes += wanted
         return true
     }
 
     /** Gives back what was reserved. */
-    fun release(bytes: Int) {
-        brickBytes -= bytes
+    fun release(reserved: Int) {
+        brickBytes -= reserved
     }
 
     /** Whether [word] could be a reference to an object. */
@@ -73,16 +81,17 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
 
     fun wasKept(reference: Int): Boolean = marked[reference]
 
-    private fun take(type: HeapType, length: Int, content: Int, bytes: Int): Int {
-        val evenBytes = bytes + (bytes and 1)
-        if (mode == TinyVmMode.BRICK && brickBytes + evenBytes > MachineConstants.BRICK_HEAP_BYTES) return 0
+    private fun take(type: HeapType, length: Int, content: Int, ownBytes: Int): Int {
+        val evenBytes = ownBytes + (ownBytes and 1)
+        if (mode == TinyVmMode.BRICK && brickBytes + evenBytes > bytes) return 0
         val place = free.take(HEADER_WORDS + content)
         if (place == 0) return 0
-        if (brickBytes <= MachineConstants.BRICK_HEAP_BYTES) brickBytes += evenBytes
+        if (brickBytes <= bytes) brickBytes += evenBytes
         words.fill(0, place, place + HEADER_WORDS + content)
         words[place] = type.id
         words[place + 1] = length
         begins.set(place)
+        wordsTaken += HEADER_WORDS + content
         return place
     }
 

@@ -1,17 +1,13 @@
 package robotran.tinyvm.run
 
-import robotran.rom.Statement
-import robotran.rom.StatementWatch
 import robotran.tinyvm.link.BuiltInException
-import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.Operation
 
 /**
- * Executes the operations of one thread until its budget is used up, it cannot go on, or it is to pause before a statement. The verifier
+ * Executes the operations of one thread until the budget is used up, it cannot go on, or it is to pause before a statement. The verifier
  * has seen to it that no operation meets anything it cannot work on, so nothing is checked here that depends on the code alone.
  */
 internal class Interpreter(private val machine: Machine, private val calls: Calls) {
-    private val heap = machine.heap
     private val words = machine.heap.words
     private val statics = machine.statics
     private val methods = machine.program.methods.toTypedArray()
@@ -20,67 +16,26 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
     private val places = ElementPlaces(machine, arithmetic)
     private val numbers = NumberOperations(machine, arithmetic)
     private val objects = ObjectOperations(machine, calls, places)
-    private var isPassed = false
+    private val division = Division(arithmetic, calls)
+    private val beginnings = ThreadBeginnings(machine, calls)
 
-    /** Bytecodes that may still be executed. */
-    var budget = 0
+    /** Decides before each statement whether to go on. */
+    val gate = StatementGate()
 
-    /** Whether it stopped because [watch] said so. */
+    /** Whether it stopped because [gate] said so. */
     var isPaused = false
         private set
-
-    /** How many statements of the program have been begun. */
-    var statementsBegun = 0L
-        private set
-
-    /** Asked before each statement once. */
-    var watch: StatementWatch? = null
-
-    /** What [watch] is told of the statement on a line that a thread stands before. */
-    var statementOf: (VmThread, Int) -> Statement = { _, line -> Statement(line, 0) }
 
     /** Goes on with [thread], which is ready. */
     fun run(thread: VmThread) {
         isPaused = false
-        while (budget > 0 && thread.state == ThreadState.READY && !isPaused && !machine.isYielding && !machine.isExited) {
+        while (machine.budget > 0 && thread.state == ThreadState.READY && !isPaused && !machine.isYielding && !machine.isExited) {
             when {
-                thread.pending != 0 -> throwPending(thread)
-                thread.depth == 0 -> begin(thread)
+                thread.pending != 0 -> beginnings.throwPending(thread)
+                thread.depth == 0 -> beginnings.begin(thread)
                 else -> execute(thread)
             }
         }
-    }
-
-    private fun begin(thread: VmThread) {
-        val main = machine.program.main
-        if (thread.isMain) {
-            if (calls.begin(thread, main, 0) && !machine.isReady[main.owner.number]) makeReady(thread, main.owner)
-        } else {
-            val run = heap.typeOf(thread.reference).virtualMethods[machine.program.threadRun.virtualIndex]
-            calls.begin(thread, run, thread.reference)
-        }
-    }
-
-    /** Above the frame of main, so that it is done before. */
-    private fun makeReady(thread: VmThread, type: LinkedClass) {
-        while (!machine.isReady[type.number] && thread.pending == 0 && thread.depth == 1) calls.initialize(thread, type)
-    }
-
-    private fun throwPending(thread: VmThread) {
-        val exception = thread.pending
-        thread.pending = 0
-        if (thread.depth > 0) calls.throwObject(thread, exception)
-    }
-
-    private fun mayBegin(thread: VmThread, line: Int): Boolean {
-        val watch = watch
-        if (watch != null && !isPassed) {
-            isPassed = true
-            if (watch.pausesBefore(statementOf(thread, line))) return false
-        }
-        isPassed = false
-        statementsBegun++
-        return true
     }
 
     /** Executes operations of the innermost frame until another becomes the innermost, or the thread stops. */
@@ -92,23 +47,22 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
         val base = frame.base
         var next = frame.next
         var top = frame.top
-        var left = budget
+        var left = machine.budget
         while (left > 0) {
             left--
             when (code[next++]) {
                 Operation.STATEMENT -> {
                     left++
-                    if (watch != null) {
+                    if (gate.isWatched) {
                         frame.next = next - 1
                         frame.top = top
-                        budget = left
-                        if (!mayBegin(thread, code[next])) {
+                        machine.budget = left
+                        if (!gate.mayBegin(thread, code[next])) {
                             isPaused = true
                             return
                         }
                     } else {
-                        isPassed = false
-                        statementsBegun++
+                        gate.begin()
                     }
                     next++
                 }
@@ -131,12 +85,12 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                 }
 
                 Operation.ELEMENT -> {
+                    frame.next = next
                     top--
                     val place = places.find(stack[top - 1], stack[top])
                     if (place <= 0) {
-                        frame.next = next
                         frame.top = top
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, places.failure(place))
                         return
                     }
@@ -144,12 +98,12 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                 }
 
                 Operation.SET_ELEMENT -> {
+                    frame.next = next
                     top -= 3
                     val place = places.find(stack[top], stack[top + 1])
                     if (place <= 0) {
-                        frame.next = next
                         frame.top = top
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, places.failure(place))
                         return
                     }
@@ -157,12 +111,12 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                 }
 
                 Operation.SET_BYTE -> {
+                    frame.next = next
                     top -= 3
                     val place = places.find(stack[top], stack[top + 1])
                     if (place <= 0) {
-                        frame.next = next
                         frame.top = top
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, places.failure(place))
                         return
                     }
@@ -170,12 +124,12 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                 }
 
                 Operation.SET_CHARACTER -> {
+                    frame.next = next
                     top -= 3
                     val place = places.find(stack[top], stack[top + 1])
                     if (place <= 0) {
-                        frame.next = next
                         frame.top = top
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, places.failure(place))
                         return
                     }
@@ -248,11 +202,12 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     } else {
                         frame.next = next
                         frame.top = top
-                        budget = left
-                        divide(thread, frame, isRemainder = false)
+                        machine.budget = left
+                        division.execute(thread, frame, isRemainder = false)
                         if (thread.depth == 0 || thread.frame !== frame) return
                         next = frame.next
                         top = frame.top
+                        left = machine.budget
                     }
                 }
 
@@ -264,11 +219,12 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     } else {
                         frame.next = next
                         frame.top = top
-                        budget = left
-                        divide(thread, frame, isRemainder = true)
+                        machine.budget = left
+                        division.execute(thread, frame, isRemainder = true)
                         if (thread.depth == 0 || thread.frame !== frame) return
                         next = frame.next
                         top = frame.top
+                        left = machine.budget
                     }
                 }
 
@@ -373,7 +329,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     } else {
                         frame.next = next - 1
                         frame.top = top
-                        budget = left
+                        machine.budget = left
                         calls.initialize(thread, machine.program.classes[code[next]])
                         return
                     }
@@ -383,7 +339,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     val reference = stack[top - 1]
                     if (reference == 0) {
                         frame.next = next
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, BuiltInException.NULL_POINTER)
                         return
                     }
@@ -395,7 +351,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     val reference = stack[top]
                     if (reference == 0) {
                         frame.next = next
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, BuiltInException.NULL_POINTER)
                         return
                     }
@@ -405,7 +361,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                 Operation.CALL_STATIC -> {
                     frame.next = next + 1
                     frame.top = top
-                    budget = left
+                    machine.budget = left
                     calls.call(thread, frame, methods[code[next]], OPERAND_AND_OPERATION)
                     return
                 }
@@ -414,7 +370,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     val method = methods[code[next]]
                     frame.next = next + 1
                     frame.top = top
-                    budget = left
+                    machine.budget = left
                     if (stack[top - method.argumentWords] == 0) {
                         calls.throwNew(thread, BuiltInException.NULL_POINTER)
                     } else {
@@ -427,7 +383,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     val receiver = stack[top - code[next + 1]]
                     frame.next = next + 2
                     frame.top = top
-                    budget = left
+                    machine.budget = left
                     if (receiver == 0) {
                         calls.throwNew(thread, BuiltInException.NULL_POINTER)
                     } else {
@@ -438,14 +394,14 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
 
                 Operation.RETURN -> {
                     frame.top = top
-                    budget = left
+                    machine.budget = left
                     calls.leave(thread, 0)
                     return
                 }
 
                 Operation.RETURN_VALUE -> {
                     frame.top = top
-                    budget = left
+                    machine.budget = left
                     calls.leave(thread, 1)
                     return
                 }
@@ -454,7 +410,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     val array = stack[top - 1]
                     if (array == 0) {
                         frame.next = next
-                        budget = left
+                        machine.budget = left
                         calls.throwNew(thread, BuiltInException.NULL_POINTER)
                         return
                     }
@@ -466,30 +422,18 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                 else -> {
                     frame.next = next
                     frame.top = top
-                    budget = left
+                    machine.budget = left
                     if (!numbers.execute(frame, stack, code[next - 1])) objects.execute(thread, frame, code[next - 1])
                     if (thread.pending != 0 || thread.state != ThreadState.READY || thread.frame !== frame) return
                     next = frame.next
                     top = frame.top
-                    left = budget
+                    left = machine.budget
                 }
             }
         }
         frame.next = next
         frame.top = top
-        budget = left
-    }
-
-    private fun divide(thread: VmThread, frame: Frame, isRemainder: Boolean) {
-        val stack = thread.stack
-        var divisor = stack[--frame.top]
-        if (divisor != divisor.toShort().toInt()) divisor = arithmetic.largeDivisor(divisor)
-        val dividend = stack[frame.top - 1]
-        when (divisor) {
-            0 -> calls.throwNew(thread, BuiltInException.ARITHMETIC)
-            -1 -> stack[frame.top - 1] = if (isRemainder) 0 else -dividend
-            else -> stack[frame.top - 1] = if (isRemainder) dividend % divisor else dividend / divisor
-        }
+        machine.budget = left
     }
 
     private companion object {

@@ -1,7 +1,6 @@
 package robotran.tinyvm.run
 
 import robotran.rom.Rom
-import robotran.rom.SensorCode
 import robotran.tinyvm.Quirk
 import robotran.tinyvm.RunMessages
 import robotran.tinyvm.TinyVmLimits
@@ -17,15 +16,17 @@ internal class Machine(val program: LinkedProgram, val rom: Rom, val mode: TinyV
     private val threadsByReference = HashMap<Int, VmThread>()
     private val textReferences = IntArray(program.texts.size)
 
-    val heap = Heap(program.types, mode)
+    val heap = Heap(program.types, mode, TinyVmLimits.MEMORY_BYTES - program.bytes)
     val statics = IntArray(program.statics.size)
     val isReady = BooleanArray(program.classes.size)
     val monitors = Monitors()
     val scheduler = Scheduler(monitors) { rom.milliseconds }
-    val arrays = ArrayAddresses(heap, rom.memory)
-    val remarks = Remarks(mode, messages)
+    val arrays = ArrayAddresses(heap, rom.memory, ::charge)
+    val remarks = Remarks(mode, messages, program.bytes)
     val poller = Poller(this)
-    val sensorSettings = List(SensorCode.PORTS) { SensorSettings() }
+
+    /** Bytecodes that may still be executed; below 0 if the last one took longer than what was left. */
+    var budget = 0
 
     /** The thread that is being executed. */
     var current: VmThread? = null
@@ -36,6 +37,8 @@ internal class Machine(val program: LinkedProgram, val rom: Rom, val mode: TinyV
     /** Whether the program has ended itself. */
     var isExited = false
 
+    // Made before anything else, while there is room for sure.
+    private val mainReference = heap.newObject(program.thread)
     private val exceptions = IntArray(program.exceptions.size) { heap.newObject(program.exceptions[it]) }
 
     init {
@@ -46,6 +49,11 @@ internal class Machine(val program: LinkedProgram, val rom: Rom, val mode: TinyV
                 null -> continue
             }
         }
+    }
+
+    /** Counts work that takes as long as so many bytecodes, so that no single one of them takes for ever. */
+    fun charge(bytecodes: Int) {
+        budget -= bytecodes
     }
 
     /** The line of the program that the current thread is at, 0 if it is in none. */
@@ -70,9 +78,8 @@ internal class Machine(val program: LinkedProgram, val rom: Rom, val mode: TinyV
 
     /** The thread that runs main, which is started. */
     fun startMain() {
-        val reference = heap.newObject(program.thread)
-        val main = VmThread(reference, MachineConstants.MAIN_PRIORITY, isMain = true)
-        threadsByReference[reference] = main
+        val main = VmThread(mainReference, MachineConstants.MAIN_PRIORITY, isMain = true)
+        threadsByReference[mainReference] = main
         scheduler.start(main)
     }
 
@@ -141,18 +148,23 @@ internal class Machine(val program: LinkedProgram, val rom: Rom, val mode: TinyV
 
     /** Does [make] again with the memory collected if there is too little at first. Nothing is collected in the middle of it. */
     private inline fun making(make: () -> Int): Int {
+        val wordsBefore = heap.wordsTaken
         var made = make()
         if (made == 0 && mode == TinyVmMode.FORGIVING && collect()) made = make()
-        if (made == 0 || heap.brickBytes > MachineConstants.BRICK_HEAP_BYTES) remark(Quirk.HEAP_FULL)
+        if (made == 0 || heap.isTooMuchForBrick) remark(Quirk.HEAP_FULL)
+        charge(((heap.wordsTaken - wordsBefore) / MachineConstants.WORDS_IN_A_BYTECODE).toInt())
         return made
     }
 
+    /** Collecting takes the rest of the time there is. */
     private fun collect(): Boolean {
+        budget = minOf(budget, 0)
         val isWorthIt = heap.collect { mark ->
             exceptions.forEach(mark)
             textReferences.forEach(mark)
             statics.forEach(mark)
             mark(poller.reference)
+            monitors.locks.forEach(mark)
             for (thread in scheduler.threads) {
                 mark(thread.reference)
                 mark(thread.pending)

@@ -2,23 +2,11 @@ package robotran.tinyvm.run
 
 /** The figures of the machine, each with its unit and source. */
 internal object MachineConstants {
-    /**
-     * Bytecodes in one step of the brick, of which it gives two to each millisecond. With 8 a program does 16,000 bytecodes a second: an
-     * RCX (H8/300 at 16 MHz) is estimated at 10,000 to 20,000; no measurement is known.
-     */
-    const val BYTECODES_PER_STEP = 8
+    /** How many words are filled, copied or looked at in the time of a bytecode: where one works on many, it takes the time of several. */
+    const val WORDS_IN_A_BYTECODE = 32
 
     /** How long a thread runs before another of the same priority has its turn, in milliseconds. Source: leJOS, TICKS_PER_TIME_SLICE. */
     const val TIME_SLICE_MILLISECONDS = 20
-
-    /** How often the sensors and buttons are looked at for listeners, in milliseconds. Source: leJOS `sensors.c`. */
-    const val POLL_MILLISECONDS = 3
-
-    /**
-     * Bytes that a program has for its objects: from 0x8000 to 0xEF31 there are 28 KB, of which leJOS takes 16 to 17 KB. Source: leJOS
-     * `main.c`.
-     */
-    const val BRICK_HEAP_BYTES = 0x3000
 
     /**
      * Bytes of a thread's first stack: four frames, ten words and three headers. Source: leJOS `configure.h`, INITIAL_STACK_FRAMES and
@@ -36,8 +24,8 @@ internal object MachineConstants {
     const val FIRST_ARRAY_ADDRESS = 0xC000
     const val LAST_ARRAY_ADDRESS = 0xEF00
 
-    /** A short in the firmware's own part of the memory for the buttons that are pressed. */
-    const val BUTTONS_VARIABLE = 0x8002
+    /** How many arrays appear there at the same time. */
+    const val SHOWN_ARRAYS = 256
 
     const val MAIN_PRIORITY = 5
     const val LEAST_PRIORITY = 1

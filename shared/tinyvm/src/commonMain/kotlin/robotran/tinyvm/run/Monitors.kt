@@ -6,6 +6,9 @@ internal class Monitors {
 
     private val monitors = HashMap<Int, Monitor>()
 
+    /** The monitors that somebody is inside of. */
+    val locks: Set<Int> get() = monitors.keys
+
     fun isFree(lock: Int): Boolean = lock !in monitors
 
     fun isOwner(lock: Int, thread: VmThread): Boolean = monitors[lock]?.owner === thread

@@ -1,21 +1,20 @@
 package robotran.tinyvm.run
 
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.RomCode
+import robotran.rom.BrickButton
 import robotran.rom.SensorCode
 import robotran.rom.SensorRequest
 import robotran.tinyvm.link.LinkedClass
 
 /**
  * Tells the program what changed at the sensors and buttons, as josx `Poll` wants it: the bits of what changed are added to the field
- * `changed` of the object it registered, and all threads that wait for it are woken. Source: leJOS `poll.c`.
+ * `changed` of the object it registered, and all threads that wait for it are woken. Looking is no ROM call. Source: leJOS `poll.c`.
  */
 internal class Poller(private val machine: Machine) {
     private val values = IntArray(SensorCode.PORTS)
     private var buttons = 0
+    private var hadMessage = false
     private var throttle = 1
-    private var lastLook = -1L
+    private var lastReading = -1L
     private var changedField = -1
 
     /** The registered object, 0 for none. */
@@ -26,35 +25,29 @@ internal class Poller(private val machine: Machine) {
     val isActive: Boolean get() = changedField >= 0
 
     fun register(poller: Int) {
-        val type = machine.heap.typeOf(poller) as? LinkedClass
-        val field = type?.findField("changed", "S", isStatic = false) ?: type?.findField("changed", "I", isStatic = false)
+        val field = (machine.heap.typeOf(poller) as? LinkedClass)?.findField("changed", "S", isStatic = false)
         reference = poller
         changedField = field?.slot ?: -1
-        lastLook = machine.rom.milliseconds
-        readSensors()
-        buttons = readButtons()
     }
 
-    /** Looks at the sensors only every so many times. */
-    fun setThrottle(times: Int) {
-        throttle = times.coerceAtLeast(1)
+    /** Looks for changes only after every so many readings of the sensors. */
+    fun setThrottle(readings: Int) {
+        throttle = readings.coerceAtLeast(1)
     }
 
-    /** Looks, if it is time to. */
+    /** Looks, if it is time to and nobody is inside the registered object's monitor. */
     fun look() {
-        val now = machine.rom.milliseconds
-        if (!isActive || now < lastLook + MachineConstants.POLL_MILLISECONDS * throttle || !machine.monitors.isFree(reference)) return
-        lastLook = now
-        val pressed = readButtons()
-        val changed = readSensors() or ((pressed xor buttons) shl FIRST_BUTTON_BIT)
-        buttons = pressed
+        val reading = machine.rom.milliseconds / SensorCode.READING_MILLISECONDS
+        if (!isActive || reading < lastReading + throttle || !machine.monitors.isFree(reference)) return
+        lastReading = reading
+        val changed = changedSensors() or changedButtons() or changedMessage()
         if (changed == 0) return
         val field = reference + Heap.HEADER_WORDS + changedField
-        machine.heap.words[field] = machine.heap.words[field] or changed
+        machine.heap.words[field] = (machine.heap.words[field] or changed).toShort().toInt()
         machine.scheduler.notify(reference, all = true)
     }
 
-    private fun readSensors(): Int {
+    private fun changedSensors(): Int {
         var changed = 0
         for (port in values.indices) {
             val value = machine.rom.readSensor(port, SensorRequest.CANONICAL)
@@ -64,13 +57,23 @@ internal class Poller(private val machine: Machine) {
         return changed
     }
 
-    private fun readButtons(): Int {
-        machine.rom.call(RomCall(RomAddress.READ_BUTTONS, listOf(RomCode.BUTTONS, MachineConstants.BUTTONS_VARIABLE)), 0)
-        return machine.rom.memory.readShort(MachineConstants.BUTTONS_VARIABLE)
+    private fun changedButtons(): Int {
+        val pressed = machine.rom.pressedButtons.sumOf { BUTTON_BITS[it] ?: 0 }
+        val changed = pressed xor buttons
+        buttons = pressed
+        return changed
+    }
+
+    private fun changedMessage(): Int {
+        val hasMessage = machine.rom.hasMessage
+        val isNew = hasMessage && !hadMessage
+        hadMessage = hasMessage
+        return if (isNew) MESSAGE_BIT else 0
     }
 
     private companion object {
-        /** josx `Poll.BUTTON_MASK_SHIFT`. */
-        const val FIRST_BUTTON_BIT = 3
+        /** josx `Poll`: RUN_MASK, VIEW_MASK, PRGM_MASK and SERIAL_MASK. */
+        val BUTTON_BITS = mapOf(BrickButton.RUN to 0x08, BrickButton.VIEW to 0x10, BrickButton.PRGM to 0x20)
+        const val MESSAGE_BIT = 0x40
     }
 }

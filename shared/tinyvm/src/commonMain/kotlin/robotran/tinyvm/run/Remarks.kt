@@ -6,8 +6,8 @@ import robotran.tinyvm.RunMessages
 import robotran.tinyvm.TinyVmLimits
 import robotran.tinyvm.TinyVmMode
 
-/** What a learner is told of a run, each thing once a line. */
-internal class Remarks(private val mode: TinyVmMode, private val messages: RunMessages) {
+/** What a learner is told of a run, each thing once a line. @param programBytes what the program itself takes of the brick's memory. */
+internal class Remarks(private val mode: TinyVmMode, private val messages: RunMessages, private val programBytes: Int) {
     private val places = HashSet<Triple<Quirk, Int, String?>>()
 
     /** All so far; a new list with each that comes. */
@@ -16,7 +16,12 @@ internal class Remarks(private val mode: TinyVmMode, private val messages: RunMe
 
     fun add(quirk: Quirk, line: Int, file: String?) {
         if (all.size == TinyVmLimits.REMARKS || !places.add(Triple(quirk, line, file))) return
-        val message = if (mode == TinyVmMode.BRICK) messages.bites(quirk) else messages.wouldBite(quirk)
-        all = all + ProgramRemark(message, line, file)
+        all = all + ProgramRemark(messageOf(quirk), line, file)
+    }
+
+    private fun messageOf(quirk: Quirk): String = when {
+        mode == TinyVmMode.FORGIVING -> messages.wouldBite(quirk)
+        quirk == Quirk.HEAP_FULL -> messages.bites(quirk) + " " + messages.sharesMemory(programBytes, TinyVmLimits.MEMORY_BYTES)
+        else -> messages.bites(quirk)
     }
 }

@@ -6,10 +6,12 @@ import robotran.rom.ProgramRemark
 import robotran.rom.ProgramStatus
 import robotran.rom.Rom
 import robotran.rom.StatementWatch
+import robotran.rom.ThreadActivity
 import robotran.rom.ThreadView
 import robotran.rom.VariableScope
 import robotran.tinyvm.RunMessages
 import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.TinyVmSpeed
 import robotran.tinyvm.debug.Inspector
 import robotran.tinyvm.link.LinkedProgram
 import robotran.tinyvm.natives.NativeMethod
@@ -21,6 +23,7 @@ internal class TinyVmRun(
     private val rom: Rom,
     mode: TinyVmMode,
     messages: RunMessages,
+    speed: TinyVmSpeed,
 ) : DebuggableRun {
     internal val machine = Machine(program, rom, mode, messages)
     private val failures = Failures(machine, messages)
@@ -29,16 +32,25 @@ internal class TinyVmRun(
     private val inspector = Inspector(machine)
     private var sliceEnds = 0L
 
-    /** Bytecodes of the last step that were left after a pause are not done twice. */
+    private val bytecodesPerStep = speed.bytecodesPerStep
+
+    /** Bytecodes that the last steps were too short for, or that were done of a step which a pause cut in two. */
     private var debt = 0
 
-    override var watch: StatementWatch? by interpreter::watch
+    override var watch: StatementWatch?
+        get() = interpreter.gate.watch
+        set(value) {
+            interpreter.gate.watch = value
+        }
 
-    override val statementsBegun: Long get() = interpreter.statementsBegun
+    override val statementsBegun: Long get() = interpreter.gate.begun
 
     override val remarks: List<ProgramRemark> get() = machine.remarks.all
 
     override val threads: List<ThreadView> get() = machine.scheduler.threads.map { inspector.threadView(it, isCurrent = it === focus) }
+
+    override fun activityOf(thread: Int): ThreadActivity? =
+        machine.scheduler.threads.find { it.number == thread }?.let { inspector.activityOf(it) }
 
     override val callStack: List<CallFrame> get() = inspector.callStack(focus)
 
@@ -47,9 +59,9 @@ internal class TinyVmRun(
     override fun variablesOf(thread: Int, frame: Int): List<VariableScope> =
         inspector.variables(machine.scheduler.threads.find { it.number == thread }, frame)
 
-    override val sourceLine: Int get() = callStack.firstOrNull()?.sourceLine ?: failures.first?.sourceLine ?: 0
+    override val sourceLine: Int get() = callStack.firstOrNull()?.sourceLine ?: failures.last?.sourceLine ?: 0
 
-    override val sourceFile: String? get() = callStack.firstOrNull()?.sourceFile ?: failures.first?.sourceFile
+    override val sourceFile: String? get() = callStack.firstOrNull()?.sourceFile ?: failures.last?.sourceFile
 
     override val isBeforeStatement: Boolean
         get() = focus?.takeIf { it.depth > 0 }?.frame?.isBeforeStatement ?: false
@@ -58,22 +70,28 @@ internal class TinyVmRun(
     private val focus: VmThread? get() = machine.current?.takeIf { it.isAlive } ?: machine.scheduler.threads.firstOrNull()
 
     init {
-        interpreter.statementOf = inspector::statementOf
+        interpreter.gate.statementOf = inspector::statementOf
         machine.startMain()
     }
 
     override fun resume(steps: Int): ProgramStatus {
-        interpreter.budget = (steps.toLong() * MachineConstants.BYTECODES_PER_STEP - debt).coerceIn(0, Int.MAX_VALUE.toLong()).toInt()
-        debt = 0
+        machine.budget = (steps.toLong() * bytecodesPerStep - debt).coerceIn(Int.MIN_VALUE.toLong(), Int.MAX_VALUE.toLong()).toInt()
         machine.poller.look()
+        val status = proceed()
+        debt = if (status is ProgramStatus.Paused) status.stepsLeft * bytecodesPerStep - machine.budget else maxOf(0, -machine.budget)
+        return status
+    }
+
+    private fun proceed(): ProgramStatus {
         while (true) {
             when {
                 machine.isExited || !machine.scheduler.isOccupied -> return end()
-                interpreter.budget <= 0 -> return ProgramStatus.Running
+                machine.budget <= 0 -> return ProgramStatus.Running
             }
             val thread = nextThread() ?: return rest()
             interpreter.run(thread)
-            if (interpreter.isPaused) return pause()
+            failures.take()?.let { return ProgramStatus.ThreadFailed(it) }
+            if (interpreter.isPaused) return ProgramStatus.Paused((machine.budget + bytecodesPerStep - 1) / bytecodesPerStep)
         }
     }
 
@@ -82,6 +100,7 @@ internal class TinyVmRun(
         val goesOn = current != null && current.state == ThreadState.READY && !machine.isYielding && rom.milliseconds < sliceEnds
         if (goesOn) return current
         machine.isYielding = false
+        machine.charge(machine.scheduler.threads.size / MachineConstants.WORDS_IN_A_BYTECODE)
         sliceEnds = rom.milliseconds + MachineConstants.TIME_SLICE_MILLISECONDS
         return machine.scheduler.choose()?.also { machine.current = it }
     }
@@ -92,13 +111,7 @@ internal class TinyVmRun(
         return ProgramStatus.Waiting(if (machine.poller.isActive) minOf(next, now + 1) else next)
     }
 
-    private fun pause(): ProgramStatus {
-        val steps = (interpreter.budget + MachineConstants.BYTECODES_PER_STEP - 1) / MachineConstants.BYTECODES_PER_STEP
-        debt = steps * MachineConstants.BYTECODES_PER_STEP - interpreter.budget
-        return ProgramStatus.Paused(steps)
-    }
-
-    private fun end(): ProgramStatus = failures.first?.let { ProgramStatus.Failed(it) } ?: ProgramStatus.Ended
+    private fun end(): ProgramStatus = failures.last?.let { ProgramStatus.Failed(it) } ?: ProgramStatus.Ended
 
     private fun nativesOf(program: LinkedProgram): Array<NativeMethod?> = Array(program.methods.size) {
         val method = program.methods[it]

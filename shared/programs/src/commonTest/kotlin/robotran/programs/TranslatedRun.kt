@@ -1,0 +1,87 @@
+package robotran.programs
+
+import robotran.robolang.Calibration
+import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangResult
+import robotran.robolang.readRobolang
+import robotran.robolang.translate.translateRobolang
+import robotran.rom.Brick
+import robotran.rom.BrickButton
+import robotran.rom.ProgramStatus
+import robotran.rom.RcxProgram
+import robotran.rom.RomAddress
+import robotran.rom.RomCall
+import robotran.rom.RunState
+
+/** The calibration of the test programs: round figures. */
+internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
+
+/** The program of [text], null if it has mistakes. */
+internal fun robolangOf(name: String, text: String): RobolangProgram? =
+    (readRobolang(name.substringAfterLast('/'), text, testCalibration) as? RobolangResult.Ready)?.program
+
+/** The leJOS translation of [program], compiled and linked. */
+internal suspend fun ProgramReader.translated(program: RobolangProgram): ProgramResult {
+    val translation = translateRobolang(program)
+    val name = "${translation.className}.java"
+    return read(ProgramSource.Java(name, listOf(SourceFile(name, translation.java))))
+}
+
+/** How a run on a [StandingClockRom] came out. */
+internal sealed interface Outcome {
+    /** It ended, or was left alone after so many calls or so much time. */
+    data object Done : Outcome
+
+    data class Failed(val message: String) : Outcome
+
+    /** It went on for ever without the clock's going on. */
+    data object Stuck : Outcome
+}
+
+/** Runs [program] on [rom] until its end, [mostCalls] or [lastMillisecond]; the clock jumps over every wait. */
+internal fun run(program: RcxProgram, rom: StandingClockRom, mostCalls: Int, lastMillisecond: Long): Outcome {
+    val run = program.start(rom)
+    var still = 0
+    while (rom.calls.size < mostCalls && rom.milliseconds <= lastMillisecond) {
+        if (still++ == MOST_STILL_STEPS) return Outcome.Stuck
+        when (val status = run.resume(1)) {
+            ProgramStatus.Running, is ProgramStatus.Paused -> continue
+            is ProgramStatus.Waiting -> if (status.untilMilliseconds > rom.milliseconds) still = 0.also { rom.milliseconds = status.untilMilliseconds }
+            ProgramStatus.Ended -> return Outcome.Done
+            is ProgramStatus.ThreadFailed -> return Outcome.Failed(status.failure.message)
+            is ProgramStatus.Failed -> return Outcome.Failed(status.failure.message)
+        }
+    }
+    return Outcome.Done
+}
+
+private const val MOST_STILL_STEPS = 400_000
+
+/** What a program has called on a true brick, and whether it came to its end. */
+internal class BrickRun(val calls: List<TimedCall>, val isOver: Boolean)
+
+/** Runs [program] on a true brick for [milliseconds] while its sensors measure [sensors]. */
+internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, milliseconds: Long): BrickRun {
+    val brick = Brick(listOf(program))
+    sensors.filter { it.milliseconds == 0L }.forEach { brick.setRawSensorValue(it.port - 1, it.raw) }
+    // The firmware reads a sensor some milliseconds after it is told what it measures.
+    repeat(SETTLING_MILLISECONDS) { brick.tick() }
+    val start = brick.state.milliseconds
+    brick.press(BrickButton.RUN)
+    brick.release(BrickButton.RUN)
+    for (time in 0 until milliseconds) {
+        sensors.filter { it.milliseconds == time }.forEach { brick.setRawSensorValue(it.port - 1, it.raw) }
+        brick.tick()
+        if (brick.state.run !is RunState.Running) break
+    }
+    val calls = brick.log.entries.filter { it.sourceLine > 0 }.map { TimedCall(it.milliseconds - start, it.call) }
+    return BrickRun(calls, isOver = brick.state.run !is RunState.Running)
+}
+
+/** The call without the places in memory that its answer goes to, which each program chooses for itself. */
+internal fun RomCall.withoutPlaces(): RomCall = when (address) {
+    RomAddress.READ_BUTTONS, RomAddress.READ_POWER_STATUS -> copy(arguments = arguments.take(1))
+    else -> this
+}
+
+private const val SETTLING_MILLISECONDS = 10

@@ -1,0 +1,96 @@
+package robotran.programs
+
+import kotlinx.coroutines.test.runTest
+import robotran.robolang.RobolangProgram
+import robotran.rom.RcxProgram
+import robotran.tinyvm.TinyVmMode
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
+
+/** A Robolang program, and its leJOS translation compiled and run on the virtual machine, do the same. */
+class TranslationDifferenceTest {
+    private val brickReader = ProgramReader(testCalibration)
+    private val forgivingReader = ProgramReader(testCalibration, JavaSettings(TinyVmMode.FORGIVING))
+
+    @Test
+    fun everyProgramAndItsTranslationMakeTheSameCallsAtTheSameTimes() = runTest(timeout = 10.minutes) {
+        compareAll(robolangs.filterNot { it.hasBehaviours }, LEAST_COMPARED) { program, java ->
+            val interpreted = StandingClockRom(program.sensors)
+            val translated = StandingClockRom(program.sensors)
+            if (run(program.robolang, interpreted, MOST_CALLS, LAST_MILLISECOND) != Outcome.Done) return@compareAll null
+            val outcome = run(java, translated, MOST_CALLS, LAST_MILLISECOND)
+            if (outcome != Outcome.Done) "ends with $outcome" else differenceOf(callsOf(interpreted), callsOf(translated))
+        }
+    }
+
+    /** Behaviours need a brick whose time goes on while it computes; threads take turns there, so a call may come a little later. */
+    @Test
+    fun everyProgramWithBehavioursAndItsTranslationMakeTheSameCallsOneAfterTheOther() = runTest(timeout = 10.minutes) {
+        compareAll(robolangs.filter { it.hasBehaviours && it.path !in UNCERTAIN }, LEAST_REACTING) { program, java ->
+            val interpreted = runOnBrick(program.robolang, program.sensors, BEHAVIOUR_MILLISECONDS)
+            val translated = runOnBrick(java, program.sensors, BEHAVIOUR_MILLISECONDS)
+            // One that never ends is a little further on after so many milliseconds than the other.
+            val most = if (interpreted.isOver || translated.isOver) Int.MAX_VALUE else minOf(interpreted.calls.size, translated.calls.size)
+            differenceOf(ordered(interpreted.calls).take(most), ordered(translated.calls).take(most))
+        }
+    }
+
+    /** @param difference what is different about a translation, an empty text for nothing, null if there is nothing to compare with. */
+    private suspend fun compareAll(programs: List<Robolang>, least: Int, difference: (Robolang, RcxProgram) -> String?) {
+        val differences = mutableListOf<String>()
+        var compared = 0
+        for (program in programs) {
+            val reader = if (program.path in LARGE_DIVISORS) forgivingReader else brickReader
+            val words = when (val result = reader.translated(program.robolang)) {
+                is ProgramResult.Ready -> difference(program, result.program) ?: continue
+                is ProgramResult.Mistaken -> result.mistakes.joinToString()
+            }
+            compared++
+            if (words.isNotEmpty()) differences += "${program.path}: $words"
+        }
+        assertEquals("", differences.joinToString("\n"))
+        assertTrue(compared >= least, "only $compared programs were compared")
+    }
+
+    private fun callsOf(rom: StandingClockRom) = rom.calls.filter { it.milliseconds <= LAST_MILLISECOND }.take(MOST_CALLS)
+
+    private fun ordered(calls: List<TimedCall>) = calls.map { TimedCall(0, it.call.withoutPlaces()) }
+
+    private fun differenceOf(interpreted: List<TimedCall>, translated: List<TimedCall>): String {
+        val same = interpreted.zip(translated).takeWhile { (one, other) -> one == other }.size
+        if (same == interpreted.size && same == translated.size) return ""
+        return "after $same calls ${interpreted.drop(same).take(3)}, translated ${translated.drop(same).take(3)}"
+    }
+
+    private class Robolang(val path: String, text: String, val robolang: RobolangProgram) {
+        val sensors = sensorsIn(text)
+        val hasBehaviours = text.lines().any { it.trim().startsWith("whenever") }
+    }
+
+    private companion object {
+        const val MOST_CALLS = 2_000
+        const val LAST_MILLISECOND = 20_000_000L
+        const val BEHAVIOUR_MILLISECONDS = 20_000L
+        const val LEAST_COMPARED = 200
+        const val LEAST_REACTING = 20
+
+        /** A brick divides by the lowest 16 bits of a number, which Robolang warns of. */
+        val LARGE_DIVISORS = setOf("warnings/divisor-too-large.robo", "warnings/divisor-of-no-lower-bits.robo")
+
+        /**
+         * Two have conditions that hold for no time at all: whether a brick notices is a matter of luck. One has two that begin to hold at once:
+         * a brick looks at one after the other, and may see either first.
+         */
+        val UNCERTAIN = setOf(
+            "behaviours/interrupts-between-statements.robo",
+            "behaviours/an-action-that-ends-its-own-condition.robo",
+            "behaviours/one-after-the-other.robo",
+        )
+
+        val robolangs: List<Robolang> = (robolangPrograms + robolangExamples).mapNotNull { (path, text) ->
+            robolangOf(path, text)?.let { Robolang(path, text, it) }
+        }
+    }
+}

@@ -1,0 +1,74 @@
+package robotran.tinyvm.link
+
+/** Writes what becomes of the bytecodes that name a field, a method or a type. */
+internal class MemberTranslator(
+    private val method: LinkedMethod,
+    private val code: ResolvedCode,
+    private val types: TypeTable,
+    private val writer: CodeWriter,
+) {
+    fun field(instruction: Instruction) {
+        val field = code.fields.getValue(instruction.place)
+        if (field.isStatic) initialize(field.owner)
+        val plain = when (instruction.opcode) {
+            Opcode.GETSTATIC -> Operation.STATIC
+            Opcode.PUTSTATIC -> Operation.SET_STATIC
+            Opcode.GETFIELD -> Operation.FIELD
+            else -> Operation.SET_FIELD
+        }
+        writer.write(if (field.isWide) plain + 1 else plain, field.slot)
+    }
+
+    fun call(instruction: Instruction) {
+        val called = code.methods.getValue(instruction.place)
+        when {
+            instruction.opcode == Opcode.INVOKESTATIC -> {
+                initialize(called.owner)
+                writer.write(Operation.CALL_STATIC, called.number)
+            }
+
+            instruction.opcode == Opcode.INVOKESPECIAL -> {
+                writer.write(Operation.CALL_EXACTLY, called.number)
+            }
+
+            called.owner.isInterface -> {
+                writer.write(Operation.CALL_INTERFACE, types.members.interfaceNumber(called.signature), called.argumentWords)
+            }
+
+            else -> {
+                writer.write(Operation.CALL_VIRTUAL, called.virtualIndex, called.argumentWords)
+            }
+        }
+    }
+
+    fun typed(instruction: Instruction) {
+        val type = code.types.getValue(instruction.place)
+        when (instruction.opcode) {
+            Opcode.NEW -> {
+                initialize(type as LinkedClass)
+                writer.write(Operation.NEW, type.id)
+            }
+
+            Opcode.MULTIANEWARRAY -> {
+                writer.write(Operation.NEW_ARRAYS, type.id, instruction.second)
+            }
+
+            Opcode.CHECKCAST -> {
+                writer.write(Operation.CAST, type.id)
+            }
+
+            Opcode.INSTANCEOF -> {
+                writer.write(Operation.IS_INSTANCE, type.id)
+            }
+
+            else -> {
+                writer.write(Operation.NEW_ARRAY, type.id)
+            }
+        }
+    }
+
+    /** Sees to it that [used] is ready; the method's own class and those above it are. */
+    private fun initialize(used: LinkedClass) {
+        if (used.needsInitializing && !method.owner.isA(used)) writer.write(Operation.INITIALIZE, used.number)
+    }
+}

@@ -1,0 +1,57 @@
+package robotran.tinyvm.link
+
+import robotran.tinyvm.classfile.Constant
+import robotran.tinyvm.classfile.MethodEntry
+
+/**
+ * About how many bytes of a brick's memory a program takes when it is linked: a record for each class, method that may be called, `catch`,
+ * constant and static field, their content, and the code. Source of the records: `TinyVMConstants` and the record classes of leJOS 3.0.
+ */
+internal class ProgramSize(private val classes: List<LinkedClass>, private val texts: List<String>) {
+    private val bySignature: Map<String, List<LinkedMethod>> = classes.flatMap { it.methods }.groupBy { it.signature }
+
+    /** @param first what is called by itself: `main`, and `run` of threads. */
+    fun bytes(first: List<LinkedMethod>): Int {
+        val methods = calledFrom(first + classes.mapNotNull { it.initializer })
+        return classes.sumOf { bytesOf(it) } + methods.sumOf { bytesOf(it.entry) } + texts.sumOf { CONSTANT_RECORD + it.length }
+    }
+
+    private fun calledFrom(first: List<LinkedMethod>): Set<LinkedMethod> {
+        val found = LinkedHashSet<LinkedMethod>()
+        val waiting = ArrayDeque(first.flatMap { meantBy(it) })
+        while (waiting.isNotEmpty()) {
+            val method = waiting.removeFirst()
+            if (found.add(method)) method.called.forEach { waiting += meantBy(it) }
+        }
+        return found
+    }
+
+    /** The methods that may be called where [method] is named. */
+    private fun meantBy(method: LinkedMethod): List<LinkedMethod> {
+        val canBeOverridden = method.virtualIndex >= 0 || method.owner.isInterface
+        return if (canBeOverridden) bySignature.getValue(method.signature) else listOf(method)
+    }
+
+    private fun bytesOf(linked: LinkedClass): Int {
+        val fields = linked.fields.sumOf { if (it.isStatic) STATIC_FIELD_RECORD + brickBytesOf(it.descriptor) else 1 }
+        return CLASS_RECORD + fields + numbersIn(linked) * (CONSTANT_RECORD + NUMBER)
+    }
+
+    private fun bytesOf(method: MethodEntry): Int {
+        val code = method.code ?: return METHOD_RECORD
+        return METHOD_RECORD + code.bytes.size + code.handlers.size * HANDLER_RECORD
+    }
+
+    private fun numbersIn(linked: LinkedClass): Int = linked.file.constants.all.count {
+        it is Constant.Whole || it is Constant.Decimal || it is Constant.Long || it is Constant.Double
+    }
+
+    private companion object {
+        const val CLASS_RECORD = 10
+        const val METHOD_RECORD = 11
+        const val HANDLER_RECORD = 7
+        const val CONSTANT_RECORD = 4
+        const val STATIC_FIELD_RECORD = 2
+        const val NUMBER = 4
+    }
+}

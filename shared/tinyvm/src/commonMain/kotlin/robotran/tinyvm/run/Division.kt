@@ -1,0 +1,19 @@
+package robotran.tinyvm.run
+
+import robotran.tinyvm.link.BuiltInException
+
+/** Divides whole numbers by what is not a positive number of 16 bits, which the interpreter's loop does itself. */
+internal class Division(private val arithmetic: QuirkyArithmetic, private val calls: Calls) {
+    /** Divides the two topmost operands of [frame], the innermost of [thread]. */
+    fun execute(thread: VmThread, frame: Frame, isRemainder: Boolean) {
+        val stack = thread.stack
+        var divisor = stack[--frame.top]
+        if (divisor != divisor.toShort().toInt()) divisor = arithmetic.largeDivisor(divisor)
+        val dividend = stack[frame.top - 1]
+        when (divisor) {
+            0 -> calls.throwNew(thread, BuiltInException.ARITHMETIC)
+            -1 -> stack[frame.top - 1] = if (isRemainder) 0 else -dividend
+            else -> stack[frame.top - 1] = if (isRemainder) dividend % divisor else dividend / divisor
+        }
+    }
+}

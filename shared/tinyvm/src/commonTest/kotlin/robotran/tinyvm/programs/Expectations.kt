@@ -1,0 +1,70 @@
+package robotran.tinyvm.programs
+
+import robotran.rom.BrickButton
+import robotran.tinyvm.TinyVmMode
+
+/** What the comments of a test program expect of it; the notation is in the class library's README. */
+internal class Expectations(private val source: String) {
+    private val comments: List<Pair<Int, String>> = source.lines().mapIndexedNotNull { index, line ->
+        line.substringAfter("// ", "").takeIf { it.isNotEmpty() }?.let { index + 1 to it.trim() }
+    }
+
+    /** The modes that it is about. */
+    val modes: List<TinyVmMode> = values("mode: ").map { TinyVmMode.valueOf(it.uppercase()) }.ifEmpty { TinyVmMode.entries }
+
+    /** Whether the compiler, not the machine, refuses it. */
+    val hasMistakes: Boolean = values("error ").isNotEmpty()
+
+    /** The instructions that the linker refuses, by line; 0 for some line. */
+    val refused: Map<Int, String> = byLine("refused: ") + values("refused ").associateBy { 0 }
+
+    /** The ROM calls of a line, each as its words; null if no line says anything about calls. */
+    val romCalls: Map<Int, List<String>>? = comments.mapNotNull { (line, comment) ->
+        ROM.matchEntire(comment)?.destructured?.let { (times, calls) ->
+            val once = calls.split('|').map { it.trim() }
+            line to List(times.ifEmpty { "1" }.toInt()) { once }.flatten()
+        }
+    }.toMap().ifEmpty { null }
+
+    /** What the display shows after each refresh of a line. */
+    val shown: Map<Int, List<String>> = byLine("shows: ").mapValues { it.value.split(' ') }
+
+    val endsAt: Long? = values("ends at ").singleOrNull()?.toLong()
+    val runsOnAfter: Long? = values("runs on after ").singleOrNull()?.toLong()
+
+    /** The lines and names of exceptions that nobody catches. */
+    val failures: List<Pair<Int, String>> = values("fails ").map { it.substringBefore(' ').toInt() to it.substringAfter(' ') }
+
+    /** What a finger or the world does, by the millisecond. */
+    val events: List<Event> = values("sensor ").map { sensorEvent(it) } + values("button ").map { buttonEvent(it) }
+
+    private fun values(mark: String): List<String> = comments.map { it.second }.filter { it.startsWith(mark) }.map { it.removePrefix(mark) }
+
+    private fun byLine(mark: String): Map<Int, String> =
+        comments.filter { it.second.startsWith(mark) }.associate { it.first to it.second.removePrefix(mark) }
+
+    private fun sensorEvent(text: String): Event {
+        val (port, time, raw) = checkNotNull(SENSOR.matchEntire(text)) { "Not a sensor: $text" }.destructured
+        return Event.Sensor(time.toLong(), port.toInt() - 1, raw.toInt())
+    }
+
+    private fun buttonEvent(text: String): Event {
+        val (name, time, action) = checkNotNull(BUTTON.matchEntire(text)) { "Not a button: $text" }.destructured
+        return Event.Button(time.toLong(), BrickButton.valueOf(name), action == "pressed")
+    }
+
+    private companion object {
+        val ROM = Regex("""rom(?: (\d+) times)?: (.+)""")
+        val SENSOR = Regex("""(\d) at (\d+): raw (\d+)""")
+        val BUTTON = Regex("""(\w+) at (\d+): (pressed|released)""")
+    }
+}
+
+/** Something that is done to the brick while a program runs. */
+internal sealed interface Event {
+    val milliseconds: Long
+
+    class Sensor(override val milliseconds: Long, val port: Int, val raw: Int) : Event
+
+    class Button(override val milliseconds: Long, val button: BrickButton, val isPressed: Boolean) : Event
+}

@@ -1,0 +1,81 @@
+package robotran.tinyvm.programs
+
+import robotran.rom.Brick
+import robotran.rom.BrickButton
+import robotran.rom.LcdGlass
+import robotran.rom.ProgramFailure
+import robotran.rom.ProgramRun
+import robotran.rom.RcxProgram
+import robotran.rom.Rom
+import robotran.rom.RomAddress
+import robotran.rom.RomCall
+import robotran.rom.RomCode
+import robotran.rom.RunState
+
+/** What a line showed: how [glass] looked after a refresh, and whether a number had been set before it. */
+internal class Shown(val line: Int, val glass: LcdGlass, val isNumber: Boolean)
+
+/** A brick on which [program] runs, and what can be seen of it. */
+internal class WatchedBrick(program: RcxProgram, private val events: List<Event>) {
+    private val brick = Brick(listOf(Watched(program)))
+    private var isNumber = false
+
+    val shown = ArrayList<Shown>()
+    val failures = ArrayList<ProgramFailure>()
+
+    /** The ROM calls of each line of the program, as their words. */
+    val romCalls: Map<Int, List<String>>
+        get() = brick.log.entries.filter {
+            it.sourceLine > 0
+        }.groupBy({ it.sourceLine }, { it.text.substringBefore(" ; ").substringAfter(' ') })
+
+    /** The ROM log as far as it does not depend on when something was done. */
+    val log: List<String> get() = brick.log.entries.map { it.text.substringAfter(' ') }
+
+    val milliseconds: Long get() = brick.state.milliseconds
+    val isRunning: Boolean get() = brick.state.run is RunState.Running
+    val remarks: List<String> get() = brick.remarks.map { "${it.sourceLine}: ${it.message}" }
+
+    /** Starts the program and lets it run for at most [milliseconds], or until it ends. */
+    fun run(milliseconds: Long) {
+        happen(0)
+        brick.press(BrickButton.RUN)
+        brick.release(BrickButton.RUN)
+        while (this.milliseconds < milliseconds) {
+            happen(this.milliseconds + 1)
+            brick.tick()
+            val state = brick.state.run
+            if (state is RunState.Failed) {
+                failures += state.failure
+                if (brick.debuggableRun == null) return
+                brick.press(BrickButton.ON_OFF)
+                brick.release(BrickButton.ON_OFF)
+            } else if (state !is RunState.Running) {
+                return
+            }
+        }
+    }
+
+    private fun happen(time: Long) = events.filter { it.milliseconds == time }.forEach { event ->
+        when (event) {
+            is Event.Sensor -> brick.setRawSensorValue(event.port, event.raw)
+            is Event.Button -> if (event.isPressed) brick.press(event.button) else brick.release(event.button)
+        }
+    }
+
+    private inner class Watched(private val program: RcxProgram) : RcxProgram {
+        override val name: String get() = program.name
+
+        override fun start(rom: Rom): ProgramRun = program.start(WatchedRom(rom))
+    }
+
+    private inner class WatchedRom(private val rom: Rom) : Rom by rom {
+        override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) {
+            rom.call(call, sourceLine, sourceFile)
+            if (call.address == RomAddress.SET_LCD_NUMBER && call.arguments.firstOrNull() != RomCode.LCD_PROGRAM) isNumber = true
+            if (call.address != RomAddress.REFRESH_LCD) return
+            shown += Shown(sourceLine, brick.state.glass, isNumber)
+            isNumber = false
+        }
+    }
+}

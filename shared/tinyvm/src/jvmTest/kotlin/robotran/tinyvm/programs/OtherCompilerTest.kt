@@ -1,0 +1,53 @@
+package robotran.tinyvm.programs
+
+import robotran.tinyvm.JavaCompiler
+import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.testPrograms
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+
+/** Class files that the JDK's compiler makes for Java 8 against those that ECJ makes for Java 1.1. */
+class OtherCompilerTest {
+    @Test
+    fun `class files of both compilers run alike`() {
+        val compared = testPrograms.filterValues { isForBoth(Expectations(it)) }.mapNotNull { (path, source) ->
+            compiledByJdk(path, source)?.let { path to compare(path, it, Expectations(source)) }
+        }
+        assertEquals("", compared.flatMap { it.second }.joinToString("\n"))
+        assertTrue(compared.size >= LEAST_COMPARED, "only ${compared.size} programs were compared")
+    }
+
+    /** Those that neither the compiler nor the machine refuses. */
+    private fun isForBoth(expected: Expectations) = !expected.hasMistakes && expected.refused.isEmpty()
+
+    /** Null if it needs a class that only a newer Java has, as some null checks do. */
+    private fun compiledByJdk(path: String, source: String): Map<String, ByteArray>? {
+        val compilation = JavaCompiler.tryToCompile(mapOf(path.substringAfterLast('/').removeSuffix(".java") to source))
+        assertEquals(emptyList(), compilation.errors.filter { "java.util.Objects" !in it }, path)
+        return compilation.classes.takeIf { compilation.errors.isEmpty() }
+    }
+
+    private fun compare(path: String, byJdk: Map<String, ByteArray>, expected: Expectations): List<String> =
+        expected.modes.mapNotNull { mode ->
+            val ecj = log(path, classFilesOf(path), expected, mode)
+            val jdk = log(path, byJdk, expected, mode)
+            val different = ecj.zip(jdk).firstOrNull { it.first != it.second }
+            if (ecj == jdk) null else "$path, $mode: ${different ?: "${ecj.size} calls and ${jdk.size}"}"
+        }
+
+    private fun log(path: String, classes: Map<String, ByteArray>, expected: Expectations, mode: TinyVmMode): List<String> {
+        val program = assertIs<TinyVmResult.Ready>(link(path, classes, mode), path).program
+        return WatchedBrick(program, expected.events).apply { run(expected.runsOnAfter ?: LONGEST) }.log.map(::withoutNumbersOfMethods)
+    }
+
+    /** Which number a method has depends on what else is in a class file, so that what is shown of a failure differs. */
+    private fun withoutNumbersOfMethods(call: String): String = if (call.endsWith("firmware")) call.substringBefore(' ') else call
+
+    private companion object {
+        const val LONGEST = 60_000L
+        const val LEAST_COMPARED = 100
+    }
+}
