@@ -1,5 +1,7 @@
 package robotran.ecj;
 
+import java.math.BigDecimal;
+
 /**
  * Divisions as Java defines them, for ECJ's constants: the build makes ECJ call these. WebAssembly does not throw an exception for a
  * division by 0, nor divide the least number by -1, but ends the whole module, and a pupil may write either.
@@ -25,6 +27,20 @@ public final class Division {
     public static long remainder(long dividend, long divisor) {
         check(divisor == 0);
         return divisor == -1 ? 0 : dividend % divisor;
+    }
+
+    /** Exact, which not every platform's own is. */
+    public static double remainder(double dividend, double divisor) {
+        boolean isPlain = !Double.isNaN(dividend) && !Double.isInfinite(dividend) && !Double.isInfinite(divisor) && dividend != 0;
+        if (!isPlain || divisor == 0 || Double.isNaN(divisor)) {
+            return dividend % divisor;
+        }
+        double rest = new BigDecimal(dividend).remainder(new BigDecimal(divisor)).doubleValue();
+        return rest == 0 ? 0 * dividend : rest;
+    }
+
+    public static float remainder(float dividend, float divisor) {
+        return (float) remainder((double) dividend, (double) divisor);
     }
 
     private static void check(boolean byZero) {

@@ -11,7 +11,7 @@ import org.objectweb.asm.Type
 /**
  * Fits ECJ's class files to a compiler that works in memory, on one thread, on untrusted sources and as WebAssembly: without monitors
  * and pauses, without the methods that need reflection or files, with constant texts kept short enough for a class file, and with
- * divisions that do not end a WebAssembly module.
+ * divisions and decimal numbers that are the same everywhere.
  */
 internal class EcjRewriter {
     private val seen = mutableSetOf<String>()
@@ -41,7 +41,7 @@ internal class EcjRewriter {
                 in EMPTIED_METHODS -> Emptied(target, Type.getArgumentsAndReturnSizes(descriptor) shr 2, Type.getReturnType(descriptor))
                 TEXT_CONSTANT -> BoundedText(target)
                 FILE_READING -> ReadingByByte(target)
-                else -> WithoutThreads(if (className == CONSTANTS) SafeDivision(target) else target)
+                else -> WithoutPlatform(if (className == CONSTANTS) SafeDivision(target) else target)
             }
         }
     }
@@ -126,6 +126,8 @@ internal class EcjRewriter {
             Opcodes.LDIV -> divide("quotient", "(JJ)J")
             Opcodes.IREM -> divide("remainder", "(II)I")
             Opcodes.LREM -> divide("remainder", "(JJ)J")
+            Opcodes.FREM -> divide("remainder", "(FF)F")
+            Opcodes.DREM -> divide("remainder", "(DD)D")
             else -> super.visitInsn(opcode)
         }
 
@@ -133,14 +135,18 @@ internal class EcjRewriter {
             visitMethodInsn(Opcodes.INVOKESTATIC, "robotran/ecj/Division", method, descriptor, false)
     }
 
-    private class WithoutThreads(target: MethodVisitor) : MethodVisitor(Opcodes.ASM9, target) {
+    /** Leaves out what is about threads, and reads and writes decimal numbers exactly. */
+    private class WithoutPlatform(target: MethodVisitor) : MethodVisitor(Opcodes.ASM9, target) {
         override fun visitInsn(opcode: Int) {
             val monitor = opcode == Opcodes.MONITORENTER || opcode == Opcodes.MONITOREXIT
             super.visitInsn(if (monitor) Opcodes.POP else opcode)
         }
 
         override fun visitMethodInsn(opcode: Int, owner: String, name: String, descriptor: String, isInterface: Boolean) {
-            if ("$owner.$name" in THREAD_CALLS) {
+            val exact = EXACT_CALLS["$owner.$name$descriptor"]
+            if (exact != null) {
+                super.visitMethodInsn(Opcodes.INVOKESTATIC, exact.first, exact.second, descriptor, false)
+            } else if ("$owner.$name" in THREAD_CALLS) {
                 Type.getArgumentTypes(descriptor).forEach { super.visitInsn(if (it.size == 2) Opcodes.POP2 else Opcodes.POP) }
                 if (opcode != Opcodes.INVOKESTATIC) super.visitInsn(Opcodes.POP)
             } else {
@@ -167,6 +173,14 @@ internal class EcjRewriter {
         val THREAD_CALLS = setOf(
             "java/lang/Object.wait", "java/lang/Object.notify", "java/lang/Object.notifyAll", "java/lang/Thread.sleep",
             "java/lang/Thread.start", "java/lang/Thread.yield", "java/lang/Thread.join",
+        )
+
+        /** What is the same on every platform, in the place of what is not. */
+        val EXACT_CALLS = mapOf(
+            "java/lang/Float.valueOf(Ljava/lang/String;)Ljava/lang/Float;" to ("robotran/ecj/DecimalReader" to "floatOf"),
+            "java/lang/Double.valueOf(Ljava/lang/String;)Ljava/lang/Double;" to ("robotran/ecj/DecimalReader" to "doubleOf"),
+            "java/lang/String.valueOf(F)Ljava/lang/String;" to ("robotran/ecj/DecimalText" to "of"),
+            "java/lang/String.valueOf(D)Ljava/lang/String;" to ("robotran/ecj/DecimalText" to "of"),
         )
 
         /** The class that works out what is known before a program runs. */

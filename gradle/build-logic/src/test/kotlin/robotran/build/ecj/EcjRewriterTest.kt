@@ -46,6 +46,19 @@ class EcjRewriterTest {
     }
 
     @Test
+    fun `decimal numbers are read by the reader that is exact everywhere`() {
+        val rewritten = rewriter.rewrite(
+            classWith("Some", "work", "()V") {
+                it.visitLdcInsn("0.1")
+                it.visitMethodInsn(Opcodes.INVOKESTATIC, "java/lang/Float", "valueOf", "(Ljava/lang/String;)Ljava/lang/Float;", false)
+                it.visitInsn(Opcodes.POP)
+                it.visitInsn(Opcodes.RETURN)
+            },
+        )
+        assertContains(String(rewritten, Charsets.ISO_8859_1), "robotran/ecj/DecimalReader")
+    }
+
+    @Test
     fun `a text constant beyond what a class file holds is refused`() {
         val owner = "org/eclipse/jdt/internal/compiler/impl/StringConstant"
         val descriptor = "(Ljava/lang/String;)Ljava/lang/String;"
