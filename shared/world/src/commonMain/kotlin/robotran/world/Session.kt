@@ -146,6 +146,7 @@ class Session(val world: World, programs: List<RcxProgram?>, physics: PhysicsEng
         robot = simulation.robot,
         ink = simulation.ink,
         bumps = simulation.bumps,
+        remarks = remarks,
         romCalls = romLog.total.toInt(),
     )
 

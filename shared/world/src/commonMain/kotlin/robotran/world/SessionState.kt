@@ -1,6 +1,7 @@
 package robotran.world
 
 import robotran.rom.BrickState
+import robotran.rom.ProgramRemark
 
 /**
  * Everything there is to see of a session at one moment; never changes once given out.
@@ -10,6 +11,7 @@ import robotran.rom.BrickState
  * @property robot where the penbot is and what its parts do.
  * @property ink what has been drawn so far.
  * @property bumps how often a bumper has touched something.
+ * @property remarks what the program that runs or ran last has to say to its pupil.
  * @property romCalls how many ROM calls have been made.
  */
 data class SessionState(
@@ -18,6 +20,7 @@ data class SessionState(
     val robot: RobotState,
     val ink: Ink,
     val bumps: Int,
+    val remarks: List<ProgramRemark>,
     val romCalls: Int,
 )
 

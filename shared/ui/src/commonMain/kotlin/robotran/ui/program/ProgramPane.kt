@@ -28,6 +28,7 @@ internal fun ProgramPane(state: WorkshopState, mostMistakes: Int, onEvent: (Work
         if (state.mistakes.isNotEmpty()) {
             MistakeList(state.mistakes, state.program.files.size > 1, mostMistakes, state.mistakePointedOut, { onEvent(WorkshopEvent.FixApplied(it)) })
         }
+        if (state.remarks.isNotEmpty()) RemarkList(state.remarks, mostMistakes)
         state.closedProgram?.let { ClosedProgram(it.name, state.hasRoom) { onEvent(WorkshopEvent.ProgramReopened) } }
     }
 }

@@ -45,7 +45,7 @@ internal fun RunBar(
         verticalAlignment = Alignment.CenterVertically,
     ) {
         RunButton(pulsing = state.untouched && state.status == WorkshopStatus.Ready, onClick = { onEvent(WorkshopEvent.RunPressed) })
-        StopButton(enabled = state.running, onClick = { onEvent(WorkshopEvent.StopPressed) })
+        StopButton(enabled = state.stoppable, onClick = { onEvent(WorkshopEvent.StopPressed) })
         Status(state, Modifier.weight(1f))
         more()
     }

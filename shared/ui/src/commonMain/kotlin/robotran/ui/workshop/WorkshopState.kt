@@ -4,6 +4,7 @@ import androidx.compose.runtime.Immutable
 import robotran.programs.Mistake
 import robotran.rom.Brick
 import robotran.rom.BrickButton
+import robotran.rom.ProgramRemark
 import robotran.rom.RunState
 import robotran.world.SessionState
 import robotran.world.World
@@ -51,6 +52,12 @@ data class WorkshopState(
 
     /** The text that is shown. */
     val programText: String get() = file.text
+
+    /** What there is to learn from the last run of the program shown, the first thing first; empty once it has been changed. */
+    val remarks: List<ProgramRemark> get() = if (changed || session.brick.selectedSlot != shownProgram) emptyList() else session.remarks
+
+    /** Whether there is anything to stop: a program that runs, or that shows why it cannot go on. */
+    val stoppable: Boolean get() = running || session.brick.run is RunState.Failed && session.brick.explanation != null
 
     val running: Boolean get() = session.brick.run is RunState.Running
 

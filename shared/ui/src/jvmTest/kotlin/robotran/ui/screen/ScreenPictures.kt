@@ -6,9 +6,12 @@ import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.EncodedImageFormat
 import robotran.rom.BrickButton
 import robotran.ui.RobotranApp
+import robotran.ui.lejosExampleTexts
 import robotran.ui.openWorkshop
 import robotran.ui.sheet.sheetPng
 import robotran.ui.workshop.Pane
+import robotran.ui.workshop.ProgramLanguage
+import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.WorkshopEvent
 import java.io.File
@@ -64,6 +67,34 @@ class ScreenPictures {
                 }
                 workshop.handle(WorkshopEvent.SoundSwitched(on = false))
                 photograph(workshop, screen, dark, "$name-off")
+                workshop.close()
+            }
+        }
+    }
+
+    @Test
+    fun `programs in Java can be photographed`() {
+        for (screen in listOf(Screen.PHONE, Screen.TABLET, Screen.LAPTOP)) {
+            for (dark in listOf(false, true)) {
+                val name = "${screen.name.lowercase()}-${if (dark) "dark" else "light"}-java"
+                val workshop = newWorkshop()
+                val example = "WallBouncer.java"
+                workshop.handle(WorkshopEvent.ProgramAdded(PupilProgram(example, lejosExampleTexts.getValue(example))))
+                workshop.handle(WorkshopEvent.ProgramBegun(ProgramLanguage.JAVA))
+                workshop.handle(WorkshopEvent.ClassAdded)
+                workshop.handle(WorkshopEvent.FileChosen(0))
+                workshop.handle(WorkshopEvent.RunPressed)
+                workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                photograph(workshop, screen, dark, "$name-compiling")
+                runBlocking { workshop.readPrograms() }
+                workshop.advance(HALF_DRAWN / 4)
+                workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                photograph(workshop, screen, dark, "$name-running")
+                workshop.handle(WorkshopEvent.ProgramEdited(workshop.state.programText.replace("Thread.sleep(2000);", "System.out.println(7)")))
+                runBlocking { workshop.readPrograms() }
+                workshop.handle(WorkshopEvent.ProgramClosed(0))
+                workshop.handle(WorkshopEvent.ProgramChosen(1))
+                photograph(workshop, screen, dark, "$name-mistakes")
                 workshop.close()
             }
         }

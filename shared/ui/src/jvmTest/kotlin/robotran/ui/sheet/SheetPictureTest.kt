@@ -102,6 +102,7 @@ class SheetPictureTest {
         robot = RobotState(Pose(40.0, 30.0, heading), 0.0, 0.0, penDown, leftBumper, false),
         ink = if (ink.isEmpty()) Ink.NONE else Ink(listOf(InkStroke(ink)), 0.0),
         bumps = 0,
+        remarks = emptyList(),
         romCalls = 0,
     )
 }

@@ -29,6 +29,12 @@ class WorkshopPropertyTest {
         Arb.element("pen down\nforward 5", "forwrd 3", "repeat 3 times\n beep\nend", "", "wait 9 seconds")
             .map(WorkshopEvent::ProgramEdited),
         Arb.string(0..30).map(WorkshopEvent::ProgramEdited),
+        Arb.enum<ProgramLanguage>().map(WorkshopEvent::ProgramBegun),
+        Arb.int(-1..5).map(WorkshopEvent::ProgramChosen),
+        Arb.int(-1..5).map(WorkshopEvent::FileChosen),
+        Arb.int(-1..5).map(WorkshopEvent::ProgramClosed),
+        Arb.constant(WorkshopEvent.ClassAdded),
+        Arb.constant(WorkshopEvent.ProgramReopened),
     )
 
     @Test
@@ -41,6 +47,8 @@ class WorkshopPropertyTest {
             }
             workshop.handle(WorkshopEvent.StopPressed)
             assertFalse(workshop.state.running)
+            workshop.handle(WorkshopEvent.ProgramClosed(0))
+            workshop.handle(WorkshopEvent.ProgramBegun(ProgramLanguage.ROBOLANG))
             workshop.handle(WorkshopEvent.ProgramEdited("pen down\nforward 5"))
             workshop.handle(WorkshopEvent.RunPressed)
             assertTrue(workshop.state.running)

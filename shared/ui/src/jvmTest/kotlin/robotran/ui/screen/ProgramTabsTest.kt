@@ -1,0 +1,70 @@
+package robotran.ui.screen
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertIsNotSelected
+import androidx.compose.ui.test.assertIsSelected
+import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.onAllNodesWithTag
+import androidx.compose.ui.test.onFirst
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performScrollTo
+import kotlinx.coroutines.runBlocking
+import robotran.ui.workshop.ProgramLanguage
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+@OptIn(ExperimentalTestApi::class)
+class ProgramTabsTest {
+    @Test
+    fun `a Java program is two touches away, and Run lets it drive`() = onTablet { workshop ->
+        onNodeWithTag("add-program").performClick()
+        pass(500)
+        onNodeWithTag("new-java").performClick()
+        pass(500)
+        assertEquals(ProgramLanguage.JAVA, workshop.state.program.language)
+        onNodeWithTag("program").assertTextContains("Motor.A.forward();", substring = true)
+        onNodeWithTag("program-1").assertIsSelected()
+        onNodeWithTag("program-0").assertIsNotSelected()
+        runBlocking { workshop.readPrograms() }
+        onNodeWithTag("run").performClick()
+        pass(500)
+        assertTrue(workshop.state.running)
+    }
+
+    @Test
+    fun `an example is added beside what is there, and what was closed comes back`() = onTablet { workshop ->
+        onNodeWithTag("add-program").performClick()
+        pass(500)
+        onNodeWithTag("example-Melody.java").performScrollTo().performClick()
+        pass(500)
+        assertEquals(listOf("square.robo", "Melody.java"), workshop.state.programs.map { it.name })
+        onNodeWithTag("close-program").performClick()
+        pass(200)
+        onNodeWithText("Melody.java is closed.").assertIsDisplayed()
+        onNodeWithTag("reopen-program").performClick()
+        pass(200)
+        assertEquals("Melody.java", workshop.state.programName)
+        assertEquals(0, onAllNodesWithTag("closed-program").fetchSemanticsNodes().size)
+    }
+
+    @Test
+    fun `a phone has the programs above the text`() = onPhone { workshop ->
+        onNodeWithTag("tab-program").performClick()
+        pass(300)
+        onNodeWithTag("add-program").performClick()
+        pass(500)
+        onNodeWithTag("new-robolang").performClick()
+        pass(500)
+        onNodeWithTag("program-0").performClick()
+        pass(200)
+        assertEquals("square.robo", workshop.state.programName)
+        for (tag in listOf("program-0", "program-1", "close-program", "add-program")) {
+            val place = onAllNodesWithTag(tag).onFirst().fetchSemanticsNode().touchBoundsInRoot
+            assertTrue(place.width >= 48f && place.height >= 48f, "$tag is only ${place.size}")
+        }
+    }
+}

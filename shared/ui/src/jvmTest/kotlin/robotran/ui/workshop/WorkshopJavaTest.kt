@@ -1,0 +1,164 @@
+package robotran.ui.workshop
+
+import kotlinx.coroutines.runBlocking
+import robotran.rom.BrickButton
+import robotran.ui.lejosExampleTexts
+import robotran.ui.openWorkshop
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
+
+class WorkshopJavaTest {
+    private val firstDrive = PupilProgram("FirstDrive.java", lejosExampleTexts.getValue("FirstDrive.java"))
+
+    @Test
+    fun `a Java program is compiled and drives`() = workshop(firstDrive) { workshop ->
+        workshop.readPrograms()
+        assertEquals(WorkshopStatus.Ready, workshop.state.status)
+        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.advance(1000)
+        assertEquals(WorkshopStatus.Running(line = 8), workshop.state.status)
+        assertEquals(8, workshop.state.runningLine)
+        workshop.advance(2000)
+        assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)
+        assertTrue(workshop.state.session.robot.pose.x > workshop.state.world.start.x + 30)
+    }
+
+    @Test
+    fun `a program that is run before it was compiled runs as soon as it is`() = workshop(firstDrive) { workshop ->
+        workshop.handle(WorkshopEvent.RunPressed)
+        assertEquals(WorkshopStatus.Compiling, workshop.state.status)
+        workshop.readPrograms()
+        assertTrue(workshop.state.running)
+    }
+
+    @Test
+    fun `who changes the program or presses Stop meanwhile does not wait for it any more`() = workshop(firstDrive) { workshop ->
+        for (event in listOf(WorkshopEvent.StopPressed, WorkshopEvent.ProgramEdited("class A {}"))) {
+            workshop.handle(WorkshopEvent.RunPressed)
+            workshop.handle(event)
+            workshop.readPrograms()
+            assertEquals(false, workshop.state.running)
+        }
+    }
+
+    @Test
+    fun `the sample of the paper is told why the robot stands still`() = workshop(mainOf("Motor.A.forward(); Motor.C.forward();")) { workshop ->
+        workshop.readPrograms()
+        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.advance(500)
+        assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)
+        assertContains(workshop.state.session.brick.explanation.orEmpty(), "has come to its end")
+    }
+
+    @Test
+    fun `Stop ends an endless loop at once`() = workshop(mainOf("while (true) { }")) { workshop ->
+        workshop.readPrograms()
+        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.advance(1000)
+        assertTrue(workshop.state.running)
+        workshop.handle(WorkshopEvent.StopPressed)
+        assertEquals(WorkshopStatus.Ended(stopped = true), workshop.state.status)
+    }
+
+    @Test
+    fun `a mistake is told with its line and mended by its fix`() = workshop(mainOf("Motor.A.forward()")) { workshop ->
+        workshop.readPrograms()
+        assertEquals(WorkshopStatus.Mistaken(line = 4), workshop.state.status)
+        workshop.handle(WorkshopEvent.RunPressed)
+        assertTrue(workshop.state.mistakePointedOut)
+        workshop.handle(WorkshopEvent.FixApplied(workshop.state.mistakes.single()))
+        workshop.readPrograms()
+        assertEquals(emptyList(), workshop.state.mistakes)
+        assertContains(workshop.state.programText, "Motor.A.forward();")
+    }
+
+    @Test
+    fun `a program of several files tells which file it is in`() {
+        val helper = ProgramFile("Helper.java", "class Helper {\n    static int half(int number) {\n        return number / 0;\n    }\n}\n")
+        val program = PupilProgram(mainOf("LCD.showNumber(Helper.half(8));").files + helper)
+        workshop(program) { workshop ->
+            workshop.readPrograms()
+            workshop.handle(WorkshopEvent.RunPressed)
+            workshop.advance(1000)
+            val status = workshop.state.status as WorkshopStatus.Failed
+            assertEquals("Helper.java" to 3, status.file to status.line)
+            workshop.handle(WorkshopEvent.FileChosen(1))
+            workshop.handle(WorkshopEvent.ProgramEdited("class Helper { hop }"))
+            workshop.readPrograms()
+            assertEquals("Helper.java", workshop.state.mistakes.first().file)
+        }
+    }
+
+    @Test
+    fun `where a brick calculates otherwise the pupil is told`() = workshop(mainOf("int a = 70000; LCD.showNumber(200000 / a);")) { workshop ->
+        workshop.readPrograms()
+        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.advance(500)
+        assertEquals(listOf(4), workshop.state.remarks.map { it.sourceLine })
+        workshop.handle(WorkshopEvent.ProgramEdited(workshop.state.programText + "\n"))
+        assertEquals(emptyList(), workshop.state.remarks)
+    }
+
+    @Test
+    fun `a new Java program can run as it is`() = workshop(firstDrive) { workshop ->
+        workshop.handle(WorkshopEvent.ProgramBegun(ProgramLanguage.JAVA))
+        assertEquals("Program.java", workshop.state.programName)
+        workshop.handle(WorkshopEvent.ClassAdded)
+        assertEquals(listOf("Program.java", "Helper.java"), workshop.state.program.files.map { it.name })
+        workshop.readPrograms()
+        assertEquals(emptyList(), workshop.state.mistakes)
+        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.advance(1000)
+        assertTrue(workshop.state.running)
+        assertEquals(1, workshop.state.session.brick.selectedSlot)
+    }
+
+    @Test
+    fun `Prgm on the brick chooses among the programs, in whatever language`() =
+        workshop(PupilProgram("beep.robo", "beep"), firstDrive) { workshop ->
+            workshop.readPrograms()
+            tap(workshop, BrickButton.PRGM)
+            tap(workshop, BrickButton.RUN)
+            workshop.advance(1000)
+            assertTrue(workshop.state.running)
+            assertEquals(0, workshop.state.runningLine)
+            workshop.handle(WorkshopEvent.ProgramChosen(1))
+            assertEquals(8, workshop.state.runningLine)
+        }
+
+    @Test
+    fun `five programs fit, and one that was closed can be brought back`() = workshop(firstDrive) { workshop ->
+        repeat(6) { workshop.handle(WorkshopEvent.ProgramBegun(ProgramLanguage.ROBOLANG)) }
+        assertEquals(5, workshop.state.programs.size)
+        assertEquals(workshop.state.programs.size, workshop.state.programs.map { it.name }.toSet().size)
+        workshop.handle(WorkshopEvent.ProgramChosen(0))
+        workshop.handle(WorkshopEvent.ProgramClosed(0))
+        assertEquals("program.robo", workshop.state.programName)
+        workshop.handle(WorkshopEvent.ProgramReopened)
+        assertEquals(firstDrive, workshop.state.program)
+        assertNull(workshop.state.closedProgram)
+        repeat(6) { workshop.handle(WorkshopEvent.ProgramClosed(0)) }
+        assertEquals(1, workshop.state.programs.size)
+    }
+
+    private fun mainOf(body: String) = PupilProgram(
+        "Mine.java",
+        "import josx.platform.rcx.*;\npublic class Mine {\n    public static void main(String[] args) {\n        $body\n    }\n}\n",
+    )
+
+    private fun tap(workshop: Workshop, button: BrickButton) {
+        workshop.handle(WorkshopEvent.ButtonPressed(button))
+        workshop.advance(100)
+        workshop.handle(WorkshopEvent.ButtonReleased(button))
+        workshop.advance(100)
+    }
+
+    private fun workshop(vararg programs: PupilProgram, check: suspend (Workshop) -> Unit) = runBlocking {
+        val workshop = openWorkshop(programs.toList())
+        check(workshop)
+        workshop.close()
+    }
+}
