@@ -62,7 +62,7 @@ class TranslatedPoseTest {
         const val MOST_CENTIMETRES = 0.2
         const val MOST_DEGREES = 2.0
 
-        /** Turns 45 times: how its wheels slip each time depends on the millisecond at which they begin. */
+        /** Turns 138 times: how its wheels slip each time depends on the millisecond at which they begin. */
         val TURNING_LONG = mapOf("flower.robo" to 1.0)
         const val FULL_TURN = 360.0
         const val LEAST_COMPARED = 150

@@ -10,7 +10,6 @@ import androidx.compose.ui.test.onFirst
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
-import androidx.compose.ui.test.performScrollTo
 import kotlinx.coroutines.runBlocking
 import robotran.ui.workshop.ProgramLanguage
 import kotlin.test.Test
@@ -39,15 +38,15 @@ class ProgramTabsTest {
     fun `an example is added beside what is there, and what was closed comes back`() = onTablet { workshop ->
         onNodeWithTag("add-program").performClick()
         pass(500)
-        onNodeWithTag("example-Melody.java").performScrollTo().performClick()
+        onNodeWithTag("example-countdown.robo").performClick()
         pass(500)
-        assertEquals(listOf("square.robo", "Melody.java"), workshop.state.programs.map { it.name })
+        assertEquals(listOf("square.robo", "countdown.robo"), workshop.state.programs.map { it.name })
         onNodeWithTag("close-program").performClick()
         pass(200)
-        onNodeWithText("Melody.java is closed.").assertIsDisplayed()
+        onNodeWithText("countdown.robo is closed.").assertIsDisplayed()
         onNodeWithTag("reopen-program").performClick()
         pass(200)
-        assertEquals("Melody.java", workshop.state.programName)
+        assertEquals("countdown.robo", workshop.state.programName)
         assertEquals(0, onAllNodesWithTag("closed-program").fetchSemanticsNodes().size)
     }
 
