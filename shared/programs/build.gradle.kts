@@ -1,6 +1,7 @@
 plugins {
     id("robotran.core")
     id("robotran.ecj-web")
+    id("robotran.physics-web")
     id("robotran.texts")
 }
 
@@ -18,6 +19,9 @@ kotlin {
             api(project(":shared:tinyvm"))
             api(project(":shared:java-compiler"))
             implementation(project(":shared:lejos-library"))
+        }
+        commonTest.dependencies {
+            implementation(project(":shared:world"))
         }
     }
 }

@@ -52,6 +52,6 @@ class RootPlugin : Plugin<Project> {
             it.include(pattern)
             it.exclude("build/**", "*/build/**", "shared/*/build/**", "**/.*/**", "gradle/**")
             // Java for the brick, not for the computer.
-            it.exclude("**/src/brick/**", "**/src/*/programs/**")
+            it.exclude("**/src/brick/**", "**/src/*/resources/**")
         }
 }

@@ -20,7 +20,8 @@ internal class StandingClockRom(private val sensors: List<SensorEvent>) : Rom {
 
     override val memory = RcxMemory()
 
-    override var milliseconds: Long = 0
+    /** A brick that runs a program has been on for some time. */
+    override var milliseconds: Long = 1
 
     override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) {
         if (sourceLine > 0) calls += TimedCall(milliseconds, call.withoutPlaces())

@@ -40,9 +40,10 @@ class ProgramsTest {
         val run = program.start(rom)
         while (rom.milliseconds < 60_000) {
             when (val status = run.resume(1)) {
-                ProgramStatus.Running, is ProgramStatus.Paused -> Unit
+                ProgramStatus.Running, is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> Unit
                 is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
                 ProgramStatus.Ended -> return emptyList()
+                is ProgramStatus.ThreadFailed -> error("Robolang has no threads.")
                 is ProgramStatus.Failed -> return listOf("${program.name}:${status.failure.sourceLine} ${status.failure.message}")
             }
         }

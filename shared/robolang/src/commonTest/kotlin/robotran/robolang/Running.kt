@@ -35,9 +35,10 @@ internal fun runOn(rom: RecordingRom, program: RcxProgram, steps: Int = STEPS): 
     repeat(MOST_RESUMES) {
         when (val status = run.resume(steps)) {
             ProgramStatus.Running -> Unit
-            is ProgramStatus.Paused -> throw AssertionError("Nobody wanted a pause.")
+            is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> throw AssertionError("A pause or a thread: $status")
             ProgramStatus.Ended -> return null
             is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
+            is ProgramStatus.ThreadFailed -> throw AssertionError("Robolang has no threads.")
             is ProgramStatus.Failed -> return status.failure
         }
     }

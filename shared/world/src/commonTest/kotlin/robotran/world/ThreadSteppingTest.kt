@@ -48,6 +48,14 @@ class ThreadSteppingTest {
     }
 
     @Test
+    fun `a step while all threads sleep stops behind the sleep`() = runTest {
+        val session = started()
+        session.advance(80)
+        assertEquals(listOf(CallFrame("Stepped.main", 21)), session.callStack)
+        assertEquals(listOf(22), session.lines(StepKind.INTO))
+    }
+
+    @Test
     fun `a step out stays with its thread`() = runTest {
         val session = started()
         session.runTo(13)

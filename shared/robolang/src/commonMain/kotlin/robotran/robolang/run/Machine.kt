@@ -17,12 +17,17 @@ internal class Machine(
     val lists = Lists(messages)
     val globals = IntArray(code.globals)
 
-    /** Seeded as `new Random()` is on a brick: with the clock at the program's start. */
-    val random = LejosRandom(rom.milliseconds.toInt())
+    /** Seeded with the clock at the program's start, and not to the millisecond: a translation gets to it a little later than we do. */
+    val random = LejosRandom(rom.milliseconds.toInt() / SEED_MILLISECONDS)
 
     /** Whether the conditions of the behaviours are looked at: from when the variables that they can know are declared. */
     var isWatching = false
 
     /** Whether a `halt` has been executed. */
     var isHalted = false
+
+    private companion object {
+        /** Translations divide by it, too. */
+        const val SEED_MILLISECONDS = 64
+    }
 }

@@ -36,15 +36,16 @@ internal enum class JavaHelper(
     ROUND_HALF_UP("roundHalfUp", Numbers.ROUND_HALF_UP),
     WAIT_SECONDS("waitSeconds", Moves.WAIT_SECONDS, listOf(ROUND_HALF_UP)),
     WAIT_MILLISECONDS("waitMilliseconds", Moves.WAIT_MILLISECONDS, listOf(ROUND_HALF_UP)),
-    STOP_AFTER("stopAfter", Moves.STOP_AFTER, listOf(ROUND_HALF_UP), reactingText = Reacting.STOP_AFTER),
-    FORWARD_CENTIMETRES("forwardCentimetres", Moves.FORWARD_CENTIMETRES, listOf(CENTIMETRE, STOP_AFTER)),
-    BACKWARD_CENTIMETRES("backwardCentimetres", Moves.BACKWARD_CENTIMETRES, listOf(CENTIMETRE, STOP_AFTER)),
-    FORWARD_SECONDS("forwardSeconds", Moves.FORWARD_SECONDS, listOf(STOP_AFTER)),
-    BACKWARD_SECONDS("backwardSeconds", Moves.BACKWARD_SECONDS, listOf(STOP_AFTER)),
-    LEFT_DEGREES("turnLeftDegrees", Moves.LEFT_DEGREES, listOf(DEGREE, STOP_AFTER)),
-    RIGHT_DEGREES("turnRightDegrees", Moves.RIGHT_DEGREES, listOf(DEGREE, STOP_AFTER)),
-    LEFT_SECONDS("turnLeftSeconds", Moves.LEFT_SECONDS, listOf(STOP_AFTER)),
-    RIGHT_SECONDS("turnRightSeconds", Moves.RIGHT_SECONDS, listOf(STOP_AFTER)),
+    DURATION_OF("durationOf", Moves.DURATION_OF, listOf(ROUND_HALF_UP)),
+    STOP_AT("stopAt", Moves.STOP_AT, reactingText = Reacting.STOP_AT),
+    FORWARD_CENTIMETRES("forwardCentimetres", Moves.FORWARD_CENTIMETRES, listOf(CENTIMETRE, DURATION_OF, STOP_AT)),
+    BACKWARD_CENTIMETRES("backwardCentimetres", Moves.BACKWARD_CENTIMETRES, listOf(CENTIMETRE, DURATION_OF, STOP_AT)),
+    FORWARD_SECONDS("forwardSeconds", Moves.FORWARD_SECONDS, listOf(DURATION_OF, STOP_AT)),
+    BACKWARD_SECONDS("backwardSeconds", Moves.BACKWARD_SECONDS, listOf(DURATION_OF, STOP_AT)),
+    LEFT_DEGREES("turnLeftDegrees", Moves.LEFT_DEGREES, listOf(DEGREE, DURATION_OF, STOP_AT)),
+    RIGHT_DEGREES("turnRightDegrees", Moves.RIGHT_DEGREES, listOf(DEGREE, DURATION_OF, STOP_AT)),
+    LEFT_SECONDS("turnLeftSeconds", Moves.LEFT_SECONDS, listOf(DURATION_OF, STOP_AT)),
+    RIGHT_SECONDS("turnRightSeconds", Moves.RIGHT_SECONDS, listOf(DURATION_OF, STOP_AT)),
     PEN_DOWN("penDown", Moves.PEN_DOWN, listOf(PEN_TIME), reactingText = Reacting.PEN_DOWN),
     PEN_UP("penUp", Moves.PEN_UP, listOf(PEN_TIME), reactingText = Reacting.PEN_UP),
     POWER_BOTH("power", Moves.POWER_BOTH),
@@ -80,7 +81,7 @@ internal enum class JavaHelper(
 
         /** No variable of a program may be called like one of these. */
         val FIELDS: Set<String> = entries.filter { it.isField }.map { it.called }.toSet() +
-            setOf("mainThread", "watchingThread", "mainIsPaused", "actionIsSuppressed", "takenOver")
+            setOf("mainThread", "watchingThread", "mainIsPaused", "mainStandsStill", "actionIsSuppressed", "takenOver")
 
         /** No routine of a program may be called like one of these. */
         val METHODS: Set<String> = entries.filterNot { it.isField }.map { it.called }.toSet() +

@@ -2,15 +2,23 @@ package robotran.robolang.translate
 
 /** The Java of the helpers that move the robot and let time pass. Each makes the calls that the interpreter makes, in its order. */
 internal object JavaMoveTexts {
-    const val STOP_AFTER = """/** Lets the wheels turn for a while, then stops them. */
-static void stopAfter(float milliseconds) throws InterruptedException {
-    Thread.sleep(roundHalfUp(milliseconds < 0 ? -milliseconds : milliseconds));
+    const val DURATION_OF = """/** How long the wheels turn: whole milliseconds, without a minus. */
+static int durationOf(float milliseconds) {
+    return roundHalfUp(milliseconds < 0 ? -milliseconds : milliseconds);
+}"""
+
+    const val STOP_AT = """/** Lets the wheels turn until the brick's clock shows this time, then stops them. */
+static void stopAt(int time) throws InterruptedException {
+    int left = time - (int) System.currentTimeMillis();
+    if (left > 0) Thread.sleep(left);
     Motor.A.stop();
     Motor.C.stop();
 }"""
 
     const val FORWARD_CENTIMETRES = """/** Drives ahead, or back if there is a minus. */
 static void forwardCentimetres(float distance) throws InterruptedException {
+    int duration = durationOf(distance * MILLISECONDS_PER_CENTIMETRE);
+    int start = (int) System.currentTimeMillis();
     if (distance < 0) {
         Motor.A.backward();
         Motor.C.backward();
@@ -18,11 +26,13 @@ static void forwardCentimetres(float distance) throws InterruptedException {
         Motor.A.forward();
         Motor.C.forward();
     }
-    stopAfter(distance * MILLISECONDS_PER_CENTIMETRE);
+    stopAt(start + duration);
 }"""
 
     const val BACKWARD_CENTIMETRES = """/** Drives back, or ahead if there is a minus. */
 static void backwardCentimetres(float distance) throws InterruptedException {
+    int duration = durationOf(distance * MILLISECONDS_PER_CENTIMETRE);
+    int start = (int) System.currentTimeMillis();
     if (distance < 0) {
         Motor.A.forward();
         Motor.C.forward();
@@ -30,11 +40,13 @@ static void backwardCentimetres(float distance) throws InterruptedException {
         Motor.A.backward();
         Motor.C.backward();
     }
-    stopAfter(distance * MILLISECONDS_PER_CENTIMETRE);
+    stopAt(start + duration);
 }"""
 
     const val LEFT_DEGREES = """/** Turns on the spot to the left, or to the right if there is a minus. */
 static void turnLeftDegrees(float angle) throws InterruptedException {
+    int duration = durationOf(angle * MILLISECONDS_PER_DEGREE);
+    int start = (int) System.currentTimeMillis();
     if (angle < 0) {
         Motor.A.forward();
         Motor.C.backward();
@@ -42,11 +54,13 @@ static void turnLeftDegrees(float angle) throws InterruptedException {
         Motor.A.backward();
         Motor.C.forward();
     }
-    stopAfter(angle * MILLISECONDS_PER_DEGREE);
+    stopAt(start + duration);
 }"""
 
     const val RIGHT_DEGREES = """/** Turns on the spot to the right, or to the left if there is a minus. */
 static void turnRightDegrees(float angle) throws InterruptedException {
+    int duration = durationOf(angle * MILLISECONDS_PER_DEGREE);
+    int start = (int) System.currentTimeMillis();
     if (angle < 0) {
         Motor.A.backward();
         Motor.C.forward();
@@ -54,35 +68,43 @@ static void turnRightDegrees(float angle) throws InterruptedException {
         Motor.A.forward();
         Motor.C.backward();
     }
-    stopAfter(angle * MILLISECONDS_PER_DEGREE);
+    stopAt(start + duration);
 }"""
 
     const val FORWARD_SECONDS = """/** Drives ahead for a while. */
 static void forwardSeconds(float seconds) throws InterruptedException {
+    int duration = durationOf(seconds * 1000);
+    int start = (int) System.currentTimeMillis();
     Motor.A.forward();
     Motor.C.forward();
-    stopAfter(seconds * 1000);
+    stopAt(start + duration);
 }"""
 
     const val BACKWARD_SECONDS = """/** Drives back for a while. */
 static void backwardSeconds(float seconds) throws InterruptedException {
+    int duration = durationOf(seconds * 1000);
+    int start = (int) System.currentTimeMillis();
     Motor.A.backward();
     Motor.C.backward();
-    stopAfter(seconds * 1000);
+    stopAt(start + duration);
 }"""
 
     const val LEFT_SECONDS = """/** Turns on the spot to the left for a while. */
 static void turnLeftSeconds(float seconds) throws InterruptedException {
+    int duration = durationOf(seconds * 1000);
+    int start = (int) System.currentTimeMillis();
     Motor.A.backward();
     Motor.C.forward();
-    stopAfter(seconds * 1000);
+    stopAt(start + duration);
 }"""
 
     const val RIGHT_SECONDS = """/** Turns on the spot to the right for a while. */
 static void turnRightSeconds(float seconds) throws InterruptedException {
+    int duration = durationOf(seconds * 1000);
+    int start = (int) System.currentTimeMillis();
     Motor.A.forward();
     Motor.C.backward();
-    stopAfter(seconds * 1000);
+    stopAt(start + duration);
 }"""
 
     const val PEN_DOWN = """/** Lowers the pen. */

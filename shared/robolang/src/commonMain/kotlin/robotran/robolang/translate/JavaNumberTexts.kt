@@ -17,7 +17,7 @@ static float remainder(float left, float right) {
 }"""
 
     const val DICE = """/** The brick's clock decides which numbers it throws. */
-static final Random dice = new Random();"""
+static final Random dice = new Random((int) System.currentTimeMillis() / 64);"""
 
     const val RANDOM = """/** A whole number from one to another, both included. */
 static int random(int first, int last) {

@@ -47,15 +47,14 @@ static void pause(int milliseconds) throws InterruptedException {
     giveWay();
 }"""
 
-    const val PAUSE_IN_CONTROL = """/** Lets time pass, but only until a behaviour takes over. */
-static void pauseInControl(int milliseconds) throws InterruptedException {
-    int end = (int) System.currentTimeMillis() + milliseconds;
+    const val PAUSE_IN_CONTROL = """/** Lets time pass until the brick's clock shows this time, but only until a behaviour takes over. */
+static void pauseInControl(int end) throws InterruptedException {
     while (end - (int) System.currentTimeMillis() > 0 && !mustGiveWay()) Thread.sleep(1);
 }"""
 
-    const val STOP_AFTER = """/** Lets the wheels turn for a while, then stops them. */
-static void stopAfter(float milliseconds) throws InterruptedException {
-    pauseInControl(roundHalfUp(milliseconds < 0 ? -milliseconds : milliseconds));
+    const val STOP_AT = """/** Lets the wheels turn until the brick's clock shows this time, then stops them. */
+static void stopAt(int time) throws InterruptedException {
+    pauseInControl(time);
     Motor.A.stop();
     Motor.C.stop();
     giveWay();
@@ -64,7 +63,7 @@ static void stopAfter(float milliseconds) throws InterruptedException {
     const val PEN_DOWN = """/** Lowers the pen. */
 static void penDown() throws InterruptedException {
     Motor.B.forward();
-    pauseInControl(PEN_MILLISECONDS);
+    pauseInControl((int) System.currentTimeMillis() + PEN_MILLISECONDS);
     Motor.B.stop();
     giveWay();
 }"""
@@ -72,7 +71,7 @@ static void penDown() throws InterruptedException {
     const val PEN_UP = """/** Lifts the pen. */
 static void penUp() throws InterruptedException {
     Motor.B.backward();
-    pauseInControl(PEN_MILLISECONDS);
+    pauseInControl((int) System.currentTimeMillis() + PEN_MILLISECONDS);
     Motor.B.stop();
     giveWay();
 }"""

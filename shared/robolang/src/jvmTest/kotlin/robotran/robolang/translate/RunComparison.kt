@@ -50,10 +50,10 @@ internal class RunComparison(private val programs: Map<String, RobolangProgram>)
         while (rom.calls.size < MOST_CALLS && rom.milliseconds <= lastMillisecond(program)) {
             if (steps++ == MOST_STEPS) return null
             when (val status = run.resume(1)) {
-                ProgramStatus.Running, is ProgramStatus.Paused -> Unit
+                ProgramStatus.Running, is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> Unit
                 is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
                 ProgramStatus.Ended -> break
-                is ProgramStatus.Failed -> return null
+                is ProgramStatus.ThreadFailed, is ProgramStatus.Failed -> return null
             }
         }
         return rom.calls.filter { it.milliseconds <= lastMillisecond(program) }.take(MOST_CALLS)

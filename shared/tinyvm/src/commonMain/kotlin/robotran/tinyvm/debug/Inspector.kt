@@ -40,9 +40,13 @@ internal class Inspector(private val machine: Machine) {
         return Statement(line, depth, thread.number, thread.frame.method.owner.sourceFile)
     }
 
+    /** Whether [thread] stands before a statement; one that waits is still in the middle of the statement that it waits in. */
+    fun isBeforeStatement(thread: VmThread?): Boolean =
+        thread != null && thread.depth > 0 && thread.state == ThreadState.READY && thread.frame.isBeforeStatement
+
     /** The program's own methods that [thread] is inside of, the innermost first. */
     fun callStack(thread: VmThread?): List<CallFrame> = ownFrames(thread).map {
-        val line = if (it === thread?.frame) it.upcomingLine else it.line
+        val line = if (it === thread?.frame && isBeforeStatement(thread)) it.upcomingLine else it.line
         CallFrame(nameOf(it), line, it.method.owner.sourceFile)
     }
 

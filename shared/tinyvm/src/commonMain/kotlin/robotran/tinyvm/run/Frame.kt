@@ -24,8 +24,8 @@ internal class Frame {
     /** Whether it stands before a statement rather than in the middle of one. */
     val isBeforeStatement: Boolean get() = body.code.getOrNull(next) == Operation.STATEMENT
 
-    /** The line of the statement it stands before, otherwise the one it is at; only for the innermost frame of a thread. */
-    val upcomingLine: Int get() = if (isBeforeStatement) body.lineAt(next) else line
+    /** The line of the statement it stands before. */
+    val upcomingLine: Int get() = body.lineAt(next)
 
     /** The line it is at. */
     val line: Int get() = body.lineAt(if (next > 0) next - 1 else 0)

@@ -63,8 +63,7 @@ internal class TinyVmRun(
 
     override val sourceFile: String? get() = callStack.firstOrNull()?.sourceFile ?: failures.last?.sourceFile
 
-    override val isBeforeStatement: Boolean
-        get() = focus?.takeIf { it.depth > 0 }?.frame?.isBeforeStatement ?: false
+    override val isBeforeStatement: Boolean get() = inspector.isBeforeStatement(focus)
 
     /** Whom the debugger looks at: the thread that is being executed, otherwise the first. */
     private val focus: VmThread? get() = machine.current?.takeIf { it.isAlive } ?: machine.scheduler.threads.firstOrNull()

@@ -1,0 +1,63 @@
+package robotran.programs
+
+import kotlinx.coroutines.test.runTest
+import robotran.rom.RcxProgram
+import robotran.rom.RunState
+import robotran.world.BuiltInWorlds
+import robotran.world.Pose
+import robotran.world.Session
+import robotran.world.physics.PhysicsEngine
+import robotran.world.physics.loadPhysicsEngine
+import robotran.world.runUnattended
+import kotlin.math.abs
+import kotlin.math.hypot
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
+
+/** When a Robolang program has come to its end, and when its translation has, the robot stands at the same place. */
+class TranslatedPoseTest {
+    private val reader = ProgramReader(testCalibration)
+
+    @Test
+    fun theTranslationOfEveryProgramLeavesTheRobotAtTheSamePlace() = runTest(timeout = 10.minutes) {
+        val physics = loadPhysicsEngine()
+        val differences = mutableListOf<String>()
+        var compared = 0
+        for ((path, text) in robolangExamples + robolangPrograms) {
+            val program = robolangOf(path, text) ?: continue
+            val java = (reader.translated(program) as? ProgramResult.Ready)?.program ?: continue
+            val interpreted = drive(program, physics)
+            if (!interpreted.ended) continue
+            compared++
+            differenceOf(interpreted.pose, drive(java, physics).pose)?.let { differences += "$path: $it" }
+        }
+        assertEquals("", differences.joinToString("\n"))
+        assertTrue(compared >= LEAST_COMPARED, "only $compared programs were compared")
+    }
+
+    private fun drive(program: RcxProgram, physics: PhysicsEngine): Drive {
+        val session = Session(BuiltInWorlds.plain, listOf(program), physics)
+        session.runUnattended(MILLISECONDS)
+        session.close()
+        return Drive(session.state.robot.pose, ended = session.state.brick.run is RunState.Ended)
+    }
+
+    private fun differenceOf(interpreted: Pose, translated: Pose): String? {
+        val distance = hypot(interpreted.x - translated.x, interpreted.y - translated.y)
+        val turned = abs(interpreted.heading - translated.heading).let { minOf(it, FULL_TURN - it) }
+        return if (distance <= MOST_CENTIMETRES && turned <= MOST_DEGREES) null else "$interpreted, translated $translated"
+    }
+
+    private class Drive(val pose: Pose, val ended: Boolean)
+
+    private companion object {
+        /** Longer than any of the programs that end by themselves. */
+        const val MILLISECONDS = 300_000
+        const val MOST_CENTIMETRES = 0.2
+        const val MOST_DEGREES = 2.0
+        const val FULL_TURN = 360.0
+        const val LEAST_COMPARED = 150
+    }
+}
