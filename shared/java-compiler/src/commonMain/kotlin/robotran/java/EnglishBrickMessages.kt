@@ -54,7 +54,7 @@ internal object EnglishBrickMessages : BrickMessages {
         AbsentFromBrick.PARSING -> "The brick cannot read numbers from texts."
         AbsentFromBrick.WRAPPERS -> "Use boolean, char, int or float itself."
         AbsentFromBrick.WRITING_NUMBERS -> "\"\" + number makes a text of a number. LCD.showNumber(number) shows it without one."
-        AbsentFromBrick.SYSTEM_METHODS -> "System.currentTimeMillis() is the time. The brick never takes memory back, so nothing can be tidied up."
+        AbsentFromBrick.SYSTEM_METHODS -> "System.currentTimeMillis() is the time, and memory is never taken back."
         AbsentFromBrick.ARRAY_COPYING -> "Copy one element after the other in a \"for\"."
         AbsentFromBrick.WAITING -> "Thread.sleep(1000) waits a second."
         AbsentFromBrick.FILES -> "The brick has no files."
