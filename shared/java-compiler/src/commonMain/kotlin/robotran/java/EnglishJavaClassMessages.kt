@@ -9,7 +9,8 @@ internal object EnglishJavaClassMessages : JavaClassMessages {
 
     override fun writeVoid() = "Write \"void\" before its name, if it gives nothing back."
 
-    override fun cannotBeMade(name: String) = "Java cannot make a ${quoted(name)} with \"new\", because a part of it is still to be written."
+    override fun cannotBeMade(name: String) =
+        "Java cannot make a ${quoted(name)} with \"new\", because a part of it is still to be written."
 
     override fun extendThread() =
         "Write a class that \"extends Thread\" and has a method \"public void run()\", and make one of those. A brick's Thread takes no Runnable."

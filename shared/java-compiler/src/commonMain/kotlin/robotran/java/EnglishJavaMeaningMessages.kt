@@ -27,7 +27,8 @@ internal object EnglishJavaMeaningMessages : JavaMeaningMessages {
 
     override fun mustReturn() = "This method has to give a value back on every way through it."
 
-    override fun returnValue() = "Write \"return\" and the value, also for the case that no \"if\" is true. If there is none to give, make it \"void\"."
+    override fun returnValue() =
+        "Write \"return\" and the value, also for the case that no \"if\" is true. If there is none to give, make it \"void\"."
 
     override fun neverReached() = "The program never gets here, because of what stands before it."
 

@@ -30,7 +30,8 @@ internal object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun semicolonsInFor() = "The three parts of a \"for\" have \";\" between them: for (int i = 0; i < 4; i++)"
 
-    override fun elseWithoutIf() = "There is no \"if\" for this \"else\". Look for a \";\" right after the \"if\", or for a missing \"{\" or \"}\"."
+    override fun elseWithoutIf() =
+        "There is no \"if\" for this \"else\". Look for a \";\" right after the \"if\", or for a missing \"{\" or \"}\"."
 
     override fun outsideMethod() = "This statement is in a class, but in none of its methods."
 

@@ -87,7 +87,12 @@ class NameMistakesTest {
 
     @Test
     fun `one mistake is told once where it is imported and once where it is used`() = runTest {
-        assertEquals(listOf(1, 3), mistakes("import java.util.ArrayList;\nclass Robot {\nArrayList a;\nArrayList b;\n}").map { it.range.line })
+        assertEquals(
+            listOf(1, 3),
+            mistakes("import java.util.ArrayList;\nclass Robot {\nArrayList a;\nArrayList b;\n}").map {
+                it.range.line
+            },
+        )
         assertEquals(1, mistakes(program("int x = 1\nMotor.A.foo();")).size)
     }
 }

@@ -29,6 +29,7 @@ class EcjPlugin : Plugin<Project> {
             it.strict.set(true)
         }
     }
+
     private fun checkForAndroid(project: Project, rewrite: TaskProvider<RewriteEcj>) {
         val check = project.tasks.register("checkAndroidReferences", CheckAndroidReferences::class.java) { task ->
             task.group = LifecycleBasePlugin.VERIFICATION_GROUP

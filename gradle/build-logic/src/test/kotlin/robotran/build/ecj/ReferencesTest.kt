@@ -13,7 +13,15 @@ class ReferencesTest {
 
     @Test
     fun `what a class or the framework has is there, inherited or not`() {
-        references.add(classFile("Own", "java/util/List", "go", calls = listOf("Own" to "size", "java/util/List" to "hashCode", "[I" to "clone")))
+        references.add(
+            classFile(
+                "Own", "java/util/List", "go",
+                calls = listOf(
+                    "Own" to "size", "java/util/List" to "hashCode",
+                    "[I" to "clone",
+                ),
+            ),
+        )
         assertEquals(emptyList(), references.missing())
     }
 

@@ -30,23 +30,37 @@ internal class MeaningAdvisor(private val messages: JavaMessages) {
 
     /** About the ways that a program can take. */
     private fun way(problem: EcjProblem, source: SourceText): Advice? = when (problem.number) {
-        ProblemNumber.NON_STATIC_METHOD -> nonStatic(problem, source)
+        ProblemNumber.NON_STATIC_METHOD -> {
+            nonStatic(problem, source)
+        }
 
-        ProblemNumber.VOID_METHOD_RETURNS_VALUE -> Advice(messages.returnsNothing())
+        ProblemNumber.VOID_METHOD_RETURNS_VALUE -> {
+            Advice(messages.returnsNothing())
+        }
 
-        ProblemNumber.SHOULD_RETURN_VALUE -> Advice(messages.mustReturn(), messages.returnValue())
+        ProblemNumber.SHOULD_RETURN_VALUE -> {
+            Advice(messages.mustReturn(), messages.returnValue())
+        }
 
-        ProblemNumber.CODE_CANNOT_BE_REACHED -> Advice(messages.neverReached())
+        ProblemNumber.CODE_CANNOT_BE_REACHED -> {
+            Advice(messages.neverReached())
+        }
 
-        ProblemNumber.UNHANDLED_EXCEPTION -> unhandled(problem, source)
+        ProblemNumber.UNHANDLED_EXCEPTION -> {
+            unhandled(problem, source)
+        }
 
         ProblemNumber.EXCEPTION_NEVER_THROWN, ProblemNumber.UNREACHABLE_CATCH -> {
             Advice(messages.neverThrown(shortened(problem.arguments[0])), messages.takeCatchAway())
         }
 
-        ProblemNumber.EMPTY_STATEMENT -> Advice(messages.emptyStatement())
+        ProblemNumber.EMPTY_STATEMENT -> {
+            Advice(messages.emptyStatement())
+        }
 
-        else -> null
+        else -> {
+            null
+        }
     }
 
     private fun nonStatic(problem: EcjProblem, source: SourceText): Advice {

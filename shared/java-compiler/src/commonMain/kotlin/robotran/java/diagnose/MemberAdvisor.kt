@@ -15,12 +15,25 @@ internal class MemberAdvisor(
         val name = source.words(problem.start, problem.end)
         return when (problem.number) {
             ProblemNumber.UNDEFINED_FIELD -> field(problem, source, name)
+
             ProblemNumber.UNDEFINED_METHOD -> method(problem, source, name)
+
             ProblemNumber.METHOD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[0]) ?: method(problem, source, name)
+
             ProblemNumber.FIELD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[1]) ?: field(problem, source, name)
+
             ProblemNumber.NO_MESSAGE_SEND_ON_ARRAY -> onArray(problem, source, name)
+
             ProblemNumber.NO_MESSAGE_SEND_ON_BASE_TYPE -> Advice(messages.noMembers(shortened(problem.arguments[0])))
-            ProblemNumber.ARRAY_NEEDED -> if (problem.arguments[0] == "String") Advice(messages.noArray("String"), messages.charAt()) else null
+
+            ProblemNumber.ARRAY_NEEDED -> if (problem.arguments[0] ==
+                "String"
+            ) {
+                Advice(messages.noArray("String"), messages.charAt())
+            } else {
+                null
+            }
+
             else -> null
         }
     }

@@ -34,7 +34,11 @@ internal class NameAdvisor(
         val home = library.packageOf(name)?.let { "$it.$name" }
         return when {
             absent != null -> Advice(message, messages.absent(absent))
-            else -> nearNames.suggested(problem, source, message, home ?: nearest(name, library.packages + library.qualifiedNames, FORGIVEN_IN_IMPORT))
+
+            else -> nearNames.suggested(
+                problem, source, message,
+                home ?: nearest(name, library.packages + library.qualifiedNames, FORGIVEN_IN_IMPORT),
+            )
         }
     }
 
@@ -55,9 +59,18 @@ internal class NameAdvisor(
         val home = library.packageOf(name)
         val message = messages.unknownClass(shortened(name))
         return when {
-            newer != null -> Advice(messages.newerJava(newer), messages.insteadOf(newer))
-            absent != null -> Advice(message, messages.absent(absent))
-            home != null -> "import $home.*;".let { Advice(message, messages.importIt(it), source.addLineAtTop(it)) }
+            newer != null -> {
+                Advice(messages.newerJava(newer), messages.insteadOf(newer))
+            }
+
+            absent != null -> {
+                Advice(message, messages.absent(absent))
+            }
+
+            home != null -> {
+                "import $home.*;".let { Advice(message, messages.importIt(it), source.addLineAtTop(it)) }
+            }
+
             else -> {
                 otherWord(problem, source, name, message)
                     ?: nearNames.suggested(problem, source, message, nearest(name, library.simpleNames + nearNames.classesIn(source)))
@@ -69,7 +82,13 @@ internal class NameAdvisor(
         val message = messages.unknownVariable(shortened(name))
         otherWord(problem, source, name, message)?.let { return it }
         val near = nearest(name, nearNames.namesIn(source) + library.simpleNames)
-        return if (near == null) Advice(message, messages.declareIt(shortened(name))) else nearNames.suggested(problem, source, message, near)
+        return if (near ==
+            null
+        ) {
+            Advice(message, messages.declareIt(shortened(name)))
+        } else {
+            nearNames.suggested(problem, source, message, near)
+        }
     }
 
     companion object {

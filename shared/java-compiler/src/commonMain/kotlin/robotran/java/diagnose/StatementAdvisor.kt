@@ -30,7 +30,8 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
     }
 
     private fun misplaced(problem: EcjProblem, source: SourceText, expected: String): Advice? {
-        val isWhole = problem.number == ProblemNumber.PARSING_ERROR_INSERT_BEFORE || problem.number == ProblemNumber.PARSING_ERROR_DELETE_SEVERAL
+        val isWhole =
+            problem.number == ProblemNumber.PARSING_ERROR_INSERT_BEFORE || problem.number == ProblemNumber.PARSING_ERROR_DELETE_SEVERAL
         val isStatement = expected == "Identifier" || problem.arguments == listOf(";", ",")
         return when (source.bracesBefore(problem.start)) {
             0 -> if (isWhole) Advice(messages.outsideClass(), messages.beginWithClass(className(source))) else null
@@ -42,19 +43,29 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
     private fun className(source: SourceText) = source.path.substringAfterLast('/').removeSuffix(".java")
 
     private fun condition(word: String, problem: EcjProblem, source: SourceText, expected: String): Advice? = when {
-        word in CONDITIONAL && expected == "(" -> Advice(messages.conditionInBrackets(word))
+        word in CONDITIONAL && expected == "(" -> {
+            Advice(messages.conditionInBrackets(word))
+        }
 
-        word == "else" && problem.number == ProblemNumber.PARSING_ERROR_DELETE -> Advice(messages.elseWithoutIf())
+        word == "else" && problem.number == ProblemNumber.PARSING_ERROR_DELETE -> {
+            Advice(messages.elseWithoutIf())
+        }
 
         word == "," && IN_FOR.containsMatchIn(source.lineBefore(problem.start)) -> {
             Advice(messages.semicolonsInFor(), fix = JavaFix(source.range(problem.start, problem.end), ";"))
         }
 
-        expected != "AssignmentOperator" || problem.number != ProblemNumber.INVALID_TOKEN -> null
+        expected != "AssignmentOperator" || problem.number != ProblemNumber.INVALID_TOKEN -> {
+            null
+        }
 
-        word == "==" -> Advice(messages.setWithOneSign(), fix = JavaFix(source.range(problem.start, problem.end), "="))
+        word == "==" -> {
+            Advice(messages.setWithOneSign(), fix = JavaFix(source.range(problem.start, problem.end), "="))
+        }
 
-        else -> Advice(messages.noStatement())
+        else -> {
+            Advice(messages.noStatement())
+        }
     }
 
     private fun noStatement(word: String, problem: EcjProblem, source: SourceText): Advice? {
@@ -67,11 +78,17 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
                 Advice(messages.callWithBrackets(shortened(word)), fix = source.insertion(problem.end, "()"))
             }
 
-            missing.startsWith("AssignmentOperator") && endsHere -> Advice(messages.noStatement())
+            missing.startsWith("AssignmentOperator") && endsHere -> {
+                Advice(messages.noStatement())
+            }
 
-            missing.startsWith("... VariableDeclaratorId") -> Advice(messages.typeOfParameter())
+            missing.startsWith("... VariableDeclaratorId") -> {
+                Advice(messages.typeOfParameter())
+            }
 
-            else -> null
+            else -> {
+                null
+            }
         }
     }
 

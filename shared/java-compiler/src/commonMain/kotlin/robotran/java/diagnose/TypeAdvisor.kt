@@ -27,25 +27,37 @@ internal class TypeAdvisor(private val messages: JavaMessages) {
                 Advice(messages.compareWithTwoSigns(), fix = JavaFix(range, SINGLE_EQUALS_SIGN.replaceFirst(text, "==")))
             }
 
-            given == "void" -> Advice(messages.givesNothing())
+            given == "void" -> {
+                Advice(messages.givesNothing())
+            }
 
             given == "double" && needed == "float" && DECIMAL_NUMBER.matches(text) -> {
                 Advice(message, messages.writeFloat(text), JavaFix(range, "${text}f"))
             }
 
-            given in NUMBERS && needed in NUMBERS -> Advice(message, messages.castNumber(needed), JavaFix(range, cast(text, needed)))
+            given in NUMBERS && needed in NUMBERS -> {
+                Advice(message, messages.castNumber(needed), JavaFix(range, cast(text, needed)))
+            }
 
-            given in NUMBERS && needed == "boolean" -> Advice(message, messages.compareWithZero())
+            given in NUMBERS && needed == "boolean" -> {
+                Advice(message, messages.compareWithZero())
+            }
 
-            isBoxing(given, needed) -> Advice(message, messages.insteadOf(NewerJava.AUTOBOXING))
+            isBoxing(given, needed) -> {
+                Advice(message, messages.insteadOf(NewerJava.AUTOBOXING))
+            }
 
             given == "Object" && needed !in SINGLE_VALUES -> {
                 Advice(message, messages.castObject(shortened(needed)), JavaFix(range, cast(text, needed)))
             }
 
-            needed == "String" -> Advice(message, messages.makeText())
+            needed == "String" -> {
+                Advice(message, messages.makeText())
+            }
 
-            else -> Advice(message)
+            else -> {
+                Advice(message)
+            }
         }
     }
 
