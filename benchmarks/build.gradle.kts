@@ -10,8 +10,7 @@ texts {
 kotlin {
     sourceSets {
         commonMain.dependencies {
-            implementation(project(":shared:robolang"))
-            implementation(project(":shared:java-compiler"))
+            implementation(project(":shared:programs"))
             implementation(project(":shared:lejos-library"))
             implementation(project(":shared:world"))
             implementation(libs.coroutines.core)

@@ -10,6 +10,7 @@ dependencies {
     implementation(libs.clikt)
     implementation(libs.commons.compress)
     implementation(libs.serialization.json)
+    testImplementation(project(":shared:lejos-library"))
 }
 
 application {

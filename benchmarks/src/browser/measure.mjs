@@ -1,15 +1,17 @@
-// Prints what the page PAGE measures in Chromium, a line for each of its benchmarks.
+// Prints what the page PAGE measures in Chromium, a line for each of the benchmarks named, or of all.
 import { startBrowser } from '../../../webApp/src/browserTest/browser.mjs';
 import { serve } from '../../../webApp/src/browserTest/serve.mjs';
 
+const wanted = process.argv.slice(2);
 const browser = await startBrowser();
 const site = await serve(process.env.PAGE);
 try {
   const page = await browser.newPage();
   await page.goto(site.address);
   await page.waitForFunction(() => globalThis.benchmarks !== undefined);
-  for (const name of (await page.evaluate(() => globalThis.benchmarks.names)).split(',')) {
-    console.log(await page.evaluate((wanted) => globalThis.benchmarks.measure(wanted), name));
+  const names = (await page.evaluate(() => globalThis.benchmarks.names)).split(',');
+  for (const name of names.filter((one) => wanted.length === 0 || wanted.includes(one))) {
+    console.log(await page.evaluate((one) => globalThis.benchmarks.measure(one), name));
   }
 } finally {
   await browser.close();

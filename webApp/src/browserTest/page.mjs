@@ -1,4 +1,7 @@
 // The built page as a test opens it.
+import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 
 /** The colour of Run on the brick. */
@@ -8,7 +11,8 @@ export const RUN_GREEN = [0x2e, 0x9e, 0x4f];
 const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated/;
 
 /**
- * Opens the page and waits until the workshop is there; what goes wrong in the page, or is fetched from elsewhere, is collected.
+ * Opens the page and waits until the workshop is there; what goes wrong in the page, or is fetched from elsewhere, is collected in
+ * `troubles`, the addresses of all that is fetched in `fetched`.
  * The function `prepare`, if there is one, runs in the page before anything else.
  */
 export async function openPage(browser, site, { width, height, dark = false, prepare }) {
@@ -16,6 +20,8 @@ export async function openPage(browser, site, { width, height, dark = false, pre
   const page = await context.newPage();
   if (prepare) await page.addInitScript(prepare);
   const troubles = [];
+  const fetched = [];
+  page.on('request', (request) => fetched.push(request.url()));
   page.on('pageerror', (error) => troubles.push(String(error)));
   page.on('console', (message) => message.type() === 'error' && !KNOWN_COMPLAINT.test(message.text()) && troubles.push(message.text()));
   page.on('request', (request) => request.url().startsWith(site.address) || /^(data|blob):/.test(request.url()) || troubles.push(`fetched ${request.url()}`));
@@ -23,10 +29,20 @@ export async function openPage(browser, site, { width, height, dark = false, pre
   await page.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
   await page.waitForLoadState('networkidle'); // words and fonts come after the first picture
   await page.waitForTimeout(500);
-  return { page, troubles };
+  return { page, troubles, fetched };
 }
 
 /** The report of the workshop's run up to now. */
 export const report = async (page) => JSON.parse(await page.evaluate(() => globalThis.robotran.report()));
 
 export const photograph = (page, name) => page.screenshot({ path: path.join(process.env.PICTURES, `${name}.png`) });
+
+/** Runs the example FILE in the page and holds it against its record in the folder RUNS, bit for bit. */
+export async function assertRecordedRun(page, file, runs) {
+  const record = path.join(runs, path.parse(file).name);
+  const program = await readFile(file, 'utf8');
+  const run = await page.evaluate(([text, name]) => globalThis.robotran.run(text, 60_000, name), [program, path.basename(file)]);
+  // The trace hash in the report counts all that a ROM log tells; only short logs are recorded as well.
+  if (existsSync(`${record}.rom-log.txt`)) assert.equal(run.romLog, await readFile(`${record}.rom-log.txt`, 'utf8'), file);
+  assert.equal(`${run.report}\n`, await readFile(`${record}.report.json`, 'utf8'), file);
+}

@@ -1,11 +1,9 @@
 // Drives the built page as a pupil would: looks for the green Run on the brick, presses it, and watches the robot draw.
 import assert from 'node:assert/strict';
-import { existsSync } from 'node:fs';
-import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { findColour, startBrowser } from './browser.mjs';
-import { openPage, photograph, report, RUN_GREEN } from './page.mjs';
+import { assertRecordedRun, openPage, photograph, report, RUN_GREEN } from './page.mjs';
 import { serve } from './serve.mjs';
 
 let browser;
@@ -46,15 +44,7 @@ test('every example makes its recorded run in the browser, bit for bit', async (
   const { page, troubles } = await open({ width: 1280, height: 800 });
   const examples = process.env.EXAMPLES.split(path.delimiter).filter((file) => file.endsWith('.robo'));
   assert.notEqual(examples.length, 0);
-  for (const example of examples) {
-    const name = path.basename(example, '.robo');
-    const program = await readFile(example, 'utf8');
-    const run = await page.evaluate((text) => globalThis.robotran.run(text, 60_000), program);
-    const recorded = path.join(process.env.EXPECTED_RUNS, name);
-    // The trace hash in the report counts all that a ROM log tells; only short logs are recorded as well.
-    if (existsSync(`${recorded}.rom-log.txt`)) assert.equal(run.romLog, await readFile(`${recorded}.rom-log.txt`, 'utf8'), name);
-    assert.equal(`${run.report}\n`, await readFile(`${recorded}.report.json`, 'utf8'), name);
-  }
+  for (const example of examples) await assertRecordedRun(page, example, process.env.EXPECTED_RUNS);
   assert.deepEqual(troubles, []);
 });
 

@@ -7,6 +7,8 @@ internal val BENCHMARKS: Map<String, suspend () -> Figure> =
         "mistakes" to ::mistakesTime,
         "compile" to ::compileTime,
         "statements" to ::statementSpeed,
+        "bytecodes" to ::bytecodeSpeed,
+        "line-follower" to ::lineFollowerSpeed,
         "open-sheet" to ::openSheetSpeed,
         "walls" to ::wallsSpeed,
         "against-dyn4j" to ::sessionAgainstDyn4j,

@@ -7,7 +7,7 @@ import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 
 /** Any will do: nothing here depends on it. */
-private val CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
+internal val ANY_CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
 /** How fast the longest program there can be is scanned, parsed and checked. */
 internal suspend fun readingSpeed(): Figure {
@@ -21,7 +21,7 @@ internal suspend fun readingSpeed(): Figure {
 internal suspend fun mistakesTime(): Figure {
     val source = "repaet 4 tmes quikly\n".repeat(WRONG_LINES)
     var told = 0
-    val seconds = seconds { told = (readRobolang("mistakes", source, CALIBRATION) as RobolangResult.Mistaken).diagnostics.size }
+    val seconds = seconds { told = (readRobolang("mistakes", source, ANY_CALIBRATION) as RobolangResult.Mistaken).diagnostics.size }
     check(told == WRONG_LINES) { "Only $told of $WRONG_LINES mistakes were told." }
     return Figure(seconds, "s", "$told mistakes on as many lines")
 }
@@ -29,7 +29,7 @@ internal suspend fun mistakesTime(): Figure {
 /** The program [source], which has no mistakes. */
 internal fun programOf(
     source: String,
-    calibration: Calibration = CALIBRATION,
+    calibration: Calibration = ANY_CALIBRATION,
 ): RobolangProgram =
     when (val result = readRobolang("benchmark", source, calibration)) {
         is RobolangResult.Ready -> result.program

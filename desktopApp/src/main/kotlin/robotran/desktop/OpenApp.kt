@@ -1,5 +1,8 @@
 package robotran.desktop
 
+import robotran.desktop.files.ProgramFiles
+import robotran.desktop.files.nameOf
+import robotran.desktop.files.readProgramFiles
 import robotran.programs.ProgramSource
 import robotran.ui.workshop.ProgramFile
 import robotran.ui.workshop.PupilProgram

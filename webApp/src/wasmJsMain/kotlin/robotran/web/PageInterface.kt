@@ -37,7 +37,7 @@ private fun promiseRun(
     GlobalScope.promise {
         val source =
             if (name.endsWith(JAVA)) ProgramSource.Java(name, listOf(SourceFile(name, program))) else ProgramSource.Robolang(name, program)
-        when (val result = ProgramReader(PENBOT_CALIBRATION).read(source)) {
+        when (val result = reader.read(source)) {
             is ProgramResult.Mistaken -> {
                 error(result.mistakes.first().let { mistake -> mistake.range?.let { "Line ${it.line}: " }.orEmpty() + mistake.message })
             }
@@ -61,5 +61,8 @@ private fun publish(
     run: (String, Int, String) -> Promise<JsAny?>,
 ): Unit =
     js("{ globalThis.robotran = { report, run: (program, milliseconds, name = 'program') => run(program, milliseconds, name) }; }")
+
+/** One for all runs, so that the compiler for Java is loaded once. */
+private val reader = ProgramReader(PENBOT_CALIBRATION)
 
 private const val JAVA = ".java"

@@ -13,7 +13,8 @@ import robotran.desktop.ExitCode
 internal class CheckCommand(
     private val console: Console,
 ) : CoreCliktCommand("check") {
-    private val files by argument("FILE", help = "Robolang programs (.robo), or the files of a Java program (.java)").multiple(required = true)
+    private val files by argument("FILE", help = "Robolang programs (.robo), or the files of a Java program (.java)")
+        .multiple(required = true)
     private val asJson by option("--json", help = "tells the mistakes as JSON").flag()
 
     override fun help(context: Context) = "Tells all mistakes of programs, without running them."

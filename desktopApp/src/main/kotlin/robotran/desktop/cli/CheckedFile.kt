@@ -1,8 +1,10 @@
 package robotran.desktop.cli
 
 import kotlinx.coroutines.runBlocking
-import robotran.desktop.TextFile
-import robotran.desktop.readTextFile
+import robotran.desktop.files.JAVA
+import robotran.desktop.files.ROBOLANG
+import robotran.desktop.files.TextFile
+import robotran.desktop.files.readTextFile
 import robotran.programs.Mistake
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
@@ -29,34 +31,32 @@ internal fun checkFiles(names: List<String>): List<Pair<String, CheckedFile>> {
 }
 
 private fun checkRobolang(name: String): CheckedFile =
-    when (val file = readRobolangFile(name)) {
-        is RobolangFile.Unreadable -> CheckedFile.Unreadable(file.reason)
-        else -> CheckedFile.Robolang(file)
+    if (name.endsWith(ROBOLANG)) {
+        when (val file = readRobolangFile(name)) {
+            is RobolangFile.Unreadable -> CheckedFile.Unreadable(file.reason)
+            else -> CheckedFile.Robolang(file)
+        }
+    } else {
+        CheckedFile.Unreadable("$name cannot be checked: its name does not end in $ROBOLANG or $JAVA.")
     }
 
 private fun checkJava(names: List<String>): Map<String, CheckedFile> {
     val read = names.associateWith(::readTextFile)
     val sources = read.mapNotNull { (name, file) -> (file as? TextFile.Read)?.let { SourceFile(name, it.text) } }
-    val result = if (sources.isEmpty()) null else readJava(sources)
+    if (sources.isEmpty()) return read.mapValues { (_, file) -> CheckedFile.Unreadable((file as TextFile.Refused).reason) }
+    val result = runBlocking { ProgramReader(PENBOT_CALIBRATION).read(ProgramSource.Java(sources.first().name, sources)) }
+    val mistakes = byFile((result as? ProgramResult.Mistaken)?.mistakes.orEmpty(), sources)
+    val warnings = byFile((result as? ProgramResult.Ready)?.warnings.orEmpty(), sources)
     return read.mapValues { (name, file) ->
         when (file) {
             is TextFile.Refused -> CheckedFile.Unreadable(file.reason)
-            is TextFile.Read -> CheckedFile.Java(mistakesOf(result, name), warningsOf(result, name))
+            is TextFile.Read -> CheckedFile.Java(mistakes[name].orEmpty(), warnings[name].orEmpty())
         }
     }
 }
 
-private fun readJava(sources: List<SourceFile>): ProgramResult =
-    runBlocking { ProgramReader(PENBOT_CALIBRATION).read(ProgramSource.Java(sources.first().name, sources)) }
-
-private fun mistakesOf(
-    result: ProgramResult?,
-    file: String,
-): List<Mistake> = (result as? ProgramResult.Mistaken)?.mistakes.orEmpty().filter { it.file == file }
-
-private fun warningsOf(
-    result: ProgramResult?,
-    file: String,
-): List<Mistake> = (result as? ProgramResult.Ready)?.warnings.orEmpty().filter { it.file == file }
-
-private const val JAVA = ".java"
+/** What is in none of the [sources] counts to the first. */
+private fun byFile(
+    told: List<Mistake>,
+    sources: List<SourceFile>,
+): Map<String, List<Mistake>> = told.groupBy { mistake -> (sources.find { it.name == mistake.file } ?: sources.first()).name }

@@ -26,7 +26,16 @@ private fun json(
         put("file", name)
         when (file) {
             is CheckedFile.Robolang -> put("diagnostics", JsonArray(diagnosticsOf(file.file).map(::json)))
-            is CheckedFile.Java -> put("diagnostics", JsonArray(file.mistakes.map { json("mistake", it) } + file.warnings.map { json("warning", it) }))
+
+            is CheckedFile.Java -> put(
+                "diagnostics",
+                JsonArray(
+                    file.mistakes.map {
+                        json("mistake", it)
+                    } + file.warnings.map { json("warning", it) },
+                ),
+            )
+
             is CheckedFile.Unreadable -> put("error", file.reason)
         }
     }

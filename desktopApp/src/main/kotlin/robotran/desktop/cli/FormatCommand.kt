@@ -8,8 +8,8 @@ import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.desktop.ExitCode
-import robotran.desktop.TextFile
-import robotran.desktop.writeFile
+import robotran.desktop.files.TextFile
+import robotran.desktop.files.writeFile
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 

@@ -1,6 +1,6 @@
 package robotran.desktop.cli
 
-import robotran.desktop.NamedProgram
+import robotran.desktop.files.NamedProgram
 import robotran.programs.Mistake
 import robotran.programs.ProgramSource
 

@@ -2,11 +2,11 @@ package robotran.desktop.cli
 
 import kotlinx.coroutines.runBlocking
 import robotran.desktop.ExitCode
-import robotran.desktop.TextFile
-import robotran.desktop.NamedProgram
-import robotran.desktop.ProgramFiles
-import robotran.desktop.readProgramFiles
-import robotran.desktop.readTextFile
+import robotran.desktop.files.NamedProgram
+import robotran.desktop.files.ProgramFiles
+import robotran.desktop.files.TextFile
+import robotran.desktop.files.readProgramFiles
+import robotran.desktop.files.readTextFile
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult

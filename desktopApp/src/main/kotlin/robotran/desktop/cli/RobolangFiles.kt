@@ -1,7 +1,8 @@
 package robotran.desktop.cli
 
-import robotran.desktop.TextFile
-import robotran.desktop.readTextFile
+import robotran.desktop.files.ROBOLANG
+import robotran.desktop.files.TextFile
+import robotran.desktop.files.readTextFile
 import robotran.robolang.Diagnostic
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
@@ -39,10 +40,10 @@ internal fun readRobolangFile(name: String): RobolangFile =
 
 /** Reads the text of the Robolang file [name]. */
 internal fun readRobolangText(name: String): TextFile =
-    if (name.endsWith(ROBOLANG_EXTENSION)) {
+    if (name.endsWith(ROBOLANG)) {
         readTextFile(name)
     } else {
-        TextFile.Refused("$name is not a Robolang program: its name does not end in $ROBOLANG_EXTENSION.")
+        TextFile.Refused("$name is not a Robolang program: its name does not end in $ROBOLANG.")
     }
 
 /** [diagnostic] in one line for a person, with the place that editors jump to. */
@@ -50,5 +51,3 @@ internal fun lineOf(
     name: String,
     diagnostic: Diagnostic,
 ): String = "$name:${diagnostic.range.line}:${diagnostic.range.column}: ${diagnostic.message}"
-
-private const val ROBOLANG_EXTENSION = ".robo"

@@ -5,7 +5,6 @@ import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
-import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
@@ -15,6 +14,7 @@ import robotran.programs.JavaSettings
 import robotran.rom.RomGroup
 import robotran.tinyvm.TinyVmMode
 import robotran.tinyvm.TinyVmSpeed
+import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 
 /** `robotran run FILE..`: runs programs on the brick without a window and writes down what happened. */
 internal class RunCommand(

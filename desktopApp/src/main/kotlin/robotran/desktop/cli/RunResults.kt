@@ -1,6 +1,6 @@
 package robotran.desktop.cli
 
-import robotran.desktop.writeFile
+import robotran.desktop.files.writeFile
 import robotran.rom.ProgramRemark
 import robotran.rom.RomLogFilter
 import robotran.rom.toCsv

@@ -8,7 +8,7 @@ import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.desktop.ExitCode
-import robotran.desktop.writeFile
+import robotran.desktop.files.writeFile
 import robotran.robolang.translate.kitFiles
 import robotran.robolang.translate.translateRobolang
 import kotlin.io.path.Path

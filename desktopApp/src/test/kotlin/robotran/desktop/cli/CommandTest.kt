@@ -4,6 +4,7 @@ import robotran.desktop.ExitCode
 import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.io.path.createParentDirectories
 import kotlin.io.path.writeText
 import kotlin.test.AfterTest
 
@@ -24,5 +25,15 @@ abstract class CommandTest {
     protected fun program(
         text: String,
         name: String = "mine.robo",
-    ): String = folder.resolve(name).also { it.writeText(text) }.toString()
+    ): String = folder.resolve(name).also { it.createParentDirectories().writeText(text) }.toString()
+
+    /** A Java program [name] with [statements] in its main method, the first of them on line 5. */
+    protected fun javaProgram(
+        name: String,
+        statements: String,
+    ): String {
+        val body = statements.trimIndent().prependIndent("        ")
+        val head = "import josx.platform.rcx.*;\n\npublic class $name {\n    public static void main(String[] args) throws Exception {\n"
+        return program("$head$body\n    }\n}\n", "$name.java")
+    }
 }

@@ -35,6 +35,7 @@ class BenchmarksPlugin : Plugin<Project> {
             task.dependsOn(":${WebTools.SET_UP_TASK}", ":${Chromium.SET_UP_TASK}")
             task.jvmClasses.from(jvmClasses)
             task.jvmMain.set(JVM_MAIN)
+            task.names.set(project.providers.gradleProperty("benchmarks").map { it.split(",") }.orElse(emptyList()))
             task.page.fileProvider(project.tasks.named("wasmJsBrowserDistribution").map { it.outputs.files.singleFile })
             task.driver.set(project.file("src/browser/measure.mjs"))
             task.browserFinder.set(project.rootProject.file(Chromium.SCRIPT))

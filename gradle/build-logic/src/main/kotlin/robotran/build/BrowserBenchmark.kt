@@ -5,6 +5,7 @@ import org.gradle.api.GradleException
 import org.gradle.api.file.ConfigurableFileCollection
 import org.gradle.api.file.DirectoryProperty
 import org.gradle.api.file.RegularFileProperty
+import org.gradle.api.provider.ListProperty
 import org.gradle.api.provider.Property
 import org.gradle.api.tasks.Classpath
 import org.gradle.api.tasks.Input
@@ -31,6 +32,10 @@ abstract class BrowserBenchmark
 
         @get:Input
         abstract val jvmMain: Property<String>
+
+        /** What is measured; if empty, everything. */
+        @get:Input
+        abstract val names: ListProperty<String>
 
         /** The folder of the built page. */
         @get:InputDirectory
@@ -75,6 +80,7 @@ abstract class BrowserBenchmark
             processes.javaexec {
                 it.mainClass.set(jvmMain)
                 it.classpath(jvmClasses)
+                it.args(names.get())
                 it.standardOutput = output
             }
             return output.toString()
@@ -92,6 +98,7 @@ abstract class BrowserBenchmark
                 it.environment("CHROMIUM", browser.toString().trim())
                 it.environment("NODE_PATH", modules.get())
                 it.environment("PAGE", page.get().asFile.path)
+                it.args(names.get())
                 it.standardOutput = output
             }
             return output.toString()

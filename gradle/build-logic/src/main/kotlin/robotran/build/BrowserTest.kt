@@ -36,7 +36,7 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val tests: ConfigurableFileCollection
 
-        /** The programs that the page runs, and in [expectedRuns] the report and the ROM log that each must leave. */
+        /** The programs that the page runs; in [expectedRuns] and, for Java, [expectedJavaRuns] the report and the ROM log that each must leave. */
         @get:InputFiles
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val examples: ConfigurableFileCollection
@@ -44,6 +44,10 @@ abstract class BrowserTest
         @get:InputDirectory
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedRuns: DirectoryProperty
+
+        @get:InputDirectory
+        @get:PathSensitive(PathSensitivity.RELATIVE)
+        abstract val expectedJavaRuns: DirectoryProperty
 
         /** A script that prints the path of a Chromium. */
         @get:InputFile
@@ -82,6 +86,7 @@ abstract class BrowserTest
                 exec.environment("PAGE", page.get().asFile.path)
                 exec.environment("EXAMPLES", examples.files.joinToString(File.pathSeparator) { it.path })
                 exec.environment("EXPECTED_RUNS", expectedRuns.get().asFile.path)
+                exec.environment("EXPECTED_JAVA_RUNS", expectedJavaRuns.get().asFile.path)
                 exec.environment("PICTURES", pictures.get().asFile.path)
             }
         }

@@ -20,7 +20,7 @@ class DesktopPlugin : Plugin<Project> {
             test.useJUnitPlatform()
             // The tests run the tree's own examples and test programs and hold them against its recorded runs.
             test.systemProperty("robotran.tree", project.rootDir.path)
-            listOf("examples", "worlds", TEST_PROGRAMS, "shared/world/src/commonTest/resources/runs").forEach {
+            (listOf("examples", "worlds", TEST_PROGRAMS) + RECORDED_RUNS).forEach {
                 test.inputs.dir(project.rootProject.file(it)).withPathSensitivity(PathSensitivity.RELATIVE)
             }
         }
@@ -29,6 +29,7 @@ class DesktopPlugin : Plugin<Project> {
     }
 
     private companion object {
+        val RECORDED_RUNS = listOf("shared/world/src/commonTest/resources/runs", "shared/programs/src/commonTest/resources/runs")
         const val TEST_PROGRAMS = "shared/robolang/src/commonTest/resources/programs"
     }
 }

@@ -36,6 +36,7 @@ class WebAppPlugin : Plugin<Project> {
                 task.tests.from(project.fileTree("src/browserTest"))
                 task.examples.from(project.rootProject.fileTree("examples"))
                 task.expectedRuns.set(project.rootProject.file("shared/world/src/commonTest/resources/runs"))
+                task.expectedJavaRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/runs"))
                 task.browserFinder.set(project.rootProject.file(Chromium.SCRIPT))
                 task.node.set(WebTools.node(project).path)
                 task.modules.set(WebTools.directory(project).resolve("node_modules").path)

@@ -37,7 +37,7 @@ internal class ClassFiles(
     fun find(name: String): ClassFile? = own[name] ?: library[name]?.let { read(it, name) }?.takeIf { it.name == name }
 
     private fun read(bytes: ByteArray, name: String): ClassFile =
-        when (val result = readClassFile(bytes, name.replace('/', '.'), messages)) {
+        when (val result = readClassFile(bytes, name.removeSuffix(".class").replace('/', '.'), messages)) {
             is ClassFileResult.Read -> result.classFile
             is ClassFileResult.Refused -> throw RefusalException(result.refusal)
         }

@@ -42,7 +42,7 @@ internal class Linker(
     }
 
     private fun findMain(mainClass: String?): LinkedMethod? {
-        val names = if (mainClass == null) files.ownNames.sorted() else listOf(mainClass).filter { files.isOwn(it) }
+        val names = if (mainClass == null) files.ownNames.toList() else listOf(mainClass).filter { files.isOwn(it) }
         val name = names.firstOrNull { name ->
             files.find(name)?.methods?.any { it.name == MAIN && it.descriptor == MAIN_DESCRIPTOR } == true
         } ?: return null

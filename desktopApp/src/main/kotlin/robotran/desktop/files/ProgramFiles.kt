@@ -1,4 +1,4 @@
-package robotran.desktop
+package robotran.desktop.files
 
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -28,26 +28,24 @@ internal data class NamedProgram(
 
 /**
  * Reads the files [names]: each `.robo` file, `.jar` file and folder of `.class` files is a program, all `.java` files together are one, and
- * so are all `.class` files.
+ * so are all `.class` files. A file that is named twice counts once.
  */
 internal fun readProgramFiles(names: List<String>): ProgramFiles {
-    val groups = names.groupBy { groupOf(it) }
+    val groups = names.distinct().groupBy { name -> FILES_OF_ONE_PROGRAM.firstOrNull { name.endsWith(it) } ?: name }.values
     if (groups.size > Brick.MOST_PROGRAMS) {
         return ProgramFiles.Refused("A brick takes ${Brick.MOST_PROGRAMS} programs at most, and these are ${groups.size}.")
     }
     val programs =
-        groups.values.map { files ->
+        groups.map { files ->
             when (val result = readProgram(files)) {
-                is ProgramFile.Read -> NamedProgram(files.first(), result.source)
-                is ProgramFile.Refused -> return ProgramFiles.Refused(result.reason)
+                is ReadProgram.Read -> NamedProgram(files.first(), result.source)
+                is ReadProgram.Refused -> return ProgramFiles.Refused(result.reason)
             }
         }
     return ProgramFiles.Read(programs)
 }
 
-private fun groupOf(name: String): String = FILES_OF_ONE_PROGRAM.firstOrNull { name.endsWith(it) } ?: name
-
-private fun readProgram(names: List<String>): ProgramFile {
+private fun readProgram(names: List<String>): ReadProgram {
     val first = names.first()
     return when {
         first.endsWith(ROBOLANG) -> readRobolang(first)
@@ -55,42 +53,37 @@ private fun readProgram(names: List<String>): ProgramFile {
         first.endsWith(CLASS) -> readClassFiles(names)
         first.endsWith(JAR) -> readJar(first)
         isFolder(first) -> readClassFolder(first)
-        else -> ProgramFile.Refused("$first is no program: its name does not end in $ROBOLANG, $JAVA, $CLASS or $JAR, and it is no folder.")
+        else -> ReadProgram.Refused("$first is no program: its name does not end in $ROBOLANG, $JAVA, $CLASS or $JAR, and it is no folder.")
     }
 }
 
-/** One program, or why there is none. */
-internal sealed interface ProgramFile {
-    data class Read(val source: ProgramSource) : ProgramFile
-
-    /** It cannot be used; [reason] is a sentence that names the file. */
-    data class Refused(val reason: String) : ProgramFile
-}
-
-private fun readRobolang(name: String): ProgramFile =
+private fun readRobolang(name: String): ReadProgram =
     when (val file = readTextFile(name)) {
-        is TextFile.Read -> ProgramFile.Read(ProgramSource.Robolang(nameOf(name), file.text))
-        is TextFile.Refused -> ProgramFile.Refused(file.reason)
+        is TextFile.Read -> ReadProgram.Read(ProgramSource.Robolang(nameOf(name), file.text))
+        is TextFile.Refused -> ReadProgram.Refused(file.reason)
     }
 
-private fun readJava(names: List<String>): ProgramFile {
+private fun readJava(names: List<String>): ReadProgram {
     val files =
-        names.distinct().map { name ->
+        names.map { name ->
             when (val file = readTextFile(name)) {
                 is TextFile.Read -> SourceFile(name, file.text)
-                is TextFile.Refused -> return ProgramFile.Refused(file.reason)
+                is TextFile.Refused -> return ReadProgram.Refused(file.reason)
             }
         }
-    return ProgramFile.Read(ProgramSource.Java(nameOf(names.first()), files))
+    return ReadProgram.Read(ProgramSource.Java(nameOf(names.first()), files))
 }
 
-/** The name of the file [path] without its folders. */
-internal fun nameOf(path: String): String = Path.of(path).name
+/** The name of the file or folder [path] without the folders it is in. */
+internal fun nameOf(path: String): String = Path.of(path).toAbsolutePath().normalize().name
 
 private fun isFolder(name: String): Boolean = runCatching { Path.of(name).isDirectory() }.getOrDefault(false)
 
-internal const val CLASS = ".class"
-private const val ROBOLANG = ".robo"
-private const val JAVA = ".java"
+/** How the name of a Robolang program ends. */
+internal const val ROBOLANG = ".robo"
+
+/** How the name of a Java source ends. */
+internal const val JAVA = ".java"
+
 private const val JAR = ".jar"
 private val FILES_OF_ONE_PROGRAM = listOf(JAVA, CLASS)

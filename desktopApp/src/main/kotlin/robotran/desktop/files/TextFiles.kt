@@ -1,10 +1,8 @@
-package robotran.desktop
+package robotran.desktop.files
 
 import java.io.IOException
 import java.nio.ByteBuffer
-import java.nio.charset.CharacterCodingException
 import java.nio.file.InvalidPathException
-import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 import kotlin.io.path.createParentDirectories
 import kotlin.io.path.fileSize
@@ -22,21 +20,13 @@ internal sealed interface TextFile {
 
 /** Reads the UTF-8 file [name]; never more than [LARGEST_TEXT_BYTES] of it. */
 internal fun readTextFile(name: String): TextFile =
-    try {
+    reading(name, TextFile::Refused) {
         val path = Path.of(name)
         when {
             path.isDirectory() -> TextFile.Refused("$name is a folder, not a file.")
             path.fileSize() > LARGEST_TEXT_BYTES -> TextFile.Refused("$name is too large: it can have $LARGEST_TEXT_BYTES bytes at most.")
             else -> TextFile.Read(Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(path.readBytes())).toString())
         }
-    } catch (_: NoSuchFileException) {
-        TextFile.Refused("There is no file $name.")
-    } catch (_: InvalidPathException) {
-        TextFile.Refused("There is no file $name.")
-    } catch (_: CharacterCodingException) {
-        TextFile.Refused("$name is not a text in UTF-8.")
-    } catch (problem: IOException) {
-        TextFile.Refused("$name could not be read: ${problem.message}")
     }
 
 /** Writes [bytes] to the file [name]; a sentence that names the file if that fails, null if it was written. */

@@ -1,0 +1,51 @@
+package robotran.benchmarks
+
+import robotran.programs.JavaSettings
+import robotran.rom.ProgramStatus
+import robotran.tinyvm.TinyVmSpeed
+
+/** How many bytecodes a second the virtual machine executes in a loop of arithmetic, field access, array elements and calls. */
+internal suspend fun bytecodeSpeed(): Figure {
+    val speed = TinyVmSpeed.UNLIMITED
+    val program = javaProgramOf("Mixed.java", MIXED, JavaSettings(speed = speed))
+    val seconds =
+        seconds {
+            val run = program.start(SilentRom())
+            repeat(RESUMES) { check(run.resume(STEPS) == ProgramStatus.Running) { "The loop came to an end." } }
+        }
+    val bytecodes = RESUMES.toLong() * STEPS * speed.bytecodesPerStep
+    return Figure(bytecodes / seconds / 1e6, "million bytecodes/s", "${bytecodes / 1_000_000} million in ${rounded(seconds)} s")
+}
+
+/** Never ends, and makes no objects in its loop, since a brick never takes memory back. */
+private val MIXED =
+    """
+    public class Mixed {
+        private int[] past = new int[16];
+        private int sum;
+        private static int rounds;
+
+        public static void main(String[] args) {
+            Mixed mixed = new Mixed();
+            for (;;) {
+                for (int index = 0; index < 16; index++) mixed.step(index);
+                rounds++;
+            }
+        }
+
+        private void step(int index) {
+            past[index] = past[index] * 31 + index;
+            if ((past[index] & 1) == 0) sum = sum + past[index];
+            else sum = mixed(sum, index);
+        }
+
+        private static int mixed(int value, int index) {
+            return (value << 3) - (value >> 2) + index % 7;
+        }
+    }
+    """.trimIndent()
+
+private const val RESUMES = 200
+
+/** As many as a screen of 60 pictures a second asks for at once. */
+private const val STEPS = 32

@@ -1,0 +1,37 @@
+package robotran.benchmarks
+
+import robotran.rom.RcxMemory
+import robotran.rom.Rom
+import robotran.rom.RomCall
+import robotran.rom.SensorField
+import robotran.rom.SensorRequest
+
+/** A ROM behind which there is nothing. */
+internal class SilentRom : Rom {
+    override val memory = RcxMemory()
+
+    override val milliseconds = 0L
+
+    override fun call(
+        call: RomCall,
+        sourceLine: Int,
+        sourceFile: String?,
+    ) = Unit
+
+    override fun readSensor(
+        port: Int,
+        request: SensorRequest,
+    ): Int = 0
+
+    override fun setSensorTypeAndMode(
+        port: Int,
+        type: Int,
+        mode: Int,
+    ) = Unit
+
+    override fun setSensorValue(
+        port: Int,
+        value: Int,
+        field: SensorField,
+    ) = Unit
+}

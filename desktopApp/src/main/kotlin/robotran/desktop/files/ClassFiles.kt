@@ -1,0 +1,70 @@
+package robotran.desktop.files
+
+import robotran.programs.ProgramSource
+import robotran.tinyvm.TinyVmLimits
+import java.nio.file.Path
+import kotlin.io.path.extension
+import kotlin.io.path.fileSize
+import kotlin.io.path.isDirectory
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+import kotlin.io.path.nameWithoutExtension
+import kotlin.io.path.readBytes
+import kotlin.io.path.walk
+
+/** Reads the class files [names], and those of the classes inside these, which lie beside them. */
+internal fun readClassFiles(names: List<String>): ReadProgram =
+    reading(names.first(), ReadProgram::Refused) {
+        val paths = names.map(Path::of).flatMap { listOf(it) + innerClassesOf(it) }.distinct()
+        val areNamesUnique = paths.distinctBy { it.name }.size == paths.size
+        compiled(nameOf(names.first()), paths) { if (areNamesUnique) it.name else it.toString() }
+    }
+
+/** Reads all class files in the folder [name] and the folders in it. */
+internal fun readClassFolder(name: String): ReadProgram =
+    reading(name, ReadProgram::Refused) {
+        val folder = Path.of(name)
+        val paths = folder.walk().filter { it.isRegularFile() && isClassFile(folder.relativize(it).toString()) }
+        compiled(nameOf(name), paths.take(TinyVmLimits.CLASSES + 1).sorted().toList()) { folder.relativize(it).toString() }
+    }
+
+/** The program of the class files [files] by the names they go by. [mainClass] is the class to begin with, null for the first that can be. */
+internal fun programOf(
+    name: String,
+    files: Map<String, ByteArray>,
+    mainClass: String? = null,
+): ReadProgram =
+    when {
+        files.isEmpty() -> ReadProgram.Refused("There is no class file in $name.")
+        files.size > TinyVmLimits.CLASSES -> ReadProgram.Refused("$name has too many classes: a brick takes ${TinyVmLimits.CLASSES}.")
+        else -> ReadProgram.Read(ProgramSource.ClassFiles(name, files, mainClass))
+    }
+
+/** Says that the class file [file] is longer than any can be. */
+internal fun tooLarge(file: String): ReadProgram =
+    ReadProgram.Refused("$file is too large: a class file can have ${TinyVmLimits.CLASS_FILE_BYTES} bytes at most.")
+
+/** Whether [file], a path within a folder or a jar, is a class of a program: not one for newer machines only, and no description of a module. */
+internal fun isClassFile(file: String): Boolean =
+    file.endsWith(CLASS) && !file.startsWith("META-INF") && file.substringAfterLast('/') != "module-info$CLASS"
+
+private fun compiled(
+    name: String,
+    paths: List<Path>,
+    nameOf: (Path) -> String,
+): ReadProgram {
+    paths.firstOrNull { it.fileSize() > TinyVmLimits.CLASS_FILE_BYTES }?.let { return tooLarge(nameOf(it)) }
+    return programOf(name, paths.associate { nameOf(it) to it.readBytes() })
+}
+
+private fun innerClassesOf(classFile: Path): List<Path> {
+    val folder = classFile.toAbsolutePath().parent ?: return emptyList()
+    val prefix = classFile.nameWithoutExtension + "$"
+    if (!folder.isDirectory()) return emptyList()
+    val inner = folder.listDirectoryEntries().filter { it.name.startsWith(prefix) && ".${it.extension}" == CLASS }
+    return inner.sorted().map { classFile.resolveSibling(it.name) }
+}
+
+/** How the name of a class file ends. */
+internal const val CLASS = ".class"

@@ -1,0 +1,48 @@
+package robotran.desktop.files
+
+import robotran.tinyvm.TinyVmLimits
+import java.io.InputStream
+import java.util.jar.Attributes
+import java.util.jar.JarFile
+import java.util.jar.Manifest
+import java.util.zip.ZipEntry
+import java.util.zip.ZipFile
+
+/** Reads all class files in the jar [name]; its manifest may say which to begin with. Never unpacks more than a program can have. */
+internal fun readJar(name: String): ReadProgram =
+    reading(name, ReadProgram::Refused) {
+        ZipFile(name).use { jar ->
+            val entries = jar.entries().asSequence().filter { !it.isDirectory && isClassFile(it.name) }
+            val files = LinkedHashMap<String, ByteArray>()
+            var bytes = 0
+            for (entry in entries.take(TinyVmLimits.CLASSES + 1)) {
+                val content = jar.open(entry) { it.readNBytes(TinyVmLimits.CLASS_FILE_BYTES + 1) }
+                if (content.size > TinyVmLimits.CLASS_FILE_BYTES) return@reading tooLarge("$name: ${entry.name}")
+                bytes += content.size
+                if (bytes >
+                    MOST_JAR_BYTES
+                ) {
+                    return@reading ReadProgram.Refused("$name is too large: unpacked it can have $MOST_JAR_BYTES bytes at most.")
+                }
+                files[entry.name] = content
+            }
+            programOf(nameOf(name), files, mainClassOf(jar))
+        }
+    }
+
+/** The class that the manifest of [jar] names, with slashes; null if it names none or there is no manifest that can be read. */
+private fun mainClassOf(jar: ZipFile): String? {
+    val entry = jar.getEntry(JarFile.MANIFEST_NAME) ?: return null
+    val bytes = jar.open(entry) { it.readNBytes(MOST_MANIFEST_BYTES) }
+    val manifest = runCatching { Manifest(bytes.inputStream()) }.getOrNull()
+    return manifest?.mainAttributes?.getValue(Attributes.Name.MAIN_CLASS)?.trim()?.replace('.', '/')
+}
+
+private fun <T> ZipFile.open(
+    entry: ZipEntry,
+    read: (InputStream) -> T,
+): T = getInputStream(entry).use(read)
+
+/** Far more than a brick holds. */
+private const val MOST_JAR_BYTES = 16_000_000
+private const val MOST_MANIFEST_BYTES = 100_000

@@ -1,0 +1,57 @@
+package robotran.programs
+
+import kotlinx.coroutines.test.runTest
+import robotran.robolang.Calibration
+import robotran.rom.toLogText
+import robotran.world.BuiltInWorlds
+import robotran.world.Penbot
+import robotran.world.Session
+import robotran.world.physics.PhysicsEngine
+import robotran.world.physics.loadPhysicsEngine
+import robotran.world.report
+import robotran.world.runUnattended
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
+
+/**
+ * The Java examples, compiled and run as `robotran run` does, leave the reports recorded in `resources/runs`, whose trace hash counts every tick's pose
+ * and every ROM call: the tests run on each target, so all targets make the same calls at the same times. Short ROM logs are there too, to
+ * be read when a hash differs. The command line and the web page are held against the same records; `record-runs.sh` makes them anew.
+ */
+class JavaExampleRunTest {
+    private val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+
+    private suspend fun run(name: String, text: String, physics: PhysicsEngine): Session {
+        val result = assertIs<ProgramResult.Ready>(reader.read(ProgramSource.Java(name, listOf(SourceFile(name, text)))), name)
+        return Session(BuiltInWorlds.plain, listOf(result.program), physics).apply {
+            runUnattended(60_000)
+            close()
+        }
+    }
+
+    @Test
+    fun `every Java example makes its recorded run`() = runTest(timeout = 5.minutes) {
+        val physics = loadPhysicsEngine()
+        assertTrue(lejosExamples.isNotEmpty())
+        for ((name, text) in lejosExamples) {
+            val session = run(name, text, physics)
+            val record = name.removeSuffix(".java")
+            val romLog = session.romLog.entries.toLogText()
+            assertEquals(expectedRuns["$record.rom-log.txt"], romLog.takeIf { it.length <= LONGEST_RECORDED_LOG }, name)
+            assertEquals(expectedRuns["$record.report.json"], session.report().toJson() + "\n", name)
+        }
+    }
+
+    @Test
+    fun `every recorded run is that of an example`() {
+        assertEquals(lejosExamples.keys.map { it.removeSuffix(".java") }.toSet(), expectedRuns.keys.map { it.substringBefore('.') }.toSet())
+    }
+
+    private companion object {
+        /** In characters, as in `record-runs.sh`. */
+        const val LONGEST_RECORDED_LOG = 4000
+    }
+}

@@ -1,0 +1,53 @@
+package robotran.programs
+
+import kotlinx.coroutines.test.runTest
+import robotran.java.CompilationResult
+import robotran.java.JavaSource
+import robotran.java.loadJavaCompiler
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.time.Duration.Companion.minutes
+
+/** The compiler makes the same class files of all examples, to the last byte, on every platform: this test runs on each with the same hash. */
+class SameClassFilesTest {
+    @Test
+    fun `the class files of all examples have the recorded hash`() = runTest(timeout = 5.minutes) {
+        val compiler = loadJavaCompiler()
+        val all = Hash()
+        val hashes = mutableListOf<String>()
+        for ((name, text) in lejosExamples) {
+            val result =
+                assertIs<CompilationResult.Compiled>(compiler.compile(listOf(JavaSource(name, text)), BrickLibrary.classFiles), name)
+            val own = Hash()
+            for ((className, bytes) in result.classes.entries.sortedBy { it.key }) {
+                listOf(all, own).forEach {
+                    it.add(className.encodeToByteArray())
+                    it.add(bytes)
+                }
+            }
+            hashes += "$name ${own.text}"
+        }
+        // The single hashes tell, beside those of the other platform, which example differs.
+        assertEquals(RECORDED, all.text, hashes.joinToString("\n"))
+    }
+
+    /** FNV-1a of 64 bits. Source: G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake: The FNV Non-Cryptographic Hash Algorithm. */
+    private class Hash {
+        private var value = OFFSET
+
+        val text: String get() = value.toString(radix = 16).padStart(16, '0')
+
+        fun add(bytes: ByteArray) {
+            for (byte in bytes) value = (value xor byte.toUByte().toULong()) * PRIME
+        }
+    }
+
+    private companion object {
+        const val OFFSET = 0xCBF29CE484222325uL
+        const val PRIME = 0x100000001B3uL
+
+        /** To be recorded anew when the compiler, its settings or an example are meant to change. */
+        const val RECORDED = "fa24f2c59e2f6271"
+    }
+}

@@ -1,0 +1,54 @@
+// Runs leJOS programs in the built page, whose compiler is a module of its own that is fetched when it is first needed.
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { startBrowser } from './browser.mjs';
+import { assertRecordedRun, openPage } from './page.mjs';
+import { serve } from './serve.mjs';
+
+let browser;
+let site;
+
+before(async () => {
+  browser = await startBrowser();
+  site = await serve(process.env.PAGE);
+});
+
+after(async () => {
+  await browser?.close();
+  site?.stop();
+});
+
+const open = () => openPage(browser, site, { width: 1280, height: 800 });
+
+const EXAMPLES = ['Square.java', 'Shapes.java', 'BouncerWithBehaviours.java'];
+
+test('Java examples make their recorded runs in the browser, bit for bit', async () => {
+  const { page, troubles } = await open();
+  for (const name of EXAMPLES) {
+    const example = process.env.EXAMPLES.split(path.delimiter).find((file) => path.basename(file) === name);
+    assert.ok(example, name);
+    await assertRecordedRun(page, example, process.env.EXPECTED_JAVA_RUNS);
+  }
+  assert.deepEqual(troubles, []);
+});
+
+test('the compiler is fetched with the first Java program, not before and not again', async () => {
+  const { page, troubles, fetched } = await open();
+  const compilers = () => fetched.filter((address) => /ecj[^/]*\.wasm$/.test(new URL(address).pathname));
+  await page.evaluate(() => globalThis.robotran.run('beep', 1000));
+  assert.deepEqual(compilers(), []);
+  const program = 'public class Nothing {\n    public static void main(String[] args) {\n    }\n}\n';
+  for (let time = 0; time < 2; time++) {
+    await page.evaluate((text) => globalThis.robotran.run(text, 1000, 'Nothing.java'), program);
+    assert.equal(compilers().length, 1);
+  }
+  assert.deepEqual(troubles, []);
+});
+
+test('a mistake in a Java program is told with its line', async () => {
+  const { page, troubles } = await open();
+  const program = 'public class Wrong {\n    public static void main(String[] args) {\n        int number = tru;\n    }\n}\n';
+  await assert.rejects(page.evaluate((text) => globalThis.robotran.run(text, 1000, 'Wrong.java'), program), /Line 3: /);
+  assert.deepEqual(troubles, []);
+});
