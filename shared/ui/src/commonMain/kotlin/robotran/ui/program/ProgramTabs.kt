@@ -1,13 +1,18 @@
 package robotran.ui.program
 
+import androidx.compose.foundation.ExperimentalFoundationApi
 import androidx.compose.foundation.background
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.relocation.BringIntoViewRequester
+import androidx.compose.foundation.relocation.bringIntoViewRequester
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import org.jetbrains.compose.resources.stringResource
@@ -32,15 +37,26 @@ internal fun ProgramTabs(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
             state.programs.forEachIndexed { slot, program ->
                 val shown = slot == state.shownProgram
                 val title = if (several) stringResource(Res.string.program_tab, slot, program.name) else program.name
-                FileTab(title, shown, "program-$slot", { onEvent(WorkshopEvent.ProgramChosen(slot)) })
-                if (several && shown) {
-                    val close = stringResource(Res.string.program_close, program.name)
-                    RoundButton(Cross, close, "close-program") { onEvent(WorkshopEvent.ProgramClosed(slot)) }
+                Row(Modifier.keptInSight(shown, state.programs.size)) {
+                    FileTab(title, shown, "program-$slot", { onEvent(WorkshopEvent.ProgramChosen(slot)) })
+                    if (several && shown) {
+                        val close = stringResource(Res.string.program_close, program.name)
+                        RoundButton(Cross, close, "close-program") { onEvent(WorkshopEvent.ProgramClosed(slot)) }
+                    }
                 }
             }
         }
         AddProgram(state, onEvent)
     }
+}
+
+/** Scrolls to this whenever it comes to be [shown], or [neighbours] come or go. */
+@OptIn(ExperimentalFoundationApi::class)
+@Composable
+private fun Modifier.keptInSight(shown: Boolean, neighbours: Int): Modifier {
+    val requester = remember { BringIntoViewRequester() }
+    LaunchedEffect(shown, neighbours) { if (shown) requester.bringIntoView() }
+    return bringIntoViewRequester(requester)
 }
 
 /** The files of one program, where it has several. */
