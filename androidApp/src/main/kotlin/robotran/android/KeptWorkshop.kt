@@ -38,7 +38,9 @@ class KeptWorkshop(private val savedState: SavedStateHandle) : ViewModel() {
     }
 
     private fun keptPrograms(): List<PupilProgram> =
-        savedState.get<Bundle>(WORKSHOP)?.let { BundleCompat.getParcelableArrayList(it, PROGRAMS, Bundle::class.java) }.orEmpty().map(::programOf)
+        savedState.get<Bundle>(WORKSHOP)?.let {
+            BundleCompat.getParcelableArrayList(it, PROGRAMS, Bundle::class.java)
+        }.orEmpty().map(::programOf)
 
     override fun onCleared() {
         workshop?.close()

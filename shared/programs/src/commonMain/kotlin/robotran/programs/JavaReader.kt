@@ -22,7 +22,8 @@ internal class JavaReader(
 
     private fun link(source: ProgramSource.Java, compiled: CompilationResult.Compiled): ProgramResult {
         val first = source.files.firstOrNull()?.name.orEmpty()
-        val mainClass = mainClassOf(first, compiled.mainClasses) ?: return ProgramResult.Mistaken(listOfNotNull(compiled.missingMain?.let(::mistakeOf)))
+        val mainClass =
+            mainClassOf(first, compiled.mainClasses) ?: return ProgramResult.Mistaken(listOfNotNull(compiled.missingMain?.let(::mistakeOf)))
         val linked = classFiles.link(source.name, compiled.classes, mainClass) { refusal -> fileOf(source.files, refusal) }
         return when (linked) {
             is ProgramResult.Ready -> linked.copy(warnings = compiled.warnings.map(::mistakeOf))

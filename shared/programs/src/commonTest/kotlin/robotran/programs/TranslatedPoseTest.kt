@@ -35,7 +35,10 @@ class TranslatedPoseTest {
             val interpreted = drive(program, physics)
             if (!interpreted.ended) continue
             compared++
-            differenceOf(interpreted.pose, drive(java, physics).pose, TURNING_LONG[path] ?: MOST_CENTIMETRES)?.let { differences += "$path: $it" }
+            differenceOf(interpreted.pose, drive(java, physics).pose, TURNING_LONG[path] ?: MOST_CENTIMETRES)?.let {
+                differences +=
+                    "$path: $it"
+            }
         }
         assertEquals("", differences.joinToString("\n"))
         assertTrue(compared >= LEAST_COMPARED, "only $compared programs were compared")

@@ -46,9 +46,17 @@ internal fun run(program: RcxProgram, rom: StandingClockRom, mostCalls: Int, las
         if (still++ == MOST_STILL_STEPS) return Outcome.Stuck
         when (val status = run.resume(1)) {
             ProgramStatus.Running, is ProgramStatus.Paused -> continue
-            is ProgramStatus.Waiting -> if (status.untilMilliseconds > rom.milliseconds) still = 0.also { rom.milliseconds = status.untilMilliseconds }
+
+            is ProgramStatus.Waiting -> if (status.untilMilliseconds >
+                rom.milliseconds
+            ) {
+                still = 0.also { rom.milliseconds = status.untilMilliseconds }
+            }
+
             ProgramStatus.Ended -> return Outcome.Done
+
             is ProgramStatus.ThreadFailed -> return Outcome.Failed(status.failure.message)
+
             is ProgramStatus.Failed -> return Outcome.Failed(status.failure.message)
         }
     }

@@ -36,7 +36,11 @@ class ShellProperties : StringSpec({
                 deed(brick)
                 val state = brick.state
                 if (!state.poweredOn) state.run shouldBe RunState.Idle
-                if (state.explanation != null) (state.poweredOn && (state.run is RunState.Failed || state.run == RunState.Ended(false))) shouldBe true
+                if (state.explanation !=
+                    null
+                ) {
+                    (state.poweredOn && (state.run is RunState.Failed || state.run == RunState.Ended(false))) shouldBe true
+                }
                 (state.selectedSlot in 0..2) shouldBe true
                 (state.sensors.all { it.raw in 0..1023 }) shouldBe true
             }

@@ -66,7 +66,9 @@ internal fun AddProgram(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
 
 @Composable
 private fun NewPrograms(onEvent: (WorkshopEvent) -> Unit) {
-    Choice(stringResource(Res.string.program_new_robolang), "new-robolang") { onEvent(WorkshopEvent.ProgramBegun(ProgramLanguage.ROBOLANG)) }
+    Choice(stringResource(Res.string.program_new_robolang), "new-robolang") {
+        onEvent(WorkshopEvent.ProgramBegun(ProgramLanguage.ROBOLANG))
+    }
     Choice(stringResource(Res.string.program_new_java), "new-java") { onEvent(WorkshopEvent.ProgramBegun(ProgramLanguage.JAVA)) }
 }
 

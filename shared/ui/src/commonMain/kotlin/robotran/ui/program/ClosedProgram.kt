@@ -30,7 +30,12 @@ import robotran.ui.theme.focusRing
 internal fun ClosedProgram(name: String, room: Boolean, onReopen: () -> Unit) {
     val colours = LocalRobotranColours.current
     Row(
-        Modifier.fillMaxWidth().background(colours.desk).padding(horizontal = 16.dp).defaultMinSize(minHeight = Measures.TARGET).testTag("closed-program"),
+        Modifier
+            .fillMaxWidth()
+            .background(colours.desk)
+            .padding(horizontal = 16.dp)
+            .defaultMinSize(minHeight = Measures.TARGET)
+            .testTag("closed-program"),
         verticalAlignment = Alignment.CenterVertically,
     ) {
         Text(

@@ -37,12 +37,12 @@ import androidx.compose.ui.text.input.KeyboardCapitalization
 import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.programs.TextRange as MistakeRange
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_label
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.codeStyle
+import robotran.programs.TextRange as MistakeRange
 
 /**
  * The program to write in, with line numbers.

@@ -26,7 +26,9 @@ internal fun ProgramPane(state: WorkshopState, mostMistakes: Int, onEvent: (Work
             modifier = Modifier.weight(1f),
         )
         if (state.mistakes.isNotEmpty()) {
-            MistakeList(state.mistakes, state.program.files.size > 1, mostMistakes, state.mistakePointedOut, { onEvent(WorkshopEvent.FixApplied(it)) })
+            MistakeList(state.mistakes, state.program.files.size > 1, mostMistakes, state.mistakePointedOut, {
+                onEvent(WorkshopEvent.FixApplied(it))
+            })
         }
         if (state.remarks.isNotEmpty()) RemarkList(state.remarks, mostMistakes)
         state.closedProgram?.let { ClosedProgram(it.name, state.hasRoom) { onEvent(WorkshopEvent.ProgramReopened) } }

@@ -31,7 +31,8 @@ import robotran.ui.workshop.WorkshopState
  */
 @Composable
 internal fun ProgramTabs(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
-    Row(modifier.fillMaxWidth().background(LocalRobotranColours.current.pane).height(Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
+    val pane = LocalRobotranColours.current.pane
+    Row(modifier.fillMaxWidth().background(pane).height(Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
         Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()).selectableGroup(), verticalAlignment = Alignment.CenterVertically) {
             val several = state.programs.size > 1
             state.programs.forEachIndexed { slot, program ->

@@ -5,7 +5,10 @@ internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>): 
     val taken = others.flatMap { it.files }.map { it.name }
     return when (language) {
         ProgramLanguage.ROBOLANG -> PupilProgram(freeName("program", language, taken), "")
-        ProgramLanguage.JAVA -> freeName("Program", language, taken).let { PupilProgram(it, firstJava(it.removeSuffix(language.extension))) }
+
+        ProgramLanguage.JAVA -> freeName("Program", language, taken).let {
+            PupilProgram(it, firstJava(it.removeSuffix(language.extension)))
+        }
     }
 }
 
@@ -16,7 +19,15 @@ internal fun newClass(program: PupilProgram): ProgramFile {
 }
 
 private fun freeName(name: String, language: ProgramLanguage, taken: List<String>): String =
-    generateSequence(1) { it + 1 }.map { if (it == 1) "$name${language.extension}" else "$name$it${language.extension}" }.first { it !in taken }
+    generateSequence(1) { it + 1 }.map {
+        if (it ==
+            1
+        ) {
+            "$name${language.extension}"
+        } else {
+            "$name$it${language.extension}"
+        }
+    }.first { it !in taken }
 
 private fun firstJava(className: String) = """
     import josx.platform.rcx.*;
@@ -30,5 +41,4 @@ private fun firstJava(className: String) = """
             Motor.C.stop();
         }
     }
-
-""".trimIndent()
+    """.trimIndent()

@@ -16,7 +16,8 @@ data class PupilProgram(
     /** What the pupil knows it by. */
     val name: String get() = files.first().name
 
-    val language: ProgramLanguage get() = if (name.endsWith(ProgramLanguage.JAVA.extension)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
+    val language: ProgramLanguage
+        get() = if (name.endsWith(ProgramLanguage.JAVA.extension)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
 
     /** Whether there is anything to run. */
     val isBlank: Boolean get() = files.all { it.text.isBlank() }

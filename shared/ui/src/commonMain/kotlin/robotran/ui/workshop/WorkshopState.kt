@@ -57,7 +57,7 @@ data class WorkshopState(
     val remarks: List<ProgramRemark> get() = if (changed || session.brick.selectedSlot != shownProgram) emptyList() else session.remarks
 
     /** Whether there is anything to stop: a program that runs, or that shows why it cannot go on. */
-    val stoppable: Boolean get() = running || session.brick.run is RunState.Failed && session.brick.explanation != null
+    val stoppable: Boolean get() = running || (session.brick.run is RunState.Failed && session.brick.explanation != null)
 
     val running: Boolean get() = session.brick.run is RunState.Running
 

@@ -90,7 +90,8 @@ class ScreenPictures {
                 workshop.advance(HALF_DRAWN / 4)
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
                 photograph(workshop, screen, dark, "$name-running")
-                workshop.handle(WorkshopEvent.ProgramEdited(workshop.state.programText.replace("Thread.sleep(2000);", "System.out.println(7)")))
+                val mistaken = workshop.state.programText.replace("Thread.sleep(2000);", "System.out.println(7)")
+                workshop.handle(WorkshopEvent.ProgramEdited(mistaken))
                 runBlocking { workshop.readPrograms() }
                 workshop.handle(WorkshopEvent.ProgramClosed(0))
                 workshop.handle(WorkshopEvent.ProgramChosen(1))

@@ -49,7 +49,7 @@ class WorkshopJavaTest {
     }
 
     @Test
-    fun `the sample of the paper is told why the robot stands still`() = workshop(mainOf("Motor.A.forward(); Motor.C.forward();")) { workshop ->
+    fun `the sample of the paper is told why the robot stands still`() = workshop(paperSample) { workshop ->
         workshop.readPrograms()
         workshop.handle(WorkshopEvent.RunPressed)
         workshop.advance(500)
@@ -97,7 +97,7 @@ class WorkshopJavaTest {
     }
 
     @Test
-    fun `where a brick calculates otherwise the pupil is told`() = workshop(mainOf("int a = 70000; LCD.showNumber(200000 / a);")) { workshop ->
+    fun `where a brick calculates otherwise the pupil is told`() = workshop(largeDivisor) { workshop ->
         workshop.readPrograms()
         workshop.handle(WorkshopEvent.RunPressed)
         workshop.advance(500)
@@ -147,6 +147,9 @@ class WorkshopJavaTest {
         repeat(6) { workshop.handle(WorkshopEvent.ProgramClosed(0)) }
         assertEquals(1, workshop.state.programs.size)
     }
+
+    private val paperSample get() = mainOf("Motor.A.forward(); Motor.C.forward();")
+    private val largeDivisor get() = mainOf("int a = 70000; LCD.showNumber(200000 / a);")
 
     private fun mainOf(body: String) = PupilProgram(
         "Mine.java",
