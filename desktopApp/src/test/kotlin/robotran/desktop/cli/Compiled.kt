@@ -49,7 +49,9 @@ internal class Compiled(private val folder: Path) {
         return file.toString()
     }
 
-    /** All class files under [classes] by their names in a jar. */
-    fun entries(classes: Path): Map<String, ByteArray> =
-        classes.toFile().walk().filter { it.isFile }.associate { it.relativeTo(classes.toFile()).invariantSeparatorsPath to it.readBytes() }
+    /** All class files under [classes] by their names in a jar, in the order of these. */
+    fun entries(classes: Path): Map<String, ByteArray> {
+        val files = classes.toFile().walk().filter { it.isFile }
+        return files.associate { it.relativeTo(classes.toFile()).invariantSeparatorsPath to it.readBytes() }.toSortedMap()
+    }
 }

@@ -71,7 +71,7 @@ class JavaRunTest : CommandTest() {
     fun `a mistake names the file that it is in, and nothing runs`() {
         val robot = program(ROBOT.replace("forward", "forwrd"), "parts/Robot.java")
         assertEquals(2, run(drive(), robot))
-        assertTrue(console.complaints.single().startsWith("$robot:7:17: "), console.complaints.single())
+        assertTrue(console.complaints.single().startsWith("$robot:7:14: "), console.complaints.single())
         assertEquals(emptyList(), console.said)
     }
 
@@ -88,7 +88,7 @@ class JavaRunTest : CommandTest() {
     @Test
     fun `a class that is in no file, and a program that begins nowhere, are mistakes`() {
         assertEquals(2, run(drive()))
-        assertContains(console.complaints.single(), "Drive.java:5:9: There is no class \"Robot\".")
+        assertContains(console.complaints.single(), "Drive.java:5:13: There is no class \"Robot\".")
         console.complaints.clear()
         assertEquals(2, run(robot()))
         assertContains(console.complaints.single(), "no class has a method \"main\"")
@@ -126,10 +126,10 @@ class JavaRunTest : CommandTest() {
     @Test
     fun `a brick divides by sixteen bits and says so, a forgiving one as Java does`() {
         val file = javaProgram("Divide", "int divisor = 70000;\nLCD.showNumber(140000 / divisor);\nwhile (true) {}")
-        assertContains(reportOf(file, "--for", "1"), "\"lcd\": \"0031\"")
+        assertContains(reportOf(file, "--for", "1"), "\"lcd\": \"0031 0\"")
         assertContains(console.complaints.single(), "Line 6: ")
         console.complaints.clear()
-        assertContains(reportOf(file, "--for", "1", "--forgiving"), "\"lcd\": \"0002\"")
+        assertContains(reportOf(file, "--for", "1", "--forgiving"), "\"lcd\": \"0002 0\"")
         assertContains(console.complaints.single(), "Line 6: ")
     }
 
