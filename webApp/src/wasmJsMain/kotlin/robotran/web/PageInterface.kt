@@ -39,7 +39,7 @@ private fun promiseRun(
             if (name.endsWith(JAVA)) ProgramSource.Java(name, listOf(SourceFile(name, program))) else ProgramSource.Robolang(name, program)
         when (val result = reader.read(source)) {
             is ProgramResult.Mistaken -> {
-                error(result.mistakes.first().let { mistake -> mistake.range?.let { "Line ${it.line}: " }.orEmpty() + mistake.message })
+                refusal(result.mistakes.first().let { mistake -> mistake.range?.let { "Line ${it.line}: " }.orEmpty() + mistake.message })
             }
 
             is ProgramResult.Ready -> {
@@ -50,6 +50,9 @@ private fun promiseRun(
             }
         }
     }
+
+/** A promise that is broken with an error that scripts can read; one that Kotlin throws is only an object to them. */
+private fun refusal(words: String): JsAny = js("Promise.reject(new Error(words))")
 
 private fun runResult(
     report: String,
