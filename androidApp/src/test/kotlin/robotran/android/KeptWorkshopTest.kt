@@ -1,13 +1,17 @@
 package robotran.android
 
 import androidx.lifecycle.SavedStateHandle
+import kotlinx.coroutines.runBlocking
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
+import org.junit.Assert.assertTrue
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
+import robotran.ui.workshop.ProgramLanguage
 import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorkshopStatus
 
 @RunWith(RobolectricTestRunner::class)
 class KeptWorkshopTest {
@@ -16,6 +20,26 @@ class KeptWorkshopTest {
         val first = SavedStateHandle()
         opened(first).handle(WorkshopEvent.ProgramEdited("forward 7"))
         assertEquals("forward 7", opened(broughtBack(first)).state.programText)
+    }
+
+    @Test
+    fun `all programs come back with all their files`() {
+        val first = SavedStateHandle()
+        val workshop = opened(first)
+        workshop.handle(WorkshopEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(WorkshopEvent.ClassAdded)
+        assertEquals(workshop.state.programs, opened(broughtBack(first)).state.programs)
+    }
+
+    @Test
+    fun `a Java program is compiled and drives`() = runBlocking {
+        val workshop = opened(SavedStateHandle())
+        workshop.handle(WorkshopEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.readPrograms()
+        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.advance(3_000)
+        assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)
+        assertTrue(workshop.state.session.robot.pose.x > workshop.state.world.start.x + 30)
     }
 
     @Test

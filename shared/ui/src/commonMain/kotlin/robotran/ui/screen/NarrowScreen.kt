@@ -15,6 +15,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import robotran.rom.RunState
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
@@ -63,16 +64,26 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
         }
         if (maxWidth > maxHeight) {
             Row(Modifier.fillMaxSize(), verticalAlignment = Alignment.Bottom) {
-                WorldPane(state, Modifier.weight(1f))
+                Column(Modifier.weight(1f)) {
+                    WorldPane(state, Modifier.weight(1f))
+                    EndExplained(state)
+                }
                 strip()
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
                 WorldPane(state, Modifier.weight(1f))
+                EndExplained(state)
                 strip()
             }
         }
     }
+}
+
+/** Why the robot stands still, where the run bar's one word does not say it. */
+@Composable
+private fun EndExplained(state: WorkshopState) {
+    if (state.session.brick.run is RunState.Ended) BrickHint(state.session.brick, Modifier.padding(horizontal = 12.dp))
 }
 
 /** The whole brick, as large as it fits; where its buttons would become too small for a finger, it can be scrolled instead. */

@@ -3,6 +3,7 @@ package robotran.ui.screen
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertIsSelected
+import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
@@ -17,6 +18,14 @@ import kotlin.test.assertTrue
 
 @OptIn(ExperimentalTestApi::class)
 class PhoneTest {
+    @Test
+    fun `a program that ends while the robot drives is explained under the paper`() = onPhone { workshop ->
+        workshop.handle(WorkshopEvent.ProgramEdited("start forward"))
+        onNodeWithTag("run").performClick()
+        pass(1_000)
+        onNodeWithTag("brick-hint").assertTextContains("has come to its end", substring = true)
+    }
+
     @Test
     fun `three tabs show one pane each and the run bar is always there`() = onPhone {
         val panes = listOf("tab-program" to "program", "tab-world" to "world", "tab-brick" to "brick")
