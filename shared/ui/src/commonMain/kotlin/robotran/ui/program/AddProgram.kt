@@ -49,7 +49,7 @@ internal fun AddProgram(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
         DropdownMenu(
             expanded = open,
             onDismissRequest = { open = false },
-            modifier = Modifier.widthIn(min = 240.dp).heightIn(max = 420.dp),
+            modifier = Modifier.widthIn(min = 300.dp).heightIn(max = 420.dp),
             containerColor = LocalRobotranColours.current.pane,
         ) {
             if (state.hasRoom) NewPrograms(choose) else Note(stringResource(Res.string.program_no_room))
@@ -82,7 +82,7 @@ private fun Examples(title: String, examples: Map<String, String>, onEvent: (Wor
 @Composable
 private fun Note(text: String) {
     val colour = LocalRobotranColours.current.quiet
-    Text(text, Modifier.padding(16.dp, 12.dp).widthIn(max = 280.dp), color = colour, fontSize = 14.sp, fontWeight = FontWeight.Medium)
+    Text(text, Modifier.padding(12.dp).widthIn(max = 300.dp), color = colour, fontSize = 14.sp, fontWeight = FontWeight.Medium)
 }
 
 @Composable
