@@ -6,6 +6,7 @@ plugins {
 
 texts {
     constant("commonTest", "robotran.tinyvm.testPrograms", "shared/lejos-library/src/commonTest/resources/programs", "**/*.java")
+    blocks("jvmTest", "robotran.tinyvm.documentedPrograms", "docs", "lejos.md", "java")
     constant("commonTest", "robotran.tinyvm.documentedNatives", "shared/lejos-library/src/brick", "natives.md")
 }
 

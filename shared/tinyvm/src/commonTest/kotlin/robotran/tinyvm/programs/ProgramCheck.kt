@@ -32,18 +32,19 @@ internal fun link(
 ): TinyVmResult = linkTinyVm(path, classes, libraryClassFiles, path.substringAfterLast('/').removeSuffix(".java"), mode, speed = speed)
 
 /** Where the program at [path] does something else than the comments of its [source] expect, a line each; empty if it does not. */
-internal fun differences(path: String, source: String): List<String> {
+internal fun differences(path: String, source: String, classes: Map<String, ByteArray> = classFilesOf(path)): List<String> {
     val expected = Expectations(source)
     if (expected.hasMistakes) return emptyList()
     return expected.modes.flatMap { mode ->
         TinyVmSpeed.entries.flatMap { speed ->
-            differences(path, expected, mode, speed).map { "$path, ${mode.name.lowercase()}, ${speed.name.lowercase()}: $it" }
+            val where = "$path, ${mode.name.lowercase()}, ${speed.name.lowercase()}"
+            differences(expected, link(path, classes, mode, speed), speed).map { "$where: $it" }
         }
     }
 }
 
-private fun differences(path: String, expected: Expectations, mode: TinyVmMode, speed: TinyVmSpeed): List<String> =
-    when (val result = link(path, mode = mode, speed = speed)) {
+private fun differences(expected: Expectations, result: TinyVmResult, speed: TinyVmSpeed): List<String> =
+    when (result) {
         is TinyVmResult.Ready -> differences(expected, WatchedBrick(result.program, expected.events), speed)
         is TinyVmResult.Refused -> if (isExpected(expected, result)) emptyList() else listOf("it is refused: ${result.refusal}")
     }
