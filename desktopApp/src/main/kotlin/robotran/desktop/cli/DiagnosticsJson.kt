@@ -6,7 +6,6 @@ import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import robotran.programs.Mistake
-import robotran.programs.TextRange
 import robotran.robolang.Diagnostic
 import robotran.robolang.SourceRange
 
@@ -83,12 +82,6 @@ private fun json(diagnostic: Diagnostic): JsonObject =
             )
         }
     }
-
-private fun JsonObjectBuilder.put(range: TextRange) {
-    put("line", range.line)
-    put("column", range.column)
-    put("endColumn", range.endColumn)
-}
 
 private fun JsonObjectBuilder.put(range: SourceRange) {
     put("line", range.line)

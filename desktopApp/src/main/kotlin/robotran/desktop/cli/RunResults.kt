@@ -1,7 +1,6 @@
 package robotran.desktop.cli
 
 import robotran.desktop.files.writeFile
-import robotran.rom.ProgramRemark
 import robotran.rom.RomLogFilter
 import robotran.rom.toCsv
 import robotran.rom.toLogText
@@ -28,7 +27,7 @@ internal class RunResults(
                 outputs.memory?.let { writeText(it, memoryListing(session.memory())) },
             )
         report.error?.let { console.complain(it) }
-        session.remarks.forEach { console.complain(textOf(it)) }
+        session.remarks.forEach { console.complain(listOfNotNull(it.place, it.message).joinToString(": ")) }
         val forgotten = session.romLog.total - session.romLog.entries.size
         if (outputs.romLog != null && forgotten > 0) {
             console.complain("The ROM log lacks the first $forgotten calls: it keeps only the newest.")
@@ -65,11 +64,6 @@ internal class RunResults(
         val outcome = "$how after ${report.seconds} s. The robot is at $place; it drew ${report.inkCentimetres} cm."
         val explanation = session.state.brick.explanation.takeIf { report.status == RunStatus.ENDED }
         return listOfNotNull(outcome, explanation).joinToString(" ")
-    }
-
-    private fun textOf(remark: ProgramRemark): String {
-        val file = remark.sourceFile?.let { "$it, line" } ?: "Line"
-        return if (remark.sourceLine > 0) "$file ${remark.sourceLine}: ${remark.message}" else remark.message
     }
 
     private companion object {

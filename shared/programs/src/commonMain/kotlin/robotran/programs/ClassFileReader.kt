@@ -1,5 +1,6 @@
 package robotran.programs
 
+import robotran.robolang.SourceRange
 import robotran.tinyvm.Refusal
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.linkTinyVm
@@ -22,7 +23,7 @@ internal class ClassFileReader(private val settings: JavaSettings) {
         val line = refusal.sourceLine.takeIf { it > 0 }
         return Mistake(
             file = file ?: place,
-            range = line?.let { TextRange(it, FIRST_COLUMN, FIRST_COLUMN) },
+            range = line?.let { SourceRange(it, FIRST_COLUMN, FIRST_COLUMN) },
             message = if (file == null || place.isEmpty()) refusal.message else "$place: ${refusal.message}",
         )
     }

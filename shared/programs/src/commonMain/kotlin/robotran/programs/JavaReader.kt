@@ -5,6 +5,8 @@ import robotran.java.JavaCompiler
 import robotran.java.JavaDiagnostic
 import robotran.java.JavaRange
 import robotran.java.JavaSource
+import robotran.robolang.SourceFix
+import robotran.robolang.SourceRange
 import robotran.tinyvm.Refusal
 
 /** Compiles and links leJOS programs. */
@@ -46,8 +48,8 @@ internal class JavaReader(
         diagnostic.path,
         rangeOf(diagnostic.range),
         listOfNotNull(diagnostic.message, diagnostic.hint).joinToString(" "),
-        diagnostic.fix?.let { TextFix(rangeOf(it.range), it.replacement) },
+        diagnostic.fix?.let { SourceFix(rangeOf(it.range), it.replacement) },
     )
 
-    private fun rangeOf(range: JavaRange) = TextRange(range.line, range.column, range.endColumn)
+    private fun rangeOf(range: JavaRange) = SourceRange(range.line, range.column, range.endColumn)
 }

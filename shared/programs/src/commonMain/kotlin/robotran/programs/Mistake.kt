@@ -1,5 +1,8 @@
 package robotran.programs
 
+import robotran.robolang.SourceFix
+import robotran.robolang.SourceRange
+
 /**
  * A mistake in a program of either language, or something doubtful, told so that a beginner can mend it.
  *
@@ -10,26 +13,7 @@ package robotran.programs
  */
 data class Mistake(
     val file: String,
-    val range: TextRange?,
+    val range: SourceRange?,
     val message: String,
-    val fix: TextFix? = null,
-)
-
-/**
- * A piece of one line.
- *
- * @property line from 1.
- * @property column from 1, counted in UTF-16 characters, a tab being one; a byte order mark before the first line does not count.
- * @property endColumn the column after the last character; the same as [column] where something is missing.
- */
-data class TextRange(
-    val line: Int,
-    val column: Int,
-    val endColumn: Int,
-)
-
-/** A change of a source that an editor can offer: [replacement], in which each line ends with `\n`, in place of [range]. */
-data class TextFix(
-    val range: TextRange,
-    val replacement: String,
+    val fix: SourceFix? = null,
 )

@@ -19,9 +19,6 @@ class ProgramReader(
     private val classFiles = ClassFileReader(java)
     private var compiler: JavaCompiler? = null
 
-    /** Whether [source] can be read without loading anything. */
-    fun isReadyFor(source: ProgramSource): Boolean = source !is ProgramSource.Java || compiler != null
-
     /**
      * Loads what reading [source] takes.
      *
@@ -29,7 +26,7 @@ class ProgramReader(
      * platform to platform.
      */
     suspend fun prepareFor(source: ProgramSource) {
-        if (!isReadyFor(source)) compiler = loadJavaCompiler()
+        if (source is ProgramSource.Java && compiler == null) compiler = loadJavaCompiler()
     }
 
     /** Reads [source], whatever it holds, which it must be ready for. Not to be used from two threads at once. */

@@ -3,7 +3,6 @@ package robotran.programs
 import robotran.robolang.Calibration
 import robotran.robolang.Diagnostic
 import robotran.robolang.RobolangResult
-import robotran.robolang.SourceRange
 import robotran.robolang.readRobolang
 
 /** Reads programs in Robolang. */
@@ -16,10 +15,8 @@ internal class RobolangReader(private val calibration: Calibration) {
 
     private fun mistakeOf(file: String, diagnostic: Diagnostic) = Mistake(
         file,
-        rangeOf(diagnostic.range),
+        diagnostic.range,
         diagnostic.message,
-        diagnostic.fix?.let { TextFix(rangeOf(it.range), it.replacement) },
+        diagnostic.fix,
     )
-
-    private fun rangeOf(range: SourceRange) = TextRange(range.line, range.column, range.endColumn)
 }

@@ -68,12 +68,7 @@ data class ProgramFailure(
     val sourceFile: String? = null,
 ) {
     /** Where it happened in words, such as `Line 7` or `Robot.java, line 7`; null if there is no line. */
-    val place: String?
-        get() = when {
-            sourceLine == 0 -> null
-            sourceFile == null -> "Line $sourceLine"
-            else -> "$sourceFile, line $sourceLine"
-        }
+    val place: String? get() = placeText(sourceLine, sourceFile)
 }
 
 /**
@@ -83,4 +78,13 @@ data class ProgramFailure(
  * @property sourceLine the line it happened on, from 1; 0 if there is none.
  * @property sourceFile the file it happened in; null if the program has only one.
  */
-data class ProgramRemark(val message: String, val sourceLine: Int, val sourceFile: String? = null)
+data class ProgramRemark(val message: String, val sourceLine: Int, val sourceFile: String? = null) {
+    /** Where it happened in words, as [ProgramFailure.place]. */
+    val place: String? get() = placeText(sourceLine, sourceFile)
+}
+
+private fun placeText(line: Int, file: String?): String? = when {
+    line == 0 -> null
+    file == null -> "Line $line"
+    else -> "$file, line $line"
+}

@@ -1,6 +1,10 @@
 package robotran.tinyvm
 
-/** How fast a program runs. @property bytecodesPerStep bytecodes in one step of the brick, of which it gives two to each millisecond. */
+/**
+ * How fast a program runs.
+ *
+ * @property bytecodesPerStep bytecodes in one step of the brick, of which it gives two to each millisecond.
+ */
 enum class TinyVmSpeed(val bytecodesPerStep: Int) {
     /**
      * As on a real brick, 16,000 bytecodes a second: an RCX (H8/300 at 16 MHz) is estimated by its users at 10,000 to 20,000; no measurement is

@@ -7,7 +7,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.text.TextLayoutResult
 import androidx.compose.ui.unit.dp
-import robotran.programs.TextRange
+import robotran.robolang.SourceRange
 import robotran.ui.theme.RobotranColours
 import robotran.ui.workshop.offsetOf
 
@@ -15,7 +15,7 @@ import robotran.ui.workshop.offsetOf
 internal fun DrawScope.drawProgramMarks(
     layout: TextLayoutResult,
     runningLine: Int,
-    mistakes: List<TextRange>,
+    mistakes: List<SourceRange>,
     colours: RobotranColours,
 ) {
     val text = layout.layoutInput.text.text

@@ -37,24 +37,25 @@ import androidx.compose.ui.text.input.KeyboardCapitalization
 import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.robolang.SourceRange
 import robotran.ui.resources.Res
-import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_label
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.codeStyle
-import robotran.programs.TextRange as MistakeRange
 
 /**
  * The program to write in, with line numbers.
  *
+ * @param hint what stands there as long as there is no text.
  * @param runningLine the line to mark as running, from 1; 0 for none.
  * @param mistakes the places to underline.
  */
 @Composable
 internal fun ProgramEditor(
     text: String,
+    hint: String,
     runningLine: Int,
-    mistakes: List<MistakeRange>,
+    mistakes: List<SourceRange>,
     onEdit: (String) -> Unit,
     modifier: Modifier = Modifier,
 ) {
@@ -65,7 +66,7 @@ internal fun ProgramEditor(
             BoxWithConstraints(Modifier.weight(1f)) {
                 val width = maxWidth
                 Box(Modifier.horizontalScroll(rememberScrollState())) {
-                    ProgramField(text, runningLine, mistakes, onEdit, Modifier.defaultMinSize(width, least))
+                    ProgramField(text, hint, runningLine, mistakes, onEdit, Modifier.defaultMinSize(width, least))
                 }
             }
         }
@@ -75,8 +76,9 @@ internal fun ProgramEditor(
 @Composable
 private fun ProgramField(
     text: String,
+    hint: String,
     runningLine: Int,
-    mistakes: List<MistakeRange>,
+    mistakes: List<SourceRange>,
     onEdit: (String) -> Unit,
     modifier: Modifier,
 ) {
@@ -101,7 +103,7 @@ private fun ProgramField(
         keyboardOptions = KeyboardOptions(capitalization = KeyboardCapitalization.None, autoCorrectEnabled = false),
         onTextLayout = { layout = it },
         decorationBox = { field ->
-            if (text.isEmpty()) Text(stringResource(Res.string.program_hint), style = codeStyle(colours.quiet))
+            if (text.isEmpty()) Text(hint, style = codeStyle(colours.quiet))
             field()
         },
     )

@@ -4,7 +4,13 @@ import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Column
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.program_hint
+import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.ProgramLanguage
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 
@@ -20,6 +26,7 @@ internal fun ProgramPane(state: WorkshopState, mostMistakes: Int, onEvent: (Work
         if (state.program.files.size > 1) FileTabs(state.program.files, state.shownFile, { onEvent(WorkshopEvent.FileChosen(it)) })
         ProgramEditor(
             text = state.programText,
+            hint = stringResource(hintFor(state.program.language)),
             runningLine = state.runningLine,
             mistakes = state.mistakes.filter { it.file == state.file.name }.mapNotNull { it.range },
             onEdit = { onEvent(WorkshopEvent.ProgramEdited(it)) },
@@ -33,4 +40,9 @@ internal fun ProgramPane(state: WorkshopState, mostMistakes: Int, onEvent: (Work
         if (state.remarks.isNotEmpty()) RemarkList(state.remarks, mostMistakes)
         state.closedProgram?.let { ClosedProgram(it.name, state.hasRoom) { onEvent(WorkshopEvent.ProgramReopened) } }
     }
+}
+
+private fun hintFor(language: ProgramLanguage): StringResource = when (language) {
+    ProgramLanguage.ROBOLANG -> Res.string.program_hint
+    ProgramLanguage.JAVA -> Res.string.program_hint_java
 }

@@ -1,12 +1,12 @@
 package robotran.ui.workshop
 
-import robotran.programs.TextFix
+import robotran.robolang.SourceFix
 
 /** This text with every line end written as the editor writes it. */
 internal fun String.withPlainLineEnds(): String = replace("\r\n", "\n").replace('\r', '\n')
 
 /** This source after [fix]; unchanged if the place it names does not exist. */
-internal fun String.mendedBy(fix: TextFix): String {
+internal fun String.mendedBy(fix: SourceFix): String {
     val from = offsetOf(fix.range.line, fix.range.column) ?: return this
     val to = offsetOf(fix.range.line, fix.range.endColumn) ?: return this
     return if (from <= to) replaceRange(from, to, fix.replacement) else this

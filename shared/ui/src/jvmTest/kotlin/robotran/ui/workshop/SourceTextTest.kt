@@ -1,7 +1,7 @@
 package robotran.ui.workshop
 
-import robotran.programs.TextFix
-import robotran.programs.TextRange
+import robotran.robolang.SourceFix
+import robotran.robolang.SourceRange
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull
@@ -9,18 +9,18 @@ import kotlin.test.assertNull
 class SourceTextTest {
     @Test
     fun `a fix replaces what it names`() {
-        assertEquals("beep\nforward 3\nbeep", "beep\nforwrd 3\nbeep".mendedBy(TextFix(TextRange(2, 1, 7), "forward")))
+        assertEquals("beep\nforward 3\nbeep", "beep\nforwrd 3\nbeep".mendedBy(SourceFix(SourceRange(2, 1, 7), "forward")))
     }
 
     @Test
     fun `a fix without width puts something in, also at the end of the text`() {
-        assertEquals("wait 3 seconds", "wait 3".mendedBy(TextFix(TextRange(1, 7, 7), " seconds")))
+        assertEquals("wait 3 seconds", "wait 3".mendedBy(SourceFix(SourceRange(1, 7, 7), " seconds")))
     }
 
     @Test
     fun `a fix for a place that is no longer there changes nothing`() {
-        assertEquals("beep", "beep".mendedBy(TextFix(TextRange(2, 1, 3), "x")))
-        assertEquals("beep", "beep".mendedBy(TextFix(TextRange(1, 3, 9), "x")))
+        assertEquals("beep", "beep".mendedBy(SourceFix(SourceRange(2, 1, 3), "x")))
+        assertEquals("beep", "beep".mendedBy(SourceFix(SourceRange(1, 3, 9), "x")))
     }
 
     @Test
