@@ -13,6 +13,7 @@ import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import org.jetbrains.compose.resources.stringResource
@@ -56,7 +57,11 @@ internal fun ProgramTabs(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
 @Composable
 private fun Modifier.keptInSight(shown: Boolean, neighbours: Int): Modifier {
     val requester = remember { BringIntoViewRequester() }
-    LaunchedEffect(shown, neighbours) { if (shown) requester.bringIntoView() }
+    LaunchedEffect(shown, neighbours) {
+        // It has a place only once it was laid out.
+        withFrameNanos { }
+        if (shown) requester.bringIntoView()
+    }
     return bringIntoViewRequester(requester)
 }
 

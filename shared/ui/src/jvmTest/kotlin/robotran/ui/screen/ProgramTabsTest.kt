@@ -12,6 +12,7 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import kotlinx.coroutines.runBlocking
 import robotran.ui.workshop.ProgramLanguage
+import robotran.ui.workshop.WorkshopEvent
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -65,5 +66,15 @@ class ProgramTabsTest {
             val place = onAllNodesWithTag(tag).onFirst().fetchSemanticsNode().touchBoundsInRoot
             assertTrue(place.width >= 48f && place.height >= 48f, "$tag is only ${place.size}")
         }
+    }
+
+    @Test
+    fun `the program that is shown can be closed, however many there are`() = onPhone { workshop ->
+        onNodeWithTag("tab-program").performClick()
+        repeat(3) { workshop.handle(WorkshopEvent.ProgramBegun(ProgramLanguage.JAVA)) }
+        pass(1_000)
+        val close = onNodeWithTag("close-program").fetchSemanticsNode().boundsInRoot
+        val add = onNodeWithTag("add-program").fetchSemanticsNode().boundsInRoot
+        assertTrue(close.width >= 48f && close.right <= add.left, "$close is not left of $add")
     }
 }
