@@ -21,7 +21,9 @@ class Ink(
  *
  * @property points its corners; a single one where the pen was put down and lifted in place. Straight and nearly straight
  * pieces are merged, the line stays within a twentieth of a millimetre of the pen's way.
+ * @property robot whose pen it was: its number in the world, from 0.
  */
 class InkStroke(
     val points: List<Point>,
+    val robot: Int = 0,
 )

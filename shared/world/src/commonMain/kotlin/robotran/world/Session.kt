@@ -142,12 +142,11 @@ class Session(val world: World, programs: List<RcxProgram?>, physics: PhysicsEng
 
     private fun snapshot() = SessionState(
         milliseconds = milliseconds,
-        brick = brick.state,
-        robot = simulation.robot,
+        robots = listOf(RobotSnapshot(brick.state, simulation.robot, simulation.bumps, remarks, romLog.total.toInt())),
+        blocks = emptyList(),
+        lamps = emptyList(),
         ink = simulation.ink,
-        bumps = simulation.bumps,
-        remarks = remarks,
-        romCalls = romLog.total.toInt(),
+        goals = emptyList(),
     )
 
     companion object {

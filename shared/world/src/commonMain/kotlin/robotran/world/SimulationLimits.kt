@@ -24,6 +24,9 @@ internal object SimulationLimits {
         positionIterations = 5,
     )
 
+    /** How often it is looked whether goals are met. */
+    const val MILLISECONDS_PER_JUDGEMENT = 10
+
     /** How long one step of a program is waited for if nothing else is said: ten minutes. */
     const val LONGEST_STEP_MILLISECONDS = 600_000
 

@@ -21,10 +21,10 @@ private class WorldReader(private val file: JsonPlace) {
         val paper = readPaper(file.member("paper"))
         val walls = file.member("walls").items(WorldLimits.MAXIMUM_WALLS)
         return World(
-            name = file.member("name").text(WorldLimits.MAXIMUM_NAME_CHARACTERS),
+            title = file.member("name").text(WorldLimits.MAXIMUM_NAME_CHARACTERS),
             paper = paper,
             walls = walls.map(::readWall),
-            start = readStart(file.member("start"), paper),
+            robots = listOf(RobotPlace(readStart(file.member("start"), paper))),
             seed = file.member("seed").wholeNumber(),
         ).also { checkRoom(it, walls) }
     }

@@ -102,7 +102,7 @@ class DrawingTest {
 
     @Test
     fun `beside the paper there is nothing to draw on`() = runTest {
-        val world = BuiltInWorlds.plain.copy(walls = emptyList(), start = Pose(95.0, 40.0, 0.0))
+        val world = BuiltInWorlds.plain.copy(walls = emptyList()).withStart(Pose(95.0, 40.0, 0.0))
         val ink = runToEnd(
             ScriptedProgram {
                 penDown()

@@ -68,7 +68,7 @@ class WallTest {
 
     @Test
     fun `a robot that meets a wall at an angle slides along it and turns`() = runTest {
-        val world = BuiltInWorlds.plain.copy(start = Pose(60.0, 20.0, 40.0))
+        val world = BuiltInWorlds.plain.withStart(Pose(60.0, 20.0, 40.0))
         val pose = runToEnd(driveFor(8_000, power = 3), world).state.robot.pose
         assertTrue(pose.x < wall - Penbot.CHASSIS_WIDTH / 2, "it stands at ${pose.x}")
         assertTrue(pose.heading != 40.0, "it looks to ${pose.heading}")

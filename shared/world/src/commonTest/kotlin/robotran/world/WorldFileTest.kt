@@ -20,7 +20,7 @@ class WorldFileTest {
     @Test
     fun `the plain sheet has four walls and a start for a square in its middle`() {
         val world = loaded(plain)
-        assertEquals("Plain sheet", world.name)
+        assertEquals("Plain sheet", world.title)
         assertEquals(Paper(100.0, 80.0), world.paper)
         assertEquals(4, world.walls.size)
         assertEquals(Wall(Point(-0.5, -0.5), Point(100.5, -0.5), 1.0), world.walls.first())
@@ -135,6 +135,6 @@ class WorldFileTest {
 
     @Test
     fun `a bracket in a text does not count as nesting`() {
-        assertEquals("[".repeat(50) + "\"", loaded(plain.replaceFirst("Plain sheet", "[".repeat(50) + "\\\"")).name)
+        assertEquals("[".repeat(50) + "\"", loaded(plain.replaceFirst("Plain sheet", "[".repeat(50) + "\\\"")).title)
     }
 }

@@ -10,6 +10,7 @@ import robotran.world.Ink
 import robotran.world.InkStroke
 import robotran.world.Point
 import robotran.world.Pose
+import robotran.world.RobotSnapshot
 import robotran.world.RobotState
 import robotran.world.SessionState
 import java.io.ByteArrayInputStream
@@ -98,11 +99,18 @@ class SheetPictureTest {
         leftBumper: Boolean = false,
     ) = SessionState(
         milliseconds = 0,
-        brick = Brick(emptyList()).state,
-        robot = RobotState(Pose(40.0, 30.0, heading), 0.0, 0.0, penDown, leftBumper, false),
+        robots = listOf(
+            RobotSnapshot(
+                brick = Brick(emptyList()).state,
+                robot = RobotState(Pose(40.0, 30.0, heading), 0.0, 0.0, penDown, leftBumper, false),
+                bumps = 0,
+                remarks = emptyList(),
+                romCalls = 0,
+            ),
+        ),
+        blocks = emptyList(),
+        lamps = emptyList(),
         ink = if (ink.isEmpty()) Ink.NONE else Ink(listOf(InkStroke(ink)), 0.0),
-        bumps = 0,
-        remarks = emptyList(),
-        romCalls = 0,
+        goals = emptyList(),
     )
 }
