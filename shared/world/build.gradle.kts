@@ -21,7 +21,7 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:rcx-rom"))
-            implementation(libs.serialization.json)
+            api(project(":shared:json"))
         }
         commonTest.dependencies {
             implementation(project(":shared:robolang"))

@@ -1,25 +1,96 @@
 package robotran.world
 
-/** What a world may hold, so that none can fill the memory or take a step too long. Lengths are in centimetres. */
+/** What a world may hold, so that none can fill the memory or take a step too long. Lengths are in centimetres, angles in degrees. */
 object WorldLimits {
-    /** The length of a file; a thousand times that of the plain sheet. */
-    const val MAXIMUM_CHARACTERS = 1_000_000
+    const val MAXIMUM_TITLE_CHARACTERS = 100
 
-    /** How deep objects and lists may lie in one another; the format needs four levels, later ones a few more. */
-    const val MAXIMUM_DEPTH = 32
-    const val MAXIMUM_NAME_CHARACTERS = 100
+    /** The task and what goals say: a few sentences. */
+    const val MAXIMUM_SENTENCE_CHARACTERS = 500
+    const val MAXIMUM_NAME_CHARACTERS = 40
 
     /** Room for the robot to turn on the spot. */
     const val MINIMUM_PAPER_SIDE = 20.0
 
     /** A floor of ten metres, more than any classroom's table. */
     const val MAXIMUM_PAPER_SIDE = 1000.0
-    const val MAXIMUM_WALLS = 200
-    const val MINIMUM_WALL_THICKNESS = 0.1
-    const val MAXIMUM_WALL_THICKNESS = 100.0
 
-    /** Walls may stand beside the paper, but not out of sight of it. */
+    /** Things may stand beside the paper, but not out of sight of it. */
     const val MINIMUM_COORDINATE = -1000.0
     const val MAXIMUM_COORDINATE = 2000.0
-    const val MAXIMUM_HEADING = 360.0
+    const val MAXIMUM_ANGLE = 360.0
+
+    /** Of walls, barriers, blocks, circles and lines. */
+    const val MINIMUM_THICKNESS = 0.1
+    const val MAXIMUM_WALL_THICKNESS = 100.0
+    const val MAXIMUM_SHAPE_SIDE = 2000.0
+
+    const val MAXIMUM_WALLS = 200
+    const val MAXIMUM_BARRIERS = 400
+    const val MAXIMUM_BLOCKS = 100
+    const val MAXIMUM_MARKS = 500
+    const val MAXIMUM_LAMPS = 20
+
+    /** A brick each. */
+    const val MAXIMUM_ROBOTS = 8
+    const val MAXIMUM_SENSORS_PER_PORT = 2
+
+    /** Of a polygon; each pair of edges is looked at. */
+    const val MAXIMUM_CORNERS = 100
+
+    /** What a polygon at least covers, in square centimetres. */
+    const val MINIMUM_AREA = 0.01
+
+    /** Of a line or of a stroke of the template. */
+    const val MAXIMUM_LINE_POINTS = 2000
+    const val MAXIMUM_STROKES = 500
+
+    /** Points of all polygons, lines and strokes together. */
+    const val MAXIMUM_POINTS = 20_000
+    const val MAXIMUM_MAP_SIDE = 1000
+
+    /** Cells of all grey maps together. */
+    const val MAXIMUM_MAP_CELLS = 250_000
+    const val MINIMUM_CELL = 0.01
+    const val MAXIMUM_CELL = 100.0
+
+    /** In kilograms. */
+    const val MINIMUM_MASS = 0.001
+    const val MAXIMUM_MASS = 100.0
+    const val MAXIMUM_FRICTION = 10.0
+
+    /** Of lamps, beacons and the light everywhere, in the units of [Light]. */
+    const val MAXIMUM_BRIGHTNESS = 100.0
+    const val MINIMUM_CONE = 1.0
+
+    /** What the temperature sensor of a brick is made for. */
+    const val MINIMUM_TEMPERATURE = -20.0
+    const val MAXIMUM_TEMPERATURE = 50.0
+
+    const val MAXIMUM_PROGRAM_LINES = 1000
+    const val MAXIMUM_PROGRAM_LINE_CHARACTERS = 200
+
+    /** Those inside others counted too. */
+    const val MAXIMUM_GOALS = 50
+
+    /** How deep goals may lie in one another. */
+    const val MAXIMUM_GOAL_DEPTH = 4
+
+    /** An hour; of virtual time. */
+    const val MAXIMUM_SECONDS = 3600
+    const val MAXIMUM_INK = 100_000.0
+    const val MINIMUM_LAPS = 0.1
+    const val MAXIMUM_LAPS = 100.0
+    const val MAXIMUM_TOLERANCE = 100.0
+    const val MAXIMUM_EXCESS = 100.0
+    const val MAXIMUM_DISPLAY_CHARACTERS = 12
+    const val MAXIMUM_SOUNDS = 1000
+
+    /** What a brick's loudspeaker can play, in hertz. */
+    const val LOWEST_TONE = 31
+    const val HIGHEST_TONE = 20_000
+
+    internal val COORDINATES = MINIMUM_COORDINATE..MAXIMUM_COORDINATE
+    internal val ANGLES = -MAXIMUM_ANGLE..MAXIMUM_ANGLE
+    internal val SHAPE_SIDES = MINIMUM_THICKNESS..MAXIMUM_SHAPE_SIDE
+    internal val SECONDS = 1..MAXIMUM_SECONDS
 }

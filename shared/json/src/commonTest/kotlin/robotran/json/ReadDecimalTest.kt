@@ -1,4 +1,4 @@
-package robotran.world
+package robotran.json
 
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -1,0 +1,37 @@
+package robotran.json
+
+/** A file is not even to be taken apart. */
+internal class BoundExceeded(val sentence: String, val line: Int?) : Exception(sentence)
+
+/**
+ * Refuses what is too long, nests too deep or has a text in quotes that goes beyond its line, which is nearly always a forgotten quote: the
+ * parser would only notice much further down.
+ */
+internal fun boundJson(text: String) {
+    if (text.length > JsonLimits.MAXIMUM_CHARACTERS) {
+        throw BoundExceeded("The file is too long: more than ${JsonLimits.MAXIMUM_CHARACTERS} characters.", null)
+    }
+    var depth = 0
+    var line = 1
+    var inString = false
+    var escaped = false
+    for (character in text) {
+        if (inString) {
+            if (character < ' ') throw BoundExceeded("Line $line has a text that is not closed with a quote.", line)
+            inString = escaped || character != '"'
+            escaped = !escaped && character == '\\'
+        } else {
+            when (character) {
+                '\n' -> line++
+                '"' -> inString = true
+                '{', '[' -> depth++
+                '}', ']' -> depth--
+            }
+        }
+        if (depth > JsonLimits.MAXIMUM_DEPTH) throw BoundExceeded("Line $line opens too many brackets inside one another.", line)
+    }
+    if (inString) throw BoundExceeded("Line $line has a text that is not closed with a quote.", line)
+}
+
+/** The line, from 1, that the character at [offset] is in. */
+internal fun lineAt(text: String, offset: Int): Int = 1 + (0..<minOf(offset, text.length)).count { text[it] == '\n' }

@@ -1,0 +1,151 @@
+package robotran.json
+
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+
+/**
+ * A value in a JSON file that knows where it is. Whatever is not as it is asked for ends the reading with a [JsonRefusal] that names the
+ * place.
+ */
+class JsonPlace(val element: JsonElement, val path: JsonPath) {
+    private var asked: MutableMap<String, JsonPlace>? = null
+    private var restTaken = false
+
+    fun member(name: String): JsonPlace =
+        optional(name) ?: throw JsonRefusal(path + JsonStep.Member(name), "is missing")
+
+    /** The member [name], or null if this has none. */
+    fun optional(name: String): JsonPlace? {
+        val value = members[name] ?: return null
+        val places = asked ?: mutableMapOf<String, JsonPlace>().also { asked = it }
+        return places.getOrPut(name) { JsonPlace(value, path + JsonStep.Member(name)) }
+    }
+
+    /** The names of all members, in the order of the file. */
+    val names: Set<String> get() = members.keys
+
+    /**
+     * The members that nobody has asked for; under the name of an object that somebody has asked for, but not for its rest, what is left in
+     * that. [withRest] puts them back.
+     */
+    fun rest(): Map<String, JsonElement> {
+        restTaken = true
+        val members = element as? JsonObject ?: return emptyMap()
+        return buildMap {
+            for ((name, value) in members) {
+                val place = asked?.get(name)
+                if (place == null) {
+                    put(name, value)
+                } else if (!place.restTaken) {
+                    place.rest().let { if (it.isNotEmpty()) put(name, JsonObject(it)) }
+                }
+            }
+        }
+    }
+
+    /** The places of a list with so many values. */
+    fun items(count: IntRange): List<JsonPlace> {
+        val items = element as? JsonArray ?: refuse("must be a list in square brackets")
+        if (items.size > count.last) refuse("has ${items.size} entries, but at most ${count.last} are allowed")
+        if (items.size < count.first) refuse("has ${entries(items.size)}, but at least ${count.first} must be there")
+        return items.mapIndexed { number, item -> JsonPlace(item, path + JsonStep.Item(number)) }
+    }
+
+    /** A text of at most [maximum] characters in one line, all of them visible; not a blank one unless [mayBeEmpty]. */
+    fun text(maximum: Int, mayBeEmpty: Boolean = false): String {
+        val text = textOrNull() ?: refuse("must be a text in quotes")
+        if (!mayBeEmpty && text.isBlank()) refuse("must not be empty")
+        if (text.length > maximum) refuse("must not have more than $maximum characters")
+        if (text.any { it.isISOControl() } ||
+            text.indices.any { isHalfCharacter(text, it) }
+        ) {
+            refuse("must be one line of ordinary characters")
+        }
+        return text
+    }
+
+    /** Any text at all of at most [maximum] characters, such as one of several lines. */
+    fun longText(maximum: Int): String {
+        val text = textOrNull() ?: refuse("must be a text in quotes")
+        if (text.length > maximum) refuse("must not have more than $maximum characters")
+        if (text.indices.any { isHalfCharacter(text, it) }) refuse("must have ordinary characters only")
+        return text
+    }
+
+    /** The text in quotes, or null if this is none. */
+    fun textOrNull(): String? = (element as? JsonPrimitive)?.takeIf { it.isString }?.content
+
+    fun number(range: ClosedRange<Double>): Double {
+        val number = numberOrNull() ?: refuse("must be a number")
+        if (number !in range) refuse("must be from ${writeDecimal(range.start)} to ${writeDecimal(range.endInclusive)}")
+        return number
+    }
+
+    fun wholeNumber(range: IntRange): Int {
+        val number = numberOrNull() ?: refuse("must be a number")
+        if (number != number.toInt().toDouble() ||
+            number.toInt() !in range
+        ) {
+            refuse("must be a whole number from ${range.first} to ${range.last}")
+        }
+        return number.toInt()
+    }
+
+    /** The same beyond what an `Int` holds. */
+    fun longNumber(range: LongRange): Long {
+        val number = numberOrNull() ?: refuse("must be a number")
+        if (number != number.toLong().toDouble() || number.toLong() !in range) {
+            refuse("must be a whole number from ${range.first} to ${range.last}")
+        }
+        return number.toLong()
+    }
+
+    fun flag(): Boolean = when ((element as? JsonPrimitive)?.takeIf { !it.isString }?.content) {
+        "true" -> true
+        "false" -> false
+        else -> refuse("must be true or false")
+    }
+
+    /** What one of a few words stands for. */
+    fun <T> choice(words: Map<String, T>): T = words[textOrNull()] ?: refuse("must be ${alternatives(words.keys)}")
+
+    /** Ends the reading; [reason] is read behind the path: `must be a number`. */
+    fun refuse(reason: String): Nothing = throw JsonRefusal(path, reason)
+
+    /** Refuses what the parser lets pass: words without quotes that are neither a number nor `true`, `false` or `null`. */
+    internal fun checkLiterals() {
+        when (element) {
+            is JsonObject -> element.forEach { (name, value) ->
+                if (hasLiterals(value)) JsonPlace(value, path + JsonStep.Member(name)).checkLiterals()
+            }
+
+            is JsonArray -> element.forEachIndexed { number, value ->
+                if (hasLiterals(value)) JsonPlace(value, path + JsonStep.Item(number)).checkLiterals()
+            }
+
+            is JsonPrimitive -> if (hasLiterals(element)) refuse("must be a number, a text in quotes, true, false or null")
+        }
+    }
+
+    private fun hasLiterals(value: JsonElement): Boolean = when (value) {
+        is JsonNull -> false
+        is JsonPrimitive -> !value.isString && value.content != "true" && value.content != "false" && !isNumber(value.content)
+        else -> true
+    }
+
+    private val members: JsonObject get() = element as? JsonObject ?: refuse("must be an object in braces")
+
+    private fun numberOrNull(): Double? =
+        (element as? JsonPrimitive)?.takeIf { it !is JsonNull && !it.isString }?.let { readDecimal(it.content) }
+
+    private fun entries(count: Int) = if (count == 1) "1 entry" else "$count entries"
+}
+
+/** Such as `"down" or "forward"`. */
+fun alternatives(words: Collection<String>): String {
+    val quoted = words.map { "\"$it\"" }
+    return if (quoted.size < 2) quoted.joinToString() else quoted.dropLast(1).joinToString() + " or " + quoted.last()
+}

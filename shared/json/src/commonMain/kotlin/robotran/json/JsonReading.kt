@@ -1,0 +1,66 @@
+package robotran.json
+
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+
+/** What came of reading a JSON file. */
+sealed interface JsonReading<out T> {
+    data class Read<out T>(val value: T) : JsonReading<T>
+
+    /**
+     * The file cannot be used.
+     *
+     * @property message one sentence that says where and why.
+     * @property line the line it is about, from 1; null if it is about the file as a whole.
+     * @property path the value it is about, such as `walls[2].from`; empty if it is about none.
+     */
+    data class Refused(val message: String, val line: Int?, val path: String) : JsonReading<Nothing>
+}
+
+/**
+ * Reads a JSON file with [read], which takes what it wants from the whole file and refuses the rest with a [JsonRefusal]. Whatever the text is,
+ * this ends quickly: its length and the depth of its brackets are bounded before it is taken apart.
+ */
+fun <T> readJson(text: String, read: (JsonPlace) -> T): JsonReading<T> {
+    val json = text.removePrefix(BYTE_ORDER_MARK)
+    return try {
+        boundJson(json)
+        val file = JsonPlace(Json.parseToJsonElement(json), JsonPath.WHOLE_FILE)
+        file.checkLiterals()
+        JsonReading.Read(read(file))
+    } catch (refusal: JsonRefusal) {
+        refusedBecause(refusal, json)
+    } catch (mistake: SerializationException) {
+        val line = lineAt(json, offsetOf(mistake) ?: json.length)
+        JsonReading.Refused("Line $line cannot be read: something is missing or out of place there.", line, "")
+    } catch (excess: BoundExceeded) {
+        JsonReading.Refused(excess.sentence, excess.line, "")
+    }
+}
+
+/** The same for a file as it lies on a disk: text in UTF-8, with or without a byte order mark. */
+fun <T> readJson(bytes: ByteArray, read: (JsonPlace) -> T): JsonReading<T> {
+    val text = if (bytes.size > JsonLimits.MAXIMUM_BYTES) {
+        return JsonReading.Refused("The file is too long: more than ${JsonLimits.MAXIMUM_CHARACTERS} characters.", null, "")
+    } else {
+        try {
+            bytes.decodeToString(throwOnInvalidSequence = true)
+        } catch (_: CharacterCodingException) {
+            return JsonReading.Refused("The file is not a text in UTF-8; an editor can save it as one.", null, "")
+        }
+    }
+    return readJson(text, read)
+}
+
+private fun refusedBecause(refusal: JsonRefusal, text: String): JsonReading.Refused {
+    val path = refusal.path ?: return JsonReading.Refused(refusal.reason, null, "")
+    val line = lineOf(path, text)
+    val what = path.toString().ifEmpty { "the file" }
+    return JsonReading.Refused("Line $line: $what ${refusal.reason}.", line, path.toString())
+}
+
+/** The parser tells the place of a mistake only in its message, and not at all if the file ends too early. */
+private fun offsetOf(mistake: SerializationException): Int? =
+    Regex("offset (\\d+)").find(mistake.message.orEmpty())?.groupValues?.get(1)?.toIntOrNull()
+
+private const val BYTE_ORDER_MARK = "\uFEFF"

@@ -1,0 +1,109 @@
+package robotran.json
+
+/**
+ * The line, from 1, of the value at [path] in the JSON [text], or of the nearest one around it if there is none. The parser forgets
+ * where it read what, so the way is gone once more; only after a refusal. Where a name is there twice, the last counts, as for the parser.
+ */
+internal fun lineOf(path: JsonPath, text: String): Int {
+    val scanner = JsonScanner(text)
+    var value = scanner.skipBlanks(0)
+    var told = value
+    for (step in path.steps) {
+        val found = when (step) {
+            is JsonStep.Member -> scanner.findMember(value, step.name)
+            is JsonStep.Item -> scanner.findItem(value, step.number)
+        } ?: break
+        told = found.told
+        value = found.value
+    }
+    return lineAt(text, told)
+}
+
+/** @property told the place to name to people: a member's name, not its value, which may begin a line later. */
+private class Found(val told: Int, val value: Int)
+
+/** Finds its way in a text that is known to be JSON. Places are offsets of characters. */
+private class JsonScanner(private val text: String) {
+    fun skipBlanks(from: Int): Int {
+        var place = from
+        while (at(place) == ' ' || at(place) == '\n' || at(place) == '\r' || at(place) == '\t') place++
+        return place
+    }
+
+    fun findMember(start: Int, name: String): Found? {
+        if (at(start) != '{') return null
+        var found: Found? = null
+        var place = skipBlanks(start + 1)
+        while (at(place) == '"') {
+            val end = skipString(place)
+            val value = skipBlanks(skipBlanks(end) + 1)
+            if (unquoted(place + 1, end - 1) == name) found = Found(place, value)
+            place = next(value)
+        }
+        return found
+    }
+
+    fun findItem(start: Int, number: Int): Found? {
+        if (at(start) != '[') return null
+        var place = skipBlanks(start + 1)
+        repeat(number) {
+            if (at(place) == ']' || at(place) == null) return null
+            place = next(place)
+        }
+        return Found(place, place)
+    }
+
+    /** Behind the value at [value] and the comma that may follow. */
+    private fun next(value: Int): Int {
+        val end = skipBlanks(skipValue(value))
+        return if (at(end) == ',') skipBlanks(end + 1) else end
+    }
+
+    private fun skipValue(from: Int): Int {
+        var depth = 0
+        var place = from
+        while (place < text.length) {
+            when (text[place]) {
+                '"' -> place = skipString(place) - 1
+                '{', '[' -> depth++
+                '}', ']' -> if (--depth < 0) return place
+                ',' -> if (depth == 0) return place
+            }
+            place++
+            if (depth == 0 && text[place - 1] in "\"}]") return place
+        }
+        return place
+    }
+
+    /** Behind the quote that closes the text beginning at [from]. */
+    private fun skipString(from: Int): Int {
+        var place = from + 1
+        while (place < text.length && text[place] != '"') place += if (text[place] == '\\') 2 else 1
+        return minOf(place + 1, text.length)
+    }
+
+    private fun unquoted(from: Int, end: Int): String = buildString {
+        var place = from
+        while (place < end) {
+            val character = text[place]
+            if (character != '\\') {
+                append(character)
+                place++
+            } else if (text[place + 1] == 'u') {
+                append(text.substring(place + UNICODE_DIGITS, place + UNICODE_END).toInt(radix = 16).toChar())
+                place += UNICODE_END
+            } else {
+                append(ESCAPES[text[place + 1]] ?: text[place + 1])
+                place += 2
+            }
+        }
+    }
+
+    private fun at(place: Int): Char? = text.getOrNull(place)
+
+    private companion object {
+        const val UNICODE_DIGITS = 2
+        const val UNICODE_END = 6
+        val ESCAPES = mapOf('b' to '\b', 'f' to '\u000C', 'n' to '\n', 'r' to '\r', 't' to '\t')
+    }
+}

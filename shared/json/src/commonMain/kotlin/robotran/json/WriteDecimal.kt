@@ -1,0 +1,52 @@
+package robotran.json
+
+import kotlin.math.abs
+import kotlin.math.floor
+
+/**
+ * The shortest decimal number without a power of ten that [readDecimal] reads as [number]; where there is none, the nearest with fifteen significant
+ * digits. The same on every target, since it takes nothing but exact and correctly rounded operations.
+ *
+ * @param number finite, its size below 1e15 or exactly what [readDecimal] gives.
+ */
+fun writeDecimal(number: Double): String {
+    require(abs(number) < Double.POSITIVE_INFINITY) { "only finite numbers can be written" }
+    val size = abs(number)
+    if (size == 0.0) return "0"
+    val sign = if (number < 0) "-" else ""
+    if (size >= MOST) return sign + longWhole(size)
+    for (decimals in 0..EXACT_POWER_OF_TEN) {
+        val power = powerOfTen(decimals)
+        val scaled = size * power
+        if (scaled >= MOST) break
+        val digits = floor(scaled + HALF)
+        if (digits / power == size) return sign + withPoint(digits.toLong(), decimals)
+    }
+    return sign + nearest(size)
+}
+
+/** The number nearest to [number] that [writeDecimal] writes and [readDecimal] reads back as it is. */
+fun nearestDecimal(number: Double): Double = checkNotNull(readDecimal(writeDecimal(number)))
+
+/** From 1e15 on, where only the first digits can be given. */
+private fun longWhole(size: Double): String {
+    var zeros = 0
+    while (size / powerOfTen(zeros) >= MOST && zeros < EXACT_POWER_OF_TEN) zeros++
+    return floor(size / powerOfTen(zeros)).toLong().toString() + "0".repeat(zeros)
+}
+
+private fun nearest(size: Double): String {
+    val decimals = (0..EXACT_POWER_OF_TEN).last { size * powerOfTen(it) < MOST }
+    val digits = floor(size * powerOfTen(decimals) + HALF).toLong()
+    return withPoint(digits, decimals).let { if ('.' in it) it.trimEnd('0').trimEnd('.') else it }
+}
+
+private fun withPoint(digits: Long, decimals: Int): String {
+    val padded = digits.toString().padStart(decimals + 1, '0')
+    val whole = padded.dropLast(decimals)
+    return if (decimals == 0) whole else "$whole.${padded.takeLast(decimals)}"
+}
+
+/** Fifteen digits. */
+private const val MOST = 1e15
+private const val HALF = 0.5

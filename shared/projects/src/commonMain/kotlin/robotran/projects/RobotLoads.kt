@@ -1,0 +1,74 @@
+package robotran.projects
+
+import robotran.programs.Mistake
+import robotran.programs.ProgramReader
+import robotran.programs.ProgramResult
+import robotran.programs.ProgramSource
+import robotran.rom.Brick
+import robotran.rom.RcxProgram
+import robotran.world.RobotLoad
+import robotran.world.RobotPlace
+import robotran.world.World
+
+/** What came of reading the programs of all robots of a world. */
+sealed interface RobotLoads {
+    /**
+     * @property loads one for each robot, in the world's order; without a turned light sensor, which is up to the pupil.
+     * @property warnings what is doubtful in the programs that were given; in a world's own there is nothing a pupil could mend.
+     */
+    data class Ready(val loads: List<RobotLoad>, val warnings: List<Mistake>) : RobotLoads
+
+    /**
+     * They cannot run.
+     *
+     * @property robot the name of the robot whose programs they are.
+     * @property mistakes all there are in its programs, never empty.
+     */
+    data class Mistaken(val robot: String, val mistakes: List<Mistake>) : RobotLoads
+}
+
+/**
+ * Reads the programs of all robots of [world], each into slots of its brick in their order. A robot that nobody gives a program has the one that the
+ * world gives it, if any.
+ *
+ * @param given programs by the names of robots; see [forFirstRobot] for those of which nobody said whose they are.
+ * @throws Throwable as [ProgramReader.prepareFor] does.
+ */
+suspend fun readRobotLoads(world: World, reader: ProgramReader, given: Map<String, List<ProgramSource>>): RobotLoads {
+    mistakeOfGiving(world, given)?.let { return it }
+    val loads = mutableListOf<RobotLoad>()
+    val warnings = mutableListOf<Mistake>()
+    for (robot in world.robots) {
+        val sources = given[robot.name].orEmpty()
+        val results = sources.ifEmpty { listOfNotNull(ownProgram(robot)) }.map { reader.read(it) }
+        val mistakes = results.filterIsInstance<ProgramResult.Mistaken>().flatMap { it.mistakes }
+        if (mistakes.isNotEmpty()) return RobotLoads.Mistaken(robot.name, mistakes)
+        val ready = results.filterIsInstance<ProgramResult.Ready>()
+        loads += RobotLoad(ready.map<ProgramResult.Ready, RcxProgram?> { it.program })
+        if (sources.isNotEmpty()) warnings += ready.flatMap { it.warnings }
+    }
+    return RobotLoads.Ready(loads, warnings)
+}
+
+/** These programs for the pupil's own robot, to be given to [readRobotLoads]. */
+fun World.forFirstRobot(programs: List<ProgramSource>): Map<String, List<ProgramSource>> = mapOf(robots.first().name to programs)
+
+private fun ownProgram(robot: RobotPlace): ProgramSource? = robot.program?.let { ProgramSource.Robolang("${robot.name}.robo", it) }
+
+private fun mistakeOfGiving(world: World, given: Map<String, List<ProgramSource>>): RobotLoads.Mistaken? {
+    val names = world.robots.map { it.name }
+    given.keys.firstOrNull { it !in names }?.let { name ->
+        val known = if (names.size ==
+            1
+        ) {
+            "There is only one, called ${names.single()}."
+        } else {
+            "There are ${names.dropLast(1).joinToString()} and ${names.last()}."
+        }
+        return RobotLoads.Mistaken(name, listOf(Mistake("", null, "No robot in this world is called $name. $known")))
+    }
+    return given.entries.firstOrNull { it.value.size > Brick.MOST_PROGRAMS }?.let { (name, programs) ->
+        val message = "The robot $name has been given ${programs.size} programs, but a brick has room for ${Brick.MOST_PROGRAMS}."
+        RobotLoads.Mistaken(name, listOf(Mistake("", null, message)))
+    }
+}

@@ -1,0 +1,79 @@
+package robotran.world.file
+
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import robotran.json.JsonPath
+import robotran.json.JsonPlace
+import robotran.json.JsonStep
+
+/**
+ * Turns a world of version 1 into one of version 2: `name` became `title`, `start` the start of the first of `robots`, and the ends of a wall, once
+ * `{"x": 1, "y": 2}`, became `[1, 2]`. All else stays as it is, so that nothing is lost.
+ */
+internal class MigrationFromVersion1(private val file: JsonPlace) {
+    val migrated: JsonObject = JsonObject(
+        buildMap {
+            for (name in file.names) {
+                val place = file.member(name)
+                when (name) {
+                    "version" -> put(name, JsonPrimitive(WORLD_VERSION))
+                    "name" -> put("title", place.element)
+                    "start" -> put("robots", JsonArray(listOf(JsonObject(mapOf("start" to place.element)))))
+                    "walls" -> put(name, JsonArray(place.items(0..Int.MAX_VALUE).map(::wall)))
+                    "title", "robots" -> place.refuse("belongs to version $WORLD_VERSION of the format, but this file says version 1")
+                    else -> put(name, place.element)
+                }
+            }
+        },
+    )
+
+    init {
+        NEEDED.forEach { file.member(it) }
+    }
+
+    /** Where in the file of version 1 is what is at [path] now. */
+    fun pathBefore(path: JsonPath): JsonPath {
+        val around = file.path.steps
+        val steps = path.steps.drop(around.size)
+        return JsonPath.of(around + stepsBefore(steps))
+    }
+
+    private fun stepsBefore(steps: List<JsonStep>): List<JsonStep> = when ((steps.firstOrNull() as? JsonStep.Member)?.name) {
+        "title" -> listOf(JsonStep.Member("name")) + steps.drop(1)
+
+        "robots" -> steps.drop(ROBOTS_STEPS).ifEmpty { listOf(JsonStep.Member("start")) }
+
+        "walls" -> steps.mapIndexed { number, step ->
+            if (number == COORDINATE_STEP && step is JsonStep.Item) JsonStep.Member(COORDINATES[step.number]) else step
+        }
+
+        else -> steps
+    }
+
+    private fun wall(place: JsonPlace): JsonElement = JsonObject(
+        buildMap {
+            place.names.forEach { put(it, place.member(it).element) }
+            ENDS.forEach { end -> place.member(end).let { point -> putAll(point(end, point)) } }
+        },
+    )
+
+    /** What else was in a point is kept beside it, since there is no room in a pair of numbers. */
+    private fun point(name: String, place: JsonPlace): Map<String, JsonElement> {
+        val point = JsonArray(COORDINATES.map { place.member(it).element })
+        return mapOf(name to point) + place.rest().mapKeys { "$name.${it.key}" }
+    }
+
+    private companion object {
+        val NEEDED = listOf("name", "paper", "walls", "start", "seed")
+        val ENDS = listOf("from", "to")
+        val COORDINATES = listOf("x", "y")
+
+        /** `robots[0]`. */
+        const val ROBOTS_STEPS = 2
+
+        /** The last of `walls[2].from[0]`. */
+        const val COORDINATE_STEP = 3
+    }
+}

@@ -1,0 +1,54 @@
+package robotran.world.file
+
+import robotran.json.JsonPlace
+import robotran.json.nearestDecimal
+import robotran.world.Paper
+import robotran.world.PortSensor
+import robotran.world.Pose
+import robotran.world.RobotColour
+import robotran.world.RobotPlace
+import robotran.world.WorldLimits
+import robotran.world.normalHeading
+
+internal fun readRobot(place: JsonPlace, paper: Paper) = RobotPlace(
+    start = readStart(place.member("start"), paper),
+    name = place.optional("name")?.text(WorldLimits.MAXIMUM_NAME_CHARACTERS) ?: FIRST_ROBOT,
+    colour = place.optional("colour")?.choice(COLOURS) ?: RobotColour.YELLOW,
+    ports = place.optional("ports")?.let(::readPorts) ?: RobotPlace.PENBOT_PORTS,
+    lightFacing = place.optional("lightSensor")?.choice(FACINGS),
+    beacon = place.optional("beacon")?.number(0.0..WorldLimits.MAXIMUM_BRIGHTNESS) ?: 0.0,
+    program = place.optional("program")?.let(::readProgram),
+    unknown = unknownOf(place),
+)
+
+private fun readStart(place: JsonPlace, paper: Paper): Pose {
+    val x = place.member("x").number(WorldLimits.COORDINATES)
+    val y = place.member("y").number(WorldLimits.COORDINATES)
+    if (!paper.contains(x, y)) place.refuse("is beside the paper")
+    // Half a turn's sum may have more digits than a file keeps.
+    return Pose(x, y, nearestDecimal(normalHeading(place.member("heading").number(WorldLimits.ANGLES))))
+}
+
+private fun readPorts(place: JsonPlace): List<List<PortSensor>> {
+    (place.names - PORTS).firstOrNull()?.let { place.refuse("must not have \"$it\": a brick has the ports \"1\", \"2\" and \"3\"") }
+    return PORTS.map { port -> place.optional(port)?.let(::readPort).orEmpty() }
+}
+
+private fun readPort(place: JsonPlace): List<PortSensor> {
+    if (place.textOrNull() != null) return listOf(place.choice(SENSORS))
+    val sensors = place.items(0..WorldLimits.MAXIMUM_SENSORS_PER_PORT).map { it.choice(SENSORS) }
+    if (sensors.toSet().size < sensors.size) place.refuse("must not have the same sensor twice")
+    return sensors
+}
+
+private fun readProgram(place: JsonPlace): String =
+    place.items(1..WorldLimits.MAXIMUM_PROGRAM_LINES).joinToString("\n", transform = ::readProgramLine)
+
+/** A line of a program may be blank and begin with tabs. */
+private fun readProgramLine(place: JsonPlace): String {
+    val line = place.longText(WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS)
+    if (line.any { it.isISOControl() && it != '\t' }) place.refuse("must be one line of ordinary characters")
+    return line
+}
+
+private const val FIRST_ROBOT = "yellow"

@@ -1,0 +1,87 @@
+package robotran.world.file
+
+import robotran.json.JsonPlace
+import robotran.json.alternatives
+import robotran.world.Point
+import robotran.world.Shape
+import robotran.world.WorldLimits
+import robotran.world.signedArea
+import kotlin.math.abs
+
+/** Reads points and shapes, and counts the points of a whole file. */
+internal class ShapeReader {
+    private var points = 0
+
+    /** The one shape that [place] has among its members. */
+    fun shape(place: JsonPlace): Shape {
+        val (kind, shape) = onlyMember(place, SHAPES)
+        return when (kind) {
+            "rectangle" -> rectangle(shape)
+            "circle" -> Shape.Circle(corner(shape), shape.member("radius").number(WorldLimits.SHAPE_SIDES))
+            else -> polygon(shape)
+        }
+    }
+
+    /** Two or more points of a line, no two of them the same one after the other. */
+    fun way(place: JsonPlace, least: Int, closed: Boolean): List<Point> {
+        val places = place.items(least..WorldLimits.MAXIMUM_LINE_POINTS)
+        val points = points(places)
+        points.indices.firstOrNull { number -> points[number] == points.getOrNull(number - 1) }?.let {
+            places[it].refuse("must not be the same place as the one before")
+        }
+        if (closed &&
+            points.first() == points.last()
+        ) {
+            places.last().refuse("must not be the first one again, since the line is closed anyway")
+        }
+        return points
+    }
+
+    fun point(place: JsonPlace): Point {
+        val coordinates = place.items(0..MANY)
+        if (coordinates.size != 2) place.refuse("must be a place such as [20, 30], first x and then y")
+        return Point(coordinates[0].number(WorldLimits.COORDINATES), coordinates[1].number(WorldLimits.COORDINATES))
+    }
+
+    /** The place in the members `x` and `y`. */
+    fun corner(place: JsonPlace): Point =
+        Point(place.member("x").number(WorldLimits.COORDINATES), place.member("y").number(WorldLimits.COORDINATES))
+
+    private fun rectangle(place: JsonPlace) = Shape.Rectangle(
+        centre = corner(place),
+        width = place.member("width").number(WorldLimits.SHAPE_SIDES),
+        height = place.member("height").number(WorldLimits.SHAPE_SIDES),
+        angle = place.optional("angle")?.number(WorldLimits.ANGLES) ?: 0.0,
+    )
+
+    private fun polygon(place: JsonPlace): Shape.Polygon {
+        val corners = points(place.items(LEAST_CORNERS..WorldLimits.MAXIMUM_CORNERS))
+        if (edgesCross(corners)) place.refuse("must not have edges that cross or touch each other")
+        if (abs(signedArea(corners)) / 2 < WorldLimits.MINIMUM_AREA) place.refuse("must cover some of the paper")
+        return Shape.Polygon(corners)
+    }
+
+    private fun points(places: List<JsonPlace>): List<Point> {
+        points += places.size
+        if (points > WorldLimits.MAXIMUM_POINTS) {
+            places.first().refuse("goes beyond the ${WorldLimits.MAXIMUM_POINTS} points that a world may have all together")
+        }
+        return places.map(::point)
+    }
+
+    private companion object {
+        val SHAPES = listOf("rectangle", "circle", "polygon")
+        const val LEAST_CORNERS = 3
+
+        /** Any number of coordinates: whatever is not two is refused in other words. */
+        const val MANY = Int.MAX_VALUE
+    }
+}
+
+/** The name and the place of the one of [names] that [place] has. */
+internal fun onlyMember(place: JsonPlace, names: List<String>): Pair<String, JsonPlace> {
+    val present = names.filter { it in place.names }
+    if (present.isEmpty()) place.refuse("must have ${alternatives(names)}")
+    if (present.size > 1) place.refuse("must have only one of ${present.joinToString(" and ") { "\"$it\"" }}")
+    return present.single() to place.member(present.single())
+}

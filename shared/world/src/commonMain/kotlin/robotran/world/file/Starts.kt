@@ -1,0 +1,50 @@
+package robotran.world.file
+
+import robotran.json.JsonPlace
+import robotran.world.Penbot
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.Wall
+import robotran.world.World
+import robotran.world.length
+
+/** Refuses a robot that would start in something that stops it, or in another robot. */
+internal fun checkStarts(world: World, file: JsonPlace) {
+    val starts = file.member("robots").items(1..Int.MAX_VALUE).map { it.member("start") }
+    val robots = world.robots.map { outline(it.start) }
+    val obstacles = obstacles(world)
+    robots.forEachIndexed { number, robot ->
+        obstacles.firstOrNull { overlap(robot, it.shape) }?.let { starts[number].refuse("puts the robot into ${it.what}") }
+        (0..<number).firstOrNull { overlap(robot, robots[it]) }?.let { starts[number].refuse("puts the robot into robots[$it]") }
+    }
+}
+
+private class Obstacle(val what: String, val shape: Flat)
+
+private fun obstacles(world: World): List<Obstacle> =
+    world.walls.mapIndexed { number, wall -> Obstacle("walls[$number]", outline(wall)) } +
+        world.barriers.mapIndexed { number, barrier -> Obstacle("barriers[$number]", flat(barrier.shape)) } +
+        world.blocks.mapIndexed { number, block -> Obstacle("blocks[$number]", flat(block.shape)) }
+
+/** From the wheels' outer sides and the chassis's back to the bumpers. */
+private fun outline(start: Pose): Flat {
+    val half = Penbot.OVERALL_WIDTH / 2
+    return box(Point(start.x, start.y), Direction(start.heading), Penbot.CHASSIS_BACK..Penbot.BUMPER_FRONT, -half..half)
+}
+
+private fun outline(wall: Wall): Flat {
+    val alongX = wall.to.x - wall.from.x
+    val alongY = wall.to.y - wall.from.y
+    val length = length(alongX, alongY)
+    val half = wall.thickness / 2
+    val aheadX = if (length == 0.0) half else alongX / length * half
+    val aheadY = if (length == 0.0) 0.0 else alongY / length * half
+    return Flat.Angular(
+        listOf(
+            Point(wall.from.x - aheadX + aheadY, wall.from.y - aheadY - aheadX),
+            Point(wall.to.x + aheadX + aheadY, wall.to.y + aheadY - aheadX),
+            Point(wall.to.x + aheadX - aheadY, wall.to.y + aheadY + aheadX),
+            Point(wall.from.x - aheadX - aheadY, wall.from.y - aheadY + aheadX),
+        ),
+    )
+}

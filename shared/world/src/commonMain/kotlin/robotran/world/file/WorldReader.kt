@@ -1,0 +1,97 @@
+package robotran.world.file
+
+import robotran.json.JsonPath
+import robotran.json.JsonPlace
+import robotran.json.JsonRefusal
+import robotran.world.Light
+import robotran.world.Paper
+import robotran.world.Template
+import robotran.world.UnknownFields
+import robotran.world.World
+import robotran.world.WorldLimits
+
+/**
+ * The world that is in a file, or in a part of one, written in any version of the format.
+ *
+ * @throws JsonRefusal if there is none that can be used.
+ */
+fun worldIn(place: JsonPlace): World {
+    if (place.optional("format")?.textOrNull() != WORLD_FORMAT) {
+        throw JsonRefusal(null, "This is not a Robotran world: a world file says \"format\": \"$WORLD_FORMAT\".")
+    }
+    return when (val version = place.member("version").wholeNumber(0..Int.MAX_VALUE)) {
+        WORLD_VERSION -> WorldReader(place).read()
+
+        1 -> readMigrated(place)
+
+        0 -> place.member("version").refuse("must be from 1 to $WORLD_VERSION")
+
+        else -> throw JsonRefusal(
+            null,
+            "This world was made by a newer Robotran (it has version $version, this Robotran reads up to $WORLD_VERSION).",
+        )
+    }
+}
+
+private fun readMigrated(place: JsonPlace): World {
+    val migration = MigrationFromVersion1(place)
+    try {
+        return WorldReader(JsonPlace(migration.migrated, place.path)).read()
+    } catch (refusal: JsonRefusal) {
+        throw JsonRefusal(refusal.path?.let(migration::pathBefore), refusal.reason)
+    }
+}
+
+internal const val WORLD_FORMAT = "robotran-world"
+internal const val WORLD_VERSION = 2
+
+/** Builds a [World] from the fields of a file. */
+private class WorldReader(private val file: JsonPlace) {
+    private val shapes = ShapeReader()
+    private val things = ThingReader(shapes)
+
+    fun read(): World {
+        file.member("format")
+        file.member("version")
+        val paper = readPaper(file.member("paper"))
+        val world = World(
+            title = file.member("title").text(WorldLimits.MAXIMUM_TITLE_CHARACTERS),
+            task = file.optional("task")?.text(WorldLimits.MAXIMUM_SENTENCE_CHARACTERS, mayBeEmpty = true).orEmpty(),
+            paper = paper,
+            robots = file.member("robots").items(1..WorldLimits.MAXIMUM_ROBOTS).map { readRobot(it, paper) },
+            walls = list("walls", WorldLimits.MAXIMUM_WALLS, things::wall),
+            barriers = list("barriers", WorldLimits.MAXIMUM_BARRIERS, things::barrier),
+            blocks = list("blocks", WorldLimits.MAXIMUM_BLOCKS, things::block),
+            marks = list("marks", WorldLimits.MAXIMUM_MARKS, things::mark),
+            lamps = list("lamps", WorldLimits.MAXIMUM_LAMPS, things::lamp),
+            ambientLight = file.optional("light")?.number(0.0..WorldLimits.MAXIMUM_BRIGHTNESS) ?: Light.DIM_ROOM,
+            temperature = file.optional("temperature")?.number(WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE)
+                ?: World.ROOM_TEMPERATURE,
+            template = file.optional("template")?.let(::readTemplate),
+            goals = file.optional("goals")?.let { GoalReader(shapes).read(it) }.orEmpty(),
+            timeLimit = file.optional("timeLimit")?.wholeNumber(WorldLimits.SECONDS) ?: World.DEFAULT_TIME_LIMIT,
+            realism = file.optional("realism")?.number(0.0..1.0) ?: 0.0,
+            seed = file.optional("seed")?.wholeNumber(0..Int.MAX_VALUE) ?: 1,
+            unknown = unknownOf(file),
+        )
+        checkNames(world, file)
+        checkStarts(world, file)
+        return world
+    }
+
+    private fun <T> list(name: String, maximum: Int, read: (JsonPlace) -> T): List<T> =
+        file.optional(name)?.items(0..maximum)?.map(read).orEmpty()
+
+    private fun readPaper(place: JsonPlace): Paper {
+        val sides = WorldLimits.MINIMUM_PAPER_SIDE..WorldLimits.MAXIMUM_PAPER_SIDE
+        return Paper(place.member("width").number(sides), place.member("height").number(sides), unknownOf(place))
+    }
+
+    private fun readTemplate(place: JsonPlace): Template {
+        val strokes = place.member("strokes").items(1..WorldLimits.MAXIMUM_STROKES)
+        return Template(strokes.map { shapes.way(it, 2, closed = false) }, unknownOf(place))
+    }
+}
+
+/** What [place] has beyond what has been read of it. */
+internal fun unknownOf(place: JsonPlace): UnknownFields = place.rest().let { if (it.isEmpty()) UnknownFields.NONE else UnknownFields(it) }

@@ -1,0 +1,74 @@
+package robotran.world.file
+
+import robotran.world.World
+import robotran.world.WorldFileResult
+import robotran.world.readWorld
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+
+/** A world with something of everything that a file can hold. */
+internal val FULL_WORLD = """
+    {
+      "format": "robotran-world",
+      "version": 2,
+      "title": "Everything",
+      "task": "Try all of it.",
+      "paper": { "width": 200, "height": 100 },
+      "robots": [
+        {
+          "name": "ann", "colour": "blue", "start": { "x": 40, "y": 30, "heading": 270 },
+          "ports": { "1": "left bumper", "2": ["light", "touch"], "3": [] },
+          "lightSensor": "forward", "beacon": 0.5, "program": ["repeat forever", "\tforward 5", "end"]
+        },
+        { "name": "bob", "colour": "red", "start": { "x": 80, "y": 30, "heading": 0 } }
+      ],
+      "walls": [{ "from": [0, 90], "to": [120, 90], "thickness": 1.5 }],
+      "barriers": [
+        { "name": "box", "rectangle": { "x": 10, "y": 60, "width": 5, "height": 4, "angle": 30 } },
+        { "circle": { "x": 20, "y": 80, "radius": 3 } },
+        { "polygon": [[100, 60], [110, 60], [105, 70]] }
+      ],
+      "blocks": [{ "name": "brick", "circle": { "x": 150, "y": 20, "radius": 3 }, "mass": 0.2, "friction": 0.5 }],
+      "marks": [
+        { "name": "loop", "grey": 0.1, "line": { "points": [[10, 10], [30, 10], [30, 50]], "width": 2, "closed": true } },
+        { "colour": "#1133AA", "rectangle": { "x": 150, "y": 50, "width": 10, "height": 10 } },
+        { "greyMap": { "x": 1, "y": 1, "cell": 1, "rows": ["0F.", ".8f"] } }
+      ],
+      "lamps": [{ "name": "window", "x": 1, "y": 2, "brightness": 2, "direction": 90, "cone": 60, "on": false }],
+      "light": 0.5,
+      "temperature": 25,
+      "template": { "strokes": [[[0, 0], [10, 0]], [[0, 5], [10, 5], [12, 7]]] },
+      "goals": [
+        { "kind": "reach", "region": { "circle": { "x": 5, "y": 5, "radius": 4 } }, "who": "brick", "whole": true, "within": 30, "stays": true },
+        { "kind": "stayOut", "region": { "polygon": [[0, 0], [1, 0], [1, 1]] }, "who": "ann", "whole": true },
+        { "kind": "stayIn", "region": { "rectangle": { "x": 0, "y": 0, "width": 9, "height": 9 } }, "says": "Stay at home." },
+        { "kind": "neverTouch", "what": ["walls", "robots"], "who": "bob" },
+        { "kind": "drawTemplate", "tolerance": 2, "coverage": 0.8, "excess": 0.3 },
+        { "kind": "inOrder", "goals": [
+          { "kind": "inkLength", "atLeast": 10, "atMost": 20 },
+          { "kind": "followLine", "line": "loop", "laps": 2.5, "tolerance": 3, "who": "ann", "within": 50 }
+        ] },
+        { "kind": "all", "goals": [{ "kind": "endWithin", "seconds": 20, "who": "ann" }] },
+        { "kind": "anyOf", "goals": [
+          { "kind": "showOnDisplay", "text": "HELLO", "who": "bob" },
+          { "kind": "playSound", "times": 3, "lowest": 400, "highest": 500, "who": "bob" }
+        ] }
+      ],
+      "timeLimit": 90,
+      "realism": 0.3,
+      "seed": 7
+    }
+""".trimIndent()
+
+internal fun loaded(text: String): World = when (val result = readWorld(text)) {
+    is WorldFileResult.Loaded -> result.world
+    is WorldFileResult.Refused -> throw AssertionError(result.message)
+}
+
+internal fun refusal(text: String): WorldFileResult.Refused = assertIs<WorldFileResult.Refused>(readWorld(text))
+
+/** What is said about the full world with [new] in place of the first [old]. */
+internal fun refusalWith(old: String, new: String): String {
+    assertTrue(old in FULL_WORLD, "$old is in the file")
+    return refusal(FULL_WORLD.replaceFirst(old, new)).message
+}
