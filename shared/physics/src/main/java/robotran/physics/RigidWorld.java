@@ -7,11 +7,18 @@ import org.dyn4j.dynamics.BodyFixture;
 import org.dyn4j.dynamics.ContinuousDetectionMode;
 import org.dyn4j.dynamics.Settings;
 import org.dyn4j.dynamics.contact.ContactConstraint;
+import org.dyn4j.dynamics.joint.FrictionJoint;
+import org.dyn4j.geometry.Circle;
+import org.dyn4j.geometry.Convex;
 import org.dyn4j.geometry.Mass;
 import org.dyn4j.geometry.MassType;
 import org.dyn4j.geometry.Polygon;
+import org.dyn4j.geometry.Ray;
 import org.dyn4j.geometry.Vector2;
+import org.dyn4j.geometry.decompose.EarClipping;
+import org.dyn4j.world.DetectFilter;
 import org.dyn4j.world.World;
+import org.dyn4j.world.result.RaycastResult;
 
 /**
  * A dyn4j world seen from above, so without gravity. Bodies and their fixtures are known by numbers, and only numbers and arrays of
@@ -21,11 +28,15 @@ import org.dyn4j.world.World;
  * that are told the same in the same order stay equal to the last bit.
  */
 public final class RigidWorld {
-    /** No more fixtures than this fit on a body, since {@link #touchedFixtures} has one bit for each. */
-    public static final int MAXIMUM_FIXTURES = 31;
+    /** {@link #contacts} has so many bits for a body's fixtures; those with higher numbers are not told apart there. */
+    public static final int FIXTURE_BITS = 16;
+
+    /** So many bits follow for the kinds of what they touch: kinds are 0 to 14. */
+    public static final int KIND_BITS = 15;
 
     private final World<Body> world = new World<>();
     private final List<Body> bodies = new ArrayList<>();
+    private final Body floor = new Body();
     private final int stepParts;
 
     /**
@@ -47,11 +58,23 @@ public final class RigidWorld {
         // It would leave a body that meets another flush exactly at its surface, to be noticed a step later and deeper inside.
         settings.setContinuousDetectionMode(ContinuousDetectionMode.NONE);
         settings.setAtRestDetectionEnabled(false);
+        floor.setMass(MassType.INFINITE);
+        floor.setUserData(0);
+        world.addBody(floor);
     }
 
-    /** Adds a body without fixtures that nothing can move, until {@link #setMass} makes it movable. Returns its number, from 0. */
-    public int addBody(double x, double y, double angle) {
+    /**
+     * Adds a body without fixtures that nothing can move, until {@link #setMass} or {@link #spreadMass} makes it movable. Returns its
+     * number, from 0.
+     *
+     * @param kind what {@link #contacts} of others tells it apart by, 0 to {@link #KIND_BITS} - 1
+     */
+    public int addBody(int kind, double x, double y, double angle) {
+        if (kind < 0 || kind >= KIND_BITS) {
+            throw new IllegalArgumentException("There is no kind " + kind + ".");
+        }
         Body body = new Body();
+        body.setUserData(kind);
         body.rotate(angle);
         body.translate(x, y);
         body.setAtRestDetectionEnabled(false);
@@ -62,9 +85,10 @@ public final class RigidWorld {
     }
 
     /**
-     * Adds a convex polygon to a body and returns its number on the body, from 0.
+     * Adds a polygon to a body, as one fixture if it is convex and otherwise as several. Returns the number of its first fixture on the body,
+     * from 0.
      *
-     * @param corners x and y of each corner, counter-clockwise, seen from the body's origin
+     * @param corners x and y of each corner, counter-clockwise, seen from the body's origin; no two edges meet but in corners
      * @param friction Coulomb coefficient against other fixtures
      */
     public int addPolygon(int body, double[] corners, double friction) {
@@ -72,12 +96,39 @@ public final class RigidWorld {
         for (int i = 0; i < vertices.length; i++) {
             vertices[i] = new Vector2(corners[2 * i], corners[2 * i + 1]);
         }
+        int first = bodies.get(body).getFixtureCount();
+        if (isConvex(vertices)) {
+            addFixture(body, new Polygon(vertices), friction);
+        } else {
+            for (Convex part : new EarClipping().decompose(vertices)) {
+                addFixture(body, part, friction);
+            }
+        }
+        return first;
+    }
+
+    private static boolean isConvex(Vector2[] vertices) {
+        for (int i = 0; i < vertices.length; i++) {
+            Vector2 corner = vertices[i];
+            Vector2 next = vertices[(i + 1) % vertices.length];
+            if (corner.to(next).cross(next.to(vertices[(i + 2) % vertices.length])) < 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Adds a circle to a body and returns its number on the body, from 0. {@code x} and {@code y} are its centre, seen from the body's origin. */
+    public int addCircle(int body, double x, double y, double radius, double friction) {
+        Circle circle = new Circle(radius);
+        circle.translate(x, y);
+        return addFixture(body, circle, friction);
+    }
+
+    private int addFixture(int body, Convex shape, double friction) {
         Body owner = bodies.get(body);
         int number = owner.getFixtureCount();
-        if (number >= MAXIMUM_FIXTURES) {
-            throw new IllegalStateException("A body has at most " + MAXIMUM_FIXTURES + " fixtures.");
-        }
-        BodyFixture fixture = new BodyFixture(new Polygon(vertices));
+        BodyFixture fixture = new BodyFixture(shape);
         fixture.setFriction(friction);
         fixture.setRestitution(0);
         fixture.setUserData(number);
@@ -88,6 +139,44 @@ public final class RigidWorld {
     /** Makes a body movable. {@code x} and {@code y} are its centre of mass, seen from its origin; {@code inertia} is about that centre. */
     public void setMass(int body, double x, double y, double mass, double inertia) {
         bodies.get(body).setMass(new Mass(new Vector2(x, y), mass, inertia));
+    }
+
+    /** Makes a body movable whose mass is spread evenly over its fixtures. */
+    public void spreadMass(int body, double mass) {
+        Body owner = bodies.get(body);
+        double area = 0;
+        for (BodyFixture fixture : owner.getFixtures()) {
+            area += fixture.getShape().getArea();
+        }
+        for (BodyFixture fixture : owner.getFixtures()) {
+            fixture.setDensity(mass / area);
+        }
+        owner.setMass(MassType.NORMAL);
+    }
+
+    /**
+     * Lets a movable body rub on the floor.
+     *
+     * @param force what it takes to move it, mass times length a second squared
+     * @param torque what it takes to turn it
+     */
+    public void rubOnFloor(int body, double force, double torque) {
+        Body owner = bodies.get(body);
+        FrictionJoint<Body> joint = new FrictionJoint<>(owner, floor, owner.getWorldCenter());
+        joint.setMaximumForce(force);
+        joint.setMaximumTorque(torque);
+        world.addJoint(joint);
+    }
+
+    /** Puts a body somewhere else, at rest. */
+    public void place(int body, double x, double y, double angle) {
+        Body owner = bodies.get(body);
+        owner.getTransform().identity();
+        owner.rotate(angle);
+        owner.translate(x, y);
+        owner.setLinearVelocity(0, 0);
+        owner.setAngularVelocity(0);
+        world.setUpdateRequired(true);
     }
 
     /** Changes the velocity of a body at once, as a knock with this impulse at the point {@code x}, {@code y} of the world does. */
@@ -135,14 +224,44 @@ public final class RigidWorld {
         return bodies.get(body).getAngularVelocity();
     }
 
-    /** The body's fixtures that touch another body after the last step: bit n stands for fixture n. */
-    public int touchedFixtures(int body) {
+    /**
+     * What the body touches after the last step: bit n stands for its fixture n, bit {@link #FIXTURE_BITS} + k for another body of the kind k.
+     */
+    public int contacts(int body) {
         Body touched = bodies.get(body);
         int mask = 0;
         for (ContactConstraint<Body> contact : world.getContacts(touched)) {
-            BodyFixture fixture = contact.getBody1() == touched ? contact.getFixture1() : contact.getFixture2();
-            mask |= 1 << (Integer) fixture.getUserData();
+            boolean isFirst = contact.getBody1() == touched;
+            int fixture = (Integer) (isFirst ? contact.getFixture1() : contact.getFixture2()).getUserData();
+            int kind = (Integer) (isFirst ? contact.getBody2() : contact.getBody1()).getUserData();
+            if (fixture < FIXTURE_BITS) {
+                mask |= 1 << fixture;
+            }
+            mask |= 1 << (FIXTURE_BITS + kind);
         }
         return mask;
+    }
+
+    /**
+     * How far it is from one point towards another until something is in the way; the whole distance if nothing is. A body that the first
+     * point is in does not count, nor does {@code body}, unless it is negative.
+     */
+    public double freeWay(int body, double fromX, double fromY, double toX, double toY) {
+        Vector2 from = new Vector2(fromX, fromY);
+        Vector2 way = from.to(new Vector2(toX, toY));
+        double length = way.getMagnitude();
+        if (length == 0) {
+            return 0;
+        }
+        Body own = body < 0 ? null : bodies.get(body);
+        DetectFilter<Body, BodyFixture> others =
+            new DetectFilter<Body, BodyFixture>(true, true, null) {
+                @Override
+                public boolean isAllowed(Body candidate, BodyFixture fixture) {
+                    return candidate != own && super.isAllowed(candidate, fixture);
+                }
+            };
+        RaycastResult<Body, BodyFixture> hit = world.raycastClosest(new Ray(from, way), length, others);
+        return hit == null ? length : hit.getRaycast().getDistance();
     }
 }

@@ -1,7 +1,7 @@
 package robotran.rom
 
 /** The ROM calls the firmware itself makes, as leJOS does in `main.c`; in the log they have no source line. */
-internal class Firmware(private val rom: Rom) {
+internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
     /** Sets everything up after the brick was off. */
     fun initialize() {
         call(RomAddress.INIT_TIMER, FirmwareMemory.TIMERS, FirmwareMemory.HANDLER_FLAGS)
@@ -61,10 +61,10 @@ internal class Firmware(private val rom: Rom) {
     }
 
     /** Queues a system sound. */
-    fun play(systemSound: Int) = call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, systemSound)
+    fun play(systemSound: Int) = speaker.askedByFirmware { call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, systemSound) }
 
     /** Plays a system sound instead of all others. */
-    fun playNow(systemSound: Int) = call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_NOW, systemSound)
+    fun playNow(systemSound: Int) = speaker.askedByFirmware { call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_NOW, systemSound) }
 
     /** Tells all motors to do [mode] with power 0. */
     fun controlMotors(mode: MotorMode) = MotorPort.entries.forEach { call(RomAddress.CONTROL_MOTOR, it.code, mode.code, 0) }

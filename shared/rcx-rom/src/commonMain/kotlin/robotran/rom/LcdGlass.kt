@@ -54,6 +54,37 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
     val description: String
         get() = (listOf(text) + iconsBesideText.map { it.words }).filter { it.isNotEmpty() }.joinToString()
 
+    /**
+     * Whether a reader would say that the display shows [text], which a program has shown as a number or as a text: `42` also where leJOS
+     * writes `0042`, `1.5` also where there are more decimals, letters small or large as seven segments can form them. Blanks around
+     * the text do not count, nor what is beyond five characters. The program digit beside a number is no part of it.
+     */
+    fun shows(text: String): Boolean {
+        val wanted = text.trim()
+        return isSameNumber(wanted, number) || wanted == this.text || isFormed(wanted)
+    }
+
+    /** Whether the characters of [wanted] stand on the display from its left edge on or, if it is no number, anywhere. */
+    private fun isFormed(wanted: String): Boolean {
+        val shown = (LcdLayout.DIGITS - 1 downTo 0).map(::digit).dropLastWhile { it == 0 }
+        val begun = if (wanted.matches(NUMBER)) shown else shown.dropWhile { it == 0 }
+        val characters = wanted.take(TextLcd.CHARACTERS)
+        return begun.size == characters.trimEnd().length && begun.zip(characters.toList()).all { (mask, character) ->
+            mask == LcdGlyphs.maskOf(character.lowercaseChar()) || mask == LcdGlyphs.maskOf(character.uppercaseChar())
+        }
+    }
+
+    /** Whether both are numbers and the same one, however many zeros they are written with. */
+    private fun isSameNumber(one: String, other: String): Boolean =
+        one.matches(NUMBER) && other.matches(NUMBER) && withoutIdleZeros(one) == withoutIdleZeros(other)
+
+    private fun withoutIdleZeros(number: String): String {
+        val minus = if (number.startsWith('-')) "-" else ""
+        val whole = number.removePrefix("-").substringBefore('.').trimStart('0').ifEmpty { "0" }
+        val decimals = number.substringAfter('.', "").trimEnd('0')
+        return minus + whole + if (decimals.isEmpty()) "" else ".$decimals"
+    }
+
     override fun equals(other: Any?): Boolean = other is LcdGlass && bytes == other.bytes
 
     override fun hashCode(): Int = bytes.hashCode()
@@ -63,6 +94,8 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
     private fun isSet(segment: LcdSegment): Boolean = bytes[segment.address - LcdLayout.FIRST_ADDRESS] shr segment.bit and 1 == 1
 
     companion object {
+        private val NUMBER = Regex("-?[0-9]+(\\.[0-9]+)?")
+
         /** Nothing is shown, as on a brick that is switched off. */
         val BLANK = LcdGlass(List(LcdLayout.SHOWN_BYTES) { 0 })
 

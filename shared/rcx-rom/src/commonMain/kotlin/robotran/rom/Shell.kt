@@ -11,7 +11,7 @@ internal class Shell(
 ) {
     private val rom = hardware.rom
     private val buttons = hardware.buttons
-    private val firmware = Firmware(rom)
+    private val firmware = Firmware(rom, hardware.speaker)
     private val mailbox = ShellMailbox(hardware.memory, firmware, messages, hardware.log)
     private var run: ProgramRun? = null
     private var waitUntil = 0L

@@ -14,8 +14,14 @@ sealed interface SoundEvent {
      *
      * @property hertz the frequency the RCX really gives, after the rounding of its timer; nearly the one asked for. 31 to 20,000.
      * @property durationMilliseconds how long it lasts, 10 to 2,550.
+     * @property ofFirmware whether the firmware plays it by itself, as when a program has ended; otherwise a program has asked for it.
      */
-    data class Tone(override val milliseconds: Long, val hertz: Double, val durationMilliseconds: Int) : SoundEvent
+    data class Tone(
+        override val milliseconds: Long,
+        val hertz: Double,
+        val durationMilliseconds: Int,
+        val ofFirmware: Boolean = false,
+    ) : SoundEvent
 
     /** The tone that sounds ends at once, since another sound takes its place or the brick is switched off. */
     data class Cut(override val milliseconds: Long) : SoundEvent

@@ -13,12 +13,24 @@ internal class Speaker(
     val track = SoundTrack()
     private var notesToPlay: List<Note> = emptyList()
 
+    /** Which places of the ring hold a sound of the firmware, and whether the notes to play are of one. */
+    private val placesOfFirmware = BooleanArray(RING_PLACES)
+    private var playsForFirmware = false
+    private var firmwareAsks = false
+
     /** Whether a tone can be heard now; false in a pause. */
     var sounding = false
         private set
 
     /** How many sounds wait, 0..[QUEUE_PLACES]. */
     val waitingCount: Int get() = (place(QUEUE_TAIL) - place(QUEUE_HEAD) + RING_PLACES) % RING_PLACES
+
+    /** Does [work], whose sounds are the firmware's own. */
+    fun askedByFirmware(work: () -> Unit) {
+        firmwareAsks = true
+        work()
+        firmwareAsks = false
+    }
 
     /** Lets [sound] wait for its turn; false if the queue is full and the sound is lost. */
     fun enqueue(sound: Sound): Boolean {
@@ -27,6 +39,7 @@ internal class Speaker(
         memory.writeByte(QUEUE_KINDS + tail, sound.kind)
         memory.writeByte(QUEUE_VALUES + tail, sound.value)
         memory.writeByte(QUEUE_CONTROLS + tail, sound.control)
+        placesOfFirmware[tail] = firmwareAsks
         memory.writeByte(QUEUE_TAIL, (tail + 1) % RING_PLACES)
         memory.writeByte(PLAYING_FLAG, 1)
         return true
@@ -67,6 +80,8 @@ internal class Speaker(
         if (waitingCount == 0) return emptyList()
         val head = place(QUEUE_HEAD)
         memory.writeByte(QUEUE_HEAD, (head + 1) % RING_PLACES)
+        playsForFirmware = placesOfFirmware[head]
+        placesOfFirmware[head] = false
         val value = memory.readByte(QUEUE_VALUES + head)
         return when (val kind = memory.readByte(QUEUE_KINDS + head)) {
             Sound.PAUSE -> listOf(Note(null, value))
@@ -80,7 +95,9 @@ internal class Speaker(
         memory.writeByte(REMAINING, note?.duration ?: 0)
         val hertz = note?.hertz.takeIf { note?.duration != 0 }
         sounding = hertz != null
-        if (hertz != null && note != null) track.add(SoundEvent.Tone(clock(), hertz, note.duration * LOOK_MILLISECONDS))
+        if (hertz != null && note != null) {
+            track.add(SoundEvent.Tone(clock(), hertz, note.duration * LOOK_MILLISECONDS, playsForFirmware))
+        }
     }
 
     /** A place in the ring, whatever a program has written there. */

@@ -180,6 +180,15 @@ class ShellTest {
         assertEquals(calls, brick.log.total)
     }
 
+    @Test
+    fun `the sounds of the firmware are told from those that a program asks for`() {
+        val beeping = ScriptedProgram(listOf(calling(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, SystemSounds.TWO_BEEPS)))
+        val brick = Brick(listOf(beeping))
+        brick.push(BrickButton.RUN)
+        brick.tick(2_000)
+        assertEquals(listOf(true, true, false, false, true, true), brick.tones().map { it.ofFirmware })
+    }
+
     private fun brickThatDrives(): Brick {
         val program = ScriptedProgram(listOf(calling(RomAddress.CONTROL_MOTOR, 0x2000, 1, 7)), statusAtEnd = ProgramStatus.Running)
         return Brick(listOf(program)).apply {

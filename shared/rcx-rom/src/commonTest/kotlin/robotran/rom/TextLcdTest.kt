@@ -2,6 +2,8 @@ package robotran.rom
 
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 class TextLcdTest {
     private val hardware = Hardware()
@@ -28,4 +30,40 @@ class TextLcdTest {
 
     @Test
     fun `what has no shape is an underscore`() = assertEquals("_____", shown("\u0001\u007f\u00e9\u4e16_").replace(' ', '_'))
+
+    private fun showsText(shown: String, wanted: String): Boolean {
+        TextLcd.print(shown, hardware.memory)
+        hardware.call(RomAddress.REFRESH_LCD)
+        return hardware.lcd.glass.shows(wanted)
+    }
+
+    @Test
+    fun `a text is shown if a reader would say so`() {
+        for ((shown, wanted) in listOf("HELLO" to "HELLO", "HELLO" to "hello", "hELLO" to " Hello ", "  GO" to "go", "12" to "12", "HELLOW" to "HELLOES")) {
+            assertTrue(showsText(shown, wanted), "$shown for $wanted")
+        }
+        for ((shown, wanted) in listOf("HELLO" to "HELL", "HELL" to "HELLO", "HALLO" to "HELLO", "" to "HELLO", "12" to "120", "GO" to "")) {
+            assertFalse(showsText(shown, wanted), "$shown for $wanted")
+        }
+        assertTrue(showsText("", ""))
+    }
+
+    @Test
+    fun `a number is shown whatever zeros it is written with and whatever the program digit is`() {
+        hardware.call(RomAddress.SET_LCD_NUMBER, RomCode.LCD_PROGRAM, 0, RomCode.LCD_POINT_NONE)
+
+        fun shows(code: Int, number: Int, point: Int, wanted: String): Boolean {
+            hardware.call(RomAddress.SET_LCD_NUMBER, code, number, point)
+            hardware.call(RomAddress.REFRESH_LCD)
+            return hardware.lcd.glass.shows(wanted)
+        }
+        assertTrue(shows(RomCode.LCD_SIGNED, 12, RomCode.LCD_POINT_NONE, "12"))
+        assertTrue(shows(RomCode.LCD_UNSIGNED, 12, RomCode.LCD_POINT_NONE, "12"))
+        assertTrue(shows(RomCode.LCD_SIGNED, -12, RomCode.LCD_POINT_NONE, "-12"))
+        assertTrue(shows(RomCode.LCD_SIGNED, 150, RomCode.LCD_POINT_2, "1.5"))
+        assertTrue(shows(RomCode.LCD_SIGNED, 12, RomCode.LCD_POINT_NONE, "12 0"))
+        assertFalse(shows(RomCode.LCD_SIGNED, 12, RomCode.LCD_POINT_NONE, "120"))
+        assertFalse(shows(RomCode.LCD_SIGNED, 12, RomCode.LCD_POINT_1, "12"))
+        assertFalse(shows(RomCode.LCD_SIGNED, -12, RomCode.LCD_POINT_NONE, "12"))
+    }
 }

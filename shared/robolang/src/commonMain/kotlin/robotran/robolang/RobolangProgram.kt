@@ -7,14 +7,14 @@ import robotran.rom.DebuggableRun
 import robotran.rom.RcxProgram
 import robotran.rom.Rom
 
-/** A Robolang program without mistakes, ready to be loaded into a brick; [readRobolang] makes it. Never changes. */
+/** A Robolang program without mistakes, ready to be loaded into a brick; [readRobolang] makes it. Never changes, so it can be started from several threads. */
 class RobolangProgram internal constructor(
     override val name: String,
     internal val checked: CheckedProgram,
     internal val calibration: Calibration,
     private val messages: RunMessages,
 ) : RcxProgram {
-    private val code by lazy(LazyThreadSafetyMode.NONE) { lower(checked, name) }
+    private val code by lazy(LazyThreadSafetyMode.PUBLICATION) { lower(checked, name) }
 
     override fun start(rom: Rom): DebuggableRun = RobolangRun(code, calibration, rom, messages)
 }

@@ -6,7 +6,7 @@ import robotran.rom.Rom
 import robotran.tinyvm.link.LinkedProgram
 import robotran.tinyvm.run.TinyVmRun
 
-/** A linked leJOS program, ready to be loaded into a brick; [linkTinyVm] makes it. Never changes. */
+/** A linked leJOS program, ready to be loaded into a brick; [linkTinyVm] makes it. Never changes, so it can be started from several threads. */
 class TinyVmProgram internal constructor(
     override val name: String,
     internal val linked: LinkedProgram,

@@ -1,13 +1,43 @@
 package robotran.world
 
-/** A bumper's switch: in at the first touch, out again a moment after the last. */
-internal class Bumper {
-    private var untilOut = 0
+import robotran.world.noise.NoiseStream
+import robotran.world.noise.Realism
 
+/**
+ * A bumper's switch: in at the first touch, out again a moment after the last. Its contact bounces for some milliseconds whenever it closes or opens,
+ * the longer the more realistic the world is.
+ */
+internal class Bumper(private val stream: NoiseStream, private val realism: Double) {
+    private var untilOut = 0
+    private var bounces = 0
+
+    /** Whether the bumper is pushed in. */
     val isPressed: Boolean get() = untilOut > 0
+
+    /** Whether its contact is closed, as the brick measures it. */
+    var isClosed = false
+        private set
+
+    /** How often its contact has bounced. */
+    var bounceCount = 0
+        private set
 
     /** Lets one tick pass. */
     fun tick(touching: Boolean) {
+        if (!touching && untilOut == 0 && bounces == 0) return
+        val wasPressed = isPressed
         untilOut = if (touching) Penbot.BUMPER_RETURN else maxOf(0, untilOut - 1)
+        if (isPressed != wasPressed && realism > 0) bounces = (realism * Realism.BOUNCE_MILLISECONDS * stream.share()).toInt() + 1
+        val wasClosed = isClosed
+        isClosed = isPressed
+        if (bounces > 0) {
+            bounces--
+            if (stream.share() < HALF) isClosed = !isPressed
+            if (isClosed != wasClosed && isClosed != isPressed) bounceCount++
+        }
+    }
+
+    private companion object {
+        const val HALF = 0.5
     }
 }

@@ -13,21 +13,17 @@ internal class GrowingList<T : Any> {
 
     fun last(): T = at(items, size - 1)
 
-    /** What is in the list now, followed by [extra] if there is one; does not change when the list grows. */
-    fun view(extra: T? = null): List<T> = View(items, size, extra)
+    /** What is in the list now, followed by [extras]; does not change when the list grows. */
+    fun view(extras: List<T> = emptyList()): List<T> = View(items, size, extras)
 
     private class View<T : Any>(
         private val items: Array<Any?>,
         private val kept: Int,
-        private val extra: T?,
+        private val extras: List<T>,
     ) : AbstractList<T>() {
-        override val size = if (extra == null) kept else kept + 1
+        override val size = kept + extras.size
 
-        override fun get(index: Int): T = when {
-            index in 0..<kept -> at(items, index)
-            index == kept && extra != null -> extra
-            else -> throw IndexOutOfBoundsException("item $index of $size")
-        }
+        override fun get(index: Int): T = if (index in 0..<kept) at(items, index) else extras[index - kept]
     }
 
     private companion object {

@@ -5,7 +5,8 @@ import robotran.rom.MotorState
 import kotlin.math.abs
 
 /**
- * A motor with its gears, as the speed of the tyre in cm/s.
+ * A motor with its gears, as the speed of the tyre in cm/s. How fast it turns depends on the share of the time for which its port is switched on, on the
+ * voltage, and on what holds against it: a load slows it down, the more the less it is driven, and stalls it in the end.
  *
  * It runs on the average of the port's pulses rather than on each of them: the pulses are ten times shorter than the motor can follow,
  * and which of them a command happens to begin with would make the same program drive a little further or less far.
@@ -15,15 +16,31 @@ internal class Motor {
     var speed = 0.0
         private set
 
-    /** Lets one tick pass and returns how far the tyre has rolled in it, in centimetres. */
-    fun tick(told: MotorState): Double {
+    /**
+     * Lets one tick pass.
+     *
+     * @param supply its strength and the voltage, as a part of what a good motor has with fresh batteries.
+     * @param load what holds back the tyre on its way forwards, in kg cm/s2; negative if it pushes it on.
+     */
+    fun tick(told: MotorState, supply: Double = 1.0, load: Double = 0.0) {
         speed = when (told.mode) {
-            MotorMode.FORWARD -> approach(drivenSpeed(told.power))
-            MotorMode.BACKWARD -> approach(-drivenSpeed(told.power))
+            MotorMode.FORWARD -> approach(loadedSpeed(told.power, supply, load))
+            MotorMode.BACKWARD -> approach(-loadedSpeed(told.power, supply, -load))
             MotorMode.BRAKE -> approach(0.0)
             MotorMode.FLOAT -> coast()
         }
-        return speed * SimulationLimits.TICK_SECONDS
+    }
+
+    /** The tyre is turned by the floor at [ground] cm/s while nothing drives or brakes it. */
+    fun follow(ground: Double) {
+        speed = ground
+    }
+
+    private fun loadedSpeed(power: Int, supply: Double, load: Double): Double {
+        val free = drivenSpeed(power) * supply
+        if (load == 0.0) return free
+        val strongest = Penbot.STALL_FORCE * (power + 1) / SLOTS * supply
+        return free * (1 - load / strongest).coerceIn(0.0, MOST_PUSHED)
     }
 
     private fun approach(target: Double): Double {
@@ -38,6 +55,9 @@ internal class Motor {
 
     companion object {
         private const val SLOTS = 8.0
+
+        /** A motor that is pushed on turns no faster than this times as fast as without load. */
+        private const val MOST_PUSHED = 1.2
         private const val CALIBRATED_SLOTS = Penbot.CALIBRATED_POWER + 1.0
         private const val TICK_MILLISECONDS = 1.0
 

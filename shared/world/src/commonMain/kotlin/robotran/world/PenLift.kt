@@ -13,7 +13,8 @@ internal class PenLift {
     val isDown: Boolean get() = depth >= Penbot.PEN_CONTACT
 
     fun tick(told: MotorState) {
-        depth = (depth + motor.tick(told) / TRAVEL).coerceIn(0.0, 1.0)
+        motor.tick(told)
+        depth = (depth + motor.speed * SimulationLimits.TICK_SECONDS / TRAVEL).coerceIn(0.0, 1.0)
     }
 
     private companion object {

@@ -44,6 +44,16 @@ object Penbot {
      */
     const val MOTOR_LAG = 30.0
 
+    /**
+     * What holds a motor fast that is always switched on, as a force at the tyre in kg cm/s2. A gearmotor stalls at about 6 N cm at 9 V, as measured by
+     * builders; times three for the gears, less 15 % for their friction, at a wheel of 2.48 cm radius: 6.2 N, more than twice what the tyre grips with. At power
+     * 2 and below it is the motor that gives in at a wall, above that the tyre slips.
+     */
+    const val STALL_FORCE = 620.0
+
+    /** A load below this, in kg cm/s2, is not felt: it is the robot's own mass and castor in a curve, which the calibration includes. */
+    const val UNFELT_LOAD = 12.0
+
     /** How quickly a wheel that floats loses speed to the friction of its gears, in cm/s each second: 20 cm/s die away over 3.3 cm. */
     const val ROLLING_DECELERATION = 60.0
 

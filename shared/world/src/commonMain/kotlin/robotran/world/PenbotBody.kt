@@ -1,15 +1,17 @@
 package robotran.world
 
 import robotran.world.physics.BodyMotion
-import robotran.world.physics.PhysicsEngine
 import robotran.world.physics.PhysicsWorld
+import robotran.world.physics.Trigonometry
 import kotlin.math.PI
 
-/** The penbot as a body among the world's walls. */
-internal class PenbotBody(private val physics: PhysicsWorld, private val engine: PhysicsEngine, start: Pose) {
-    private val body = physics.addBody(start.x, start.y, start.heading / DEGREES_PER_RADIAN)
+/** The penbot as a body in the physics. */
+internal class PenbotBody(private val physics: PhysicsWorld, private val trigonometry: Trigonometry, start: Pose) {
+    /** Its number in the physics. */
+    val body = physics.addBody(TouchKind.ROBOTS.ordinal, start.x, start.y, start.heading * RADIANS_PER_DEGREE)
     private val leftBumper: Int
     private val rightBumper: Int
+    private var contacts = 0
 
     init {
         addBox(Penbot.CHASSIS_BACK, Penbot.CHASSIS_FRONT, 0.0, Penbot.CHASSIS_WIDTH)
@@ -27,34 +29,52 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val engine:
     var motion: BodyMotion = physics.motion(body)
         private set
 
-    var leftBumperTouches = false
-        private set
+    val leftBumperTouches: Boolean get() = touches(leftBumper)
+    val rightBumperTouches: Boolean get() = touches(rightBumper)
 
-    var rightBumperTouches = false
-        private set
+    /** What any part of it touches after the last step: a bit for each [TouchKind], the first the lowest. */
+    val touchedKinds: Int get() = contacts ushr PhysicsWorld.FIXTURE_BITS
 
     val pose: Pose
-        get() = Pose(motion.x, motion.y, normalHeading(engine.trigonometry.angle(motion.cosine, motion.sine) * DEGREES_PER_RADIAN))
+        get() = Pose(motion.x, motion.y, normalHeading(trigonometry.angle(motion.cosine, motion.sine) / RADIANS_PER_DEGREE))
 
-    /** Lets the physics make one step in which the tyres turn at these speeds, in cm/s. */
-    fun step(leftSpeed: Double, rightSpeed: Double) {
-        val traction = traction(motion, leftSpeed, rightSpeed)
+    /** Before a step of the physics: the tyres push. */
+    fun push(traction: Traction) {
         push(traction.left, traction.leftSideways, Penbot.WHEEL_TRACK / 2)
         push(traction.right, traction.rightSideways, -Penbot.WHEEL_TRACK / 2)
-        physics.step()
-        motion = physics.motion(body)
-        val touched = physics.touchedFixtures(body)
-        leftBumperTouches = touched shr leftBumper and 1 == 1
-        rightBumperTouches = touched shr rightBumper and 1 == 1
     }
+
+    /** After a step of the physics. */
+    fun update() {
+        motion = physics.motion(body)
+        contacts = physics.contacts(body)
+    }
+
+    /** Somebody has picked it up and put it down elsewhere. */
+    fun place(pose: Pose) {
+        physics.place(body, pose.x, pose.y, pose.heading * RADIANS_PER_DEGREE)
+        motion = physics.motion(body)
+        contacts = 0
+    }
+
+    /** How fast it moves forwards over the floor at the place on the axle that lies [place] to the left of its middle. */
+    fun groundSpeed(place: Double): Double =
+        motion.velocityX * motion.cosine + motion.velocityY * motion.sine - motion.angularVelocity * place
+
+    /** The place in the world of the point that lies [forwards] of the middle between its wheels. */
+    fun pointAhead(forwards: Double) = Point(motion.x + forwards * motion.cosine, motion.y + forwards * motion.sine)
+
+    private fun touches(fixture: Int) = contacts shr fixture and 1 == 1
 
     /** An impulse, seen from the robot, at the place on the axle that lies [place] to the left of its middle. */
     private fun push(forwards: Double, sideways: Double, place: Double) = with(motion) {
-        physics.applyImpulse(
-            body,
-            forwards * cosine - sideways * sine, forwards * sine + sideways * cosine,
-            x - place * sine, y + place * cosine,
-        )
+        if (forwards != 0.0 || sideways != 0.0) {
+            physics.applyImpulse(
+                body,
+                forwards * cosine - sideways * sine, forwards * sine + sideways * cosine,
+                x - place * sine, y + place * cosine,
+            )
+        }
     }
 
     private fun addBox(back: Double, front: Double, middle: Double, width: Double): Int {
@@ -62,23 +82,4 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val engine:
         val right = middle - width / 2
         return physics.addPolygon(body, doubleArrayOf(back, right, front, right, front, left, back, left), Penbot.SHELL_FRICTION)
     }
-
-    private companion object {
-        const val DEGREES_PER_RADIAN = 180.0 / PI
-    }
-}
-
-/** Puts a wall into the physics as a body that does not move. */
-internal fun PhysicsWorld.addWall(wall: Wall) {
-    val along = length(wall.to.x - wall.from.x, wall.to.y - wall.from.y)
-    val directionX = if (along == 0.0) 1.0 else (wall.to.x - wall.from.x) / along
-    val directionY = if (along == 0.0) 0.0 else (wall.to.y - wall.from.y) / along
-    val reach = (along + wall.thickness) / 2
-    val half = wall.thickness / 2
-
-    fun corner(forwards: Double, leftwards: Double) =
-        listOf(forwards * directionX - leftwards * directionY, forwards * directionY + leftwards * directionX)
-    val corners = corner(-reach, -half) + corner(reach, -half) + corner(reach, half) + corner(-reach, half)
-    val body = addBody((wall.from.x + wall.to.x) / 2, (wall.from.y + wall.to.y) / 2, 0.0)
-    addPolygon(body, corners.toDoubleArray(), Penbot.SHELL_FRICTION)
 }

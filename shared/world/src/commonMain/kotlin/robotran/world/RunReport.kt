@@ -53,12 +53,48 @@ data class ReportedPose(
     val heading: Thousandths,
 )
 
-/** Whether a goal of the world was met. */
+/**
+ * What became of a goal of the world.
+ *
+ * @property goal the sentence that a pupil reads.
+ * @property progress 0..1; 1 only if it was met.
+ * @property parts the goals that it is made of; not written if there are none.
+ */
 @Serializable
 data class GoalReport(
     val goal: String,
     val met: Boolean,
-)
+    val status: GoalReportStatus,
+    val progress: Thousandths,
+    val parts: List<GoalReport> = emptyList(),
+) {
+    companion object {
+        fun of(progress: GoalProgress): GoalReport = GoalReport(
+            goal = progress.sentence,
+            met = progress.status == GoalStatus.MET,
+            status = when (progress.status) {
+                GoalStatus.PENDING -> GoalReportStatus.PENDING
+                GoalStatus.MET -> GoalReportStatus.MET
+                GoalStatus.FAILED -> GoalReportStatus.FAILED
+            },
+            progress = roundToThousandths(progress.progress),
+            parts = progress.parts.map(::of),
+        )
+    }
+}
+
+/** [GoalStatus] in a report. */
+@Serializable
+enum class GoalReportStatus {
+    @SerialName("pending")
+    PENDING,
+
+    @SerialName("met")
+    MET,
+
+    @SerialName("failed")
+    FAILED,
+}
 
 /** What came of the session up to now. */
 fun Session.report(): RunReport {
@@ -74,7 +110,7 @@ fun Session.report(): RunReport {
         romCalls = now.romCalls,
         traceHash = traceHash,
         error = (run as? RunState.Failed)?.failure?.let { failure -> listOfNotNull(failure.place, failure.message).joinToString(": ") },
-        goals = emptyList(),
+        goals = now.goals.map(GoalReport::of),
     )
 }
 

@@ -2,43 +2,62 @@ package robotran.world
 
 import robotran.rom.Brick
 import robotran.rom.CallFrame
+import robotran.rom.InfraredAir
+import robotran.rom.InfraredRange
 import robotran.rom.MemorySnapshot
-import robotran.rom.MotorPort
 import robotran.rom.ProgramRemark
 import robotran.rom.RcxProgram
 import robotran.rom.RomLog
+import robotran.rom.SensorCode
 import robotran.rom.SoundTrack
 import robotran.rom.StepKind
 import robotran.rom.ThreadView
 import robotran.rom.VariableScope
+import robotran.world.explain.EnglishInfluenceMessages
+import robotran.world.explain.Influence
 import robotran.world.physics.PhysicsEngine
 
 /**
- * A brick with its programs in a robot in a world, from switching it on. Time passes only in [advance], one tick of 1 ms after the other:
- * the brick's firmware, then its program, then the motors, and every fifth tick the physics. The same world, programs and inputs
- * at the same times give the same session, to the last bit, on every target. Not to be used from two threads at once.
+ * Robots with their bricks and programs in a world, from switching them on. Time passes only in [advance], one tick of 1 ms after the other:
+ * each brick's firmware, then its program, in the order of the robots; then the motors, and every fifth tick the physics. The same world, programs and
+ * inputs at the same times give the same session, to the last bit, on every target. Not to be used from two threads at once.
  *
- * A program can be stopped before any statement, by [stepStatement] and [runUntilStop]. Several statements share a millisecond, so it may
- * be stopped in the middle of one, which then ends as soon as the session goes on or something is done to it. Stopping changes
+ * One robot can be looked into, see [watched]. Its program can be stopped before any statement, by [stepStatement] and [runUntilStop]. Several statements
+ * share a millisecond, so it may be stopped in the middle of one, which then ends as soon as the session goes on or something is done to it. Stopping changes
  * nothing about the session but when its time passes.
  *
- * @param programs the brick's program slots, see [Brick].
- * @param firstSlot the program that Run starts as long as Prgm was not pressed, from 0.
+ * @param loads what the robots are given, in the world's order; those without one get no program.
  */
-class Session(val world: World, programs: List<RcxProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) {
-    private val brick = Brick(programs, firstSlot = firstSlot)
+class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) {
+    /** A session in which only the first robot is given programs: [programs] are its brick's slots, Run starts that in [firstSlot]. */
+    constructor(world: World, programs: List<RcxProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) :
+        this(world, listOf(RobotLoad(programs, firstSlot)), physics)
+
     private val simulation = Simulation(world, physics)
+    private val air = InfraredAir(::reaches)
+    private val robots = world.robots.indices.map {
+        RobotInSession(it, world, loads.getOrElse(it) { RobotLoad(emptyList()) }, simulation, air)
+    }
+    private val brick: Brick get() = robots[watched].brick
     private val hash = TraceHash()
     private val recorded = mutableListOf<RecordedInput>()
     private var milliseconds = 0L
-    private var hashedCalls = 0L
+    private var nextToTick = 0
     private var latest: SessionState? = null
     private var closed = false
 
-    /** Every ROM call of the program and the firmware. */
+    /** The number of the robot whose program can be stopped and looked into, and whose ROM calls and sounds these are. */
+    var watched = 0
+        set(number) {
+            require(number in robots.indices) { "There is no robot $number." }
+            endPause()
+            field = number
+        }
+
+    /** Every ROM call of the program and the firmware of the robot that is [watched]. */
     val romLog: RomLog get() = brick.log
 
-    /** What the brick's loudspeaker has played, at times of [SessionState.milliseconds]; to be listened to at any time, or never. */
+    /** What the loudspeaker of its brick has played, at times of [SessionState.milliseconds]; to be listened to at any time, or never. */
     val sounds: SoundTrack get() = brick.sounds
 
     /** Everything that was done to the session so far, in order; with it [replay] makes the same session again. */
@@ -47,7 +66,7 @@ class Session(val world: World, programs: List<RcxProgram?>, physics: PhysicsEng
     /** The session as it is now. */
     val state: SessionState get() = latest ?: snapshot().also { latest = it }
 
-    /** A hash of the robot's place in every tick and of every ROM call so far, as 16 hexadecimal digits. */
+    /** A hash of where all robots and blocks are after every step of the physics and of every ROM call so far, as 16 hexadecimal digits. */
     val traceHash: String get() = hash.text
 
     /** The lines that [runUntilStop] and [stepStatement] stop before. */
@@ -95,11 +114,20 @@ class Session(val world: World, programs: List<RcxProgram?>, physics: PhysicsEng
         recorded += RecordedInput(milliseconds, input)
         latest = null
         when (input) {
-            is SessionInput.Press -> brick.press(input.button)
-            is SessionInput.Release -> brick.release(input.button)
-            SessionInput.Stop -> brick.stopProgram()
+            is SessionInput.Press -> robots.getOrNull(input.robot)?.brick?.press(input.button)
+            is SessionInput.Release -> robots.getOrNull(input.robot)?.brick?.release(input.button)
+            SessionInput.Stop -> robots.forEach { it.brick.stopProgram() }
+            is SessionInput.PlaceRobot -> if (input.robot in robots.indices) simulation.place(input.robot, input.pose)
+            is SessionInput.MoveLamp -> changeLamp(input.lamp) { it.copy(place = input.place) }
+            is SessionInput.SwitchLamp -> changeLamp(input.lamp) { it.copy(on = input.on) }
+            is SessionInput.ChangeAmbientLight -> simulation.light.changeAmbient(maxOf(0.0, input.light))
+            is SessionInput.ChangeTemperature -> simulation.temperature = input.celsius
+            is SessionInput.TouchSensor -> robots.getOrNull(input.robot)?.ports?.touch(input.port, input.pressed)
         }
     }
+
+    /** What has made the robots stray so far and their sensors err, robot by robot; what did next to nothing is left out. */
+    fun explain(): List<Influence> = robots.flatMap { it.influences(EnglishInfluenceMessages) }
 
     /** What the brick's memory holds now. */
     fun memory(): MemorySnapshot = brick.memory()
@@ -128,38 +156,58 @@ class Session(val world: World, programs: List<RcxProgram?>, physics: PhysicsEng
     /** One millisecond, or what is left of one. */
     private fun tick() {
         latest = null
-        brick.tick()
-        if (brick.isPaused) return
-        simulation.tick(brick.motor(MotorPort.A), brick.motor(MotorPort.B), brick.motor(MotorPort.C))
+        if (nextToTick == 0 && (milliseconds + 1) % SensorCode.READING_MILLISECONDS == 0L) robots.forEach(RobotInSession::sense)
+        while (nextToTick < robots.size) {
+            val brick = robots[nextToTick].brick
+            brick.tick()
+            if (brick.isPaused) return
+            nextToTick++
+        }
+        nextToTick = 0
         milliseconds++
-        simulation.addTo(hash)
-        hashNewCalls()
+        for (robot in robots) robot.moveMotors(milliseconds)
+        if (milliseconds % SimulationLimits.TICKS_PER_PHYSICS_STEP == 0L) {
+            simulation.step()
+            simulation.addTo(hash)
+        }
+        for (robot in robots) robot.addCallsTo(hash)
     }
 
-    private fun hashNewCalls() {
-        while (hashedCalls < romLog.total) romLog[hashedCalls++]?.let(hash::add)
+    private fun changeLamp(number: Int, change: (LampState) -> LampState) {
+        val lamp = simulation.light.lamps.getOrNull(number) ?: return
+        simulation.light.change(number, change(lamp))
+    }
+
+    /** Whether infrared light of one brick comes to another: through a room, or across a table. */
+    private fun reaches(sender: Int, receiver: Int, range: InfraredRange): Boolean {
+        if (range == InfraredRange.LONG) return true
+        val from = simulation.machines[sender].body.motion
+        val to = simulation.machines[receiver].body.motion
+        return length(to.x - from.x, to.y - from.y) <= SHORT_INFRARED_RANGE
     }
 
     private fun snapshot() = SessionState(
         milliseconds = milliseconds,
-        robots = listOf(RobotSnapshot(brick.state, simulation.robot, simulation.bumps, remarks, romLog.total.toInt())),
-        blocks = emptyList(),
-        lamps = emptyList(),
+        robots = robots.map { it.snapshot },
+        blocks = simulation.blocks,
+        lamps = simulation.light.lamps,
         ink = simulation.ink,
         goals = emptyList(),
     )
 
     companion object {
+        /** How far a brick's light comes that is to reach across a table, in centimetres. */
+        private const val SHORT_INFRARED_RANGE = 100.0
+
         /** A new session to which [inputs], in the order of their times, are done again, after [milliseconds]. */
         fun replay(
             world: World,
-            programs: List<RcxProgram?>,
+            loads: List<RobotLoad>,
             physics: PhysicsEngine,
             inputs: List<RecordedInput>,
             milliseconds: Long,
-            firstSlot: Int = 0,
         ): Session {
-            val session = Session(world, programs, physics, firstSlot)
+            val session = Session(world, loads, physics)
             inputs.filter { it.milliseconds <= milliseconds }.forEach { recorded ->
                 session.advanceTo(recorded.milliseconds)
                 session.apply(recorded.input)

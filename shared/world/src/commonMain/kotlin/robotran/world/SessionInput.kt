@@ -2,17 +2,38 @@ package robotran.world
 
 import robotran.rom.BrickButton
 
-/** What a person does to a running session from outside; recorded with its time, so that a run can be repeated. */
+/**
+ * What a person does to a running session from outside; recorded with its time, so that a run can be repeated. Robots and lamps are known by their
+ * numbers in the world, from 0; an input for one that is not there does nothing.
+ */
 sealed interface SessionInput {
-    /** A finger goes down on a button of the brick. */
-    data class Press(val button: BrickButton) : SessionInput
+    /** A finger goes down on a button of a brick. */
+    data class Press(val button: BrickButton, val robot: Int = 0) : SessionInput
 
     /** The finger comes off it. */
-    data class Release(val button: BrickButton) : SessionInput
+    data class Release(val button: BrickButton, val robot: Int = 0) : SessionInput
 
     /**
-     * The stop button beside the world: ends the program, as no single button of a real brick does; ends the showing of a failure, as On-Off
+     * The stop button beside the world: ends the programs of all robots, as no single button of a real brick does; ends the showing of a failure, as On-Off
      * does.
      */
     data object Stop : SessionInput
+
+    /** A robot is picked up and put down elsewhere; what is beside the paper counts as its nearest edge. */
+    data class PlaceRobot(val robot: Int, val pose: Pose) : SessionInput
+
+    /** A lamp is moved. */
+    data class MoveLamp(val lamp: Int, val place: Point) : SessionInput
+
+    /** A lamp is switched on or off. */
+    data class SwitchLamp(val lamp: Int, val on: Boolean) : SessionInput
+
+    /** The light everywhere changes, as when a blind is pulled down; in the units of [Light], negative counts as none. */
+    data class ChangeAmbientLight(val light: Double) : SessionInput
+
+    /** It gets warmer or colder; in degrees Celsius. */
+    data class ChangeTemperature(val celsius: Double) : SessionInput
+
+    /** A finger presses the touch sensor on the input port [port], 0..2, of a robot, or lets it go. */
+    data class TouchSensor(val robot: Int, val port: Int, val pressed: Boolean) : SessionInput
 }

@@ -1,83 +1,102 @@
 package robotran.world
 
-import robotran.rom.MotorState
+import robotran.world.light.LightField
+import robotran.world.light.PaperSurface
+import robotran.world.noise.NoiseStreams
+import robotran.world.physics.BodyMotion
 import robotran.world.physics.PhysicsEngine
+import robotran.world.physics.addBarrier
+import robotran.world.physics.addBlock
+import robotran.world.physics.addWall
+import robotran.world.physics.centre
 
-/** The world outside the brick, moved on by what the brick tells its motors. */
-internal class Simulation(world: World, engine: PhysicsEngine) {
+/** The world outside the bricks: everything that lies, stands and shines on the paper, and the robots as machines. */
+internal class Simulation(private val world: World, engine: PhysicsEngine) {
+    private val trigonometry = engine.trigonometry
     private val physics = engine.createWorld(SimulationLimits.PHYSICS)
-    private val body: PenbotBody
-    private val leftMotor = Motor()
-    private val rightMotor = Motor()
-    private val pen = PenLift()
-    private val leftBumper = Bumper()
-    private val rightBumper = Bumper()
-    private val inkWriter = InkWriter(world.paper)
-    private var ticks = 0L
-    private var leftTravel = 0.0
-    private var rightTravel = 0.0
-    private var leftTurned = 0.0
-    private var rightTurned = 0.0
+    private val blockCentres = world.blocks.map { it.shape.centre }
+    private val blockBodies: List<Int>
+    private var blockMotions: List<BodyMotion>
+    private val pens = InkWriter(world.paper, world.robots.size)
+    private val lightSensors: List<LightSensor>
+
+    /** In the world's order. */
+    val machines: List<RobotMachine>
+    val surface = PaperSurface(world.paper, world.marks, trigonometry)
+    val light: LightField
+
+    /** In degrees Celsius. */
+    var temperature = world.temperature
 
     init {
         world.walls.forEach(physics::addWall)
-        body = PenbotBody(physics, engine, world.start)
+        world.barriers.forEach { physics.addBarrier(it.shape, trigonometry) }
+        blockBodies = world.blocks.map { physics.addBlock(it, trigonometry) }
+        blockMotions = blockBodies.map(physics::motion)
+        machines = world.robots.mapIndexed { number, robot ->
+            RobotMachine(physics, trigonometry, robot.start, NoiseStreams(world.seed, number), world.realism)
+        }
+        light = LightField(world.lamps, world.ambientLight, physics, trigonometry)
+        lightSensors = machines.indices.map { LightSensor(it, this) }
     }
 
-    /** How often the robot has run into something; both bumpers at once are one bump. */
-    var bumps = 0
-        private set
+    val ink: Ink get() = pens.ink
 
-    val ink: Ink get() = inkWriter.ink
+    /** How far each block has moved and turned. */
+    val blocks: List<Pose>
+        get() = blockMotions.mapIndexed { number, motion ->
+            val centre = blockCentres[number]
+            val turned = trigonometry.angle(motion.cosine, motion.sine) / RADIANS_PER_DEGREE
+            Pose(motion.x - centre.x, motion.y - centre.y, normalHeading(turned))
+        }
 
-    val robot: RobotState
-        get() = RobotState(
-            pose = body.pose,
-            leftWheelTurn = leftTurned / Penbot.WHEEL_CIRCUMFERENCE,
-            rightWheelTurn = rightTurned / Penbot.WHEEL_CIRCUMFERENCE,
-            penDown = pen.isDown,
-            leftBumperPressed = leftBumper.isPressed,
-            rightBumperPressed = rightBumper.isPressed,
-        )
+    /** What the light sensor of the robot with the number [robot] measures, see [LightSensor]. */
+    fun lightOn(robot: Int, facing: LightFacing, active: Boolean): Double = lightSensors[robot].raw(facing, active)
 
-    /** Lets one millisecond pass in which the motors are told this. */
-    fun tick(left: MotorState, lift: MotorState, right: MotorState) {
-        ticks++
-        roll(leftMotor.tick(left), rightMotor.tick(right))
-        pen.tick(lift)
-        if (ticks % SimulationLimits.TICKS_PER_PHYSICS_STEP == 0L) step()
-        touch()
+    /** The lamps on all robots but that with the number [robot]. */
+    fun beaconsBeside(robot: Int): List<Pair<Point, Double>> {
+        if (world.robots.all { it.beacon == 0.0 }) return emptyList()
+        return machines.indices.filter { it != robot && world.robots[it].beacon > 0 }
+            .map { machines[it].body.pointAhead(0.0) to world.robots[it].beacon }
+    }
+
+    /** Lets a step of the physics pass, in which the wheels turn as far as they did since the last one. */
+    fun step() {
+        for (machine in machines) machine.beginStep()
+        physics.step()
+        for (machine in machines) machine.endStep()
+        if (blockBodies.isNotEmpty()) blockMotions = blockBodies.map(physics::motion)
+        for (number in machines.indices) draw(number)
+        for (sensor in lightSensors) sensor.forget()
+    }
+
+    /** Somebody has picked up the robot with the number [robot] and put it down elsewhere. */
+    fun place(robot: Int, pose: Pose) {
+        val width = 0.0..world.paper.width
+        val height = 0.0..world.paper.height
+        machines[robot].body.place(Pose(pose.x.coerceIn(width), pose.y.coerceIn(height), pose.heading))
+        pens.lift(robot)
+        for (sensor in lightSensors) sensor.forget()
     }
 
     /** Adds what a run is told apart by. */
     fun addTo(hash: TraceHash) {
-        val motion = body.motion
-        hash.add(motion.x.toRawBits())
-        hash.add(motion.y.toRawBits())
-        hash.add(motion.cosine.toRawBits())
-        hash.add(motion.sine.toRawBits())
+        for (machine in machines) hash.add(machine.body.motion)
+        for (motion in blockMotions) hash.add(motion)
     }
 
     fun close() = physics.close()
 
-    private fun roll(left: Double, right: Double) {
-        leftTravel += left
-        rightTravel += right
-        leftTurned += left
-        rightTurned += right
+    private fun draw(number: Int) {
+        val machine = machines[number]
+        val drawn = pens.move(number, machine.body.motion.x, machine.body.motion.y, machine.penIsDown)
+        if (drawn != null) surface.ink.draw(drawn.first, drawn.second)
     }
 
-    private fun step() {
-        body.step(leftTravel / SimulationLimits.PHYSICS_STEP_SECONDS, rightTravel / SimulationLimits.PHYSICS_STEP_SECONDS)
-        leftTravel = 0.0
-        rightTravel = 0.0
-        inkWriter.move(body.motion.x, body.motion.y, pen.isDown)
-    }
-
-    private fun touch() {
-        val wasFree = !leftBumper.isPressed && !rightBumper.isPressed
-        leftBumper.tick(body.leftBumperTouches)
-        rightBumper.tick(body.rightBumperTouches)
-        if (wasFree && (leftBumper.isPressed || rightBumper.isPressed)) bumps++
+    private fun TraceHash.add(motion: BodyMotion) {
+        add(motion.x.toRawBits())
+        add(motion.y.toRawBits())
+        add(motion.cosine.toRawBits())
+        add(motion.sine.toRawBits())
     }
 }

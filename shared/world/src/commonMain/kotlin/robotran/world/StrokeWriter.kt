@@ -24,8 +24,8 @@ internal class StrokeWriter(start: Point) {
         }
     }
 
-    /** The stroke as it is now. */
-    fun stroke() = InkStroke(corners.view(end))
+    /** The stroke as it is now, drawn by the robot with the number [robot]. */
+    fun stroke(robot: Int) = InkStroke(corners.view(listOfNotNull(end)), robot)
 
     /** Whether the piece from the last corner can reach [place]; if so it does. */
     private fun extend(place: Point): Boolean {

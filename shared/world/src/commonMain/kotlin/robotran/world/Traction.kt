@@ -9,12 +9,16 @@ import robotran.world.physics.BodyMotion
  * @property right the same at the right wheel.
  * @property leftSideways to the robot's left, at the left wheel.
  * @property rightSideways the same at the right wheel.
+ * @property leftSlips whether the left tyre slips.
+ * @property rightSlips the same of the right one.
  */
 internal data class Traction(
     val left: Double,
     val right: Double,
     val leftSideways: Double,
     val rightSideways: Double,
+    val leftSlips: Boolean,
+    val rightSlips: Boolean,
 )
 
 /**
@@ -38,7 +42,16 @@ internal fun traction(motion: BodyMotion, leftSpeed: Double, rightSpeed: Double)
     val right = (both + difference) / 2
     val leftGrip = grip(left, across / 2)
     val rightGrip = grip(right, across / 2)
-    return Traction(left * leftGrip, right * rightGrip, across / 2 * leftGrip, across / 2 * rightGrip)
+    return Traction(left * leftGrip, right * rightGrip, across / 2 * leftGrip, across / 2 * rightGrip, leftGrip < 1.0, rightGrip < 1.0)
+}
+
+/**
+ * The impulse along the robot's way that changes the speed of a freely rolling robot's tyres by [own] at this wheel and by [other] at the other one: what a tyre
+ * gives beyond that goes into a load.
+ */
+internal fun rollingImpulse(own: Double, other: Double): Double {
+    val twist = (Penbot.INERTIA + Penbot.MASS * Penbot.MASS_PLACE * Penbot.MASS_PLACE) * (own - other) / Penbot.WHEEL_TRACK
+    return Penbot.MASS * (own + other) / 4 + twist / Penbot.WHEEL_TRACK
 }
 
 /** The part of an impulse that friction can give, up to 1. */

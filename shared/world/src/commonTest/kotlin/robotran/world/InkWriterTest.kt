@@ -8,8 +8,8 @@ class InkWriterTest {
     private val paper = Paper(1000.0, 1000.0)
 
     private fun draw(places: List<Point>): Ink {
-        val writer = InkWriter(paper)
-        places.forEach { writer.move(it.x, it.y, down = true) }
+        val writer = InkWriter(paper, robots = 1)
+        places.forEach { writer.move(0, it.x, it.y, down = true) }
         return writer.ink
     }
 
@@ -46,9 +46,9 @@ class InkWriterTest {
 
     @Test
     fun `drawing without end keeps the oldest and goes on measuring`() {
-        val writer = InkWriter(paper)
+        val writer = InkWriter(paper, robots = 1)
         val moves = SimulationLimits.MAXIMUM_INK_POINTS + 1000
-        repeat(moves) { writer.move(it % 2 * 1.0, it % 3 * 1.0, down = true) }
+        repeat(moves) { writer.move(0, it % 2 * 1.0, it % 3 * 1.0, down = true) }
         val ink = writer.ink
         assertEquals(SimulationLimits.MAXIMUM_INK_POINTS, ink.strokes.sumOf { it.points.size })
         assertEquals(Point(0.0, 0.0), ink.strokes.first().points.first())

@@ -13,7 +13,7 @@ class ReplayTest {
     fun `a square is the same run on every target`() = runTest {
         val session = startRun(ScriptedProgram.square)
         session.advance(10_000)
-        assertEquals("99cea286cc90958b", session.traceHash)
+        assertEquals("1988632ed3a1556e", session.traceHash)
     }
 
     /** A minute of driving into walls at all angles, sliding along them and spinning in corners. */
@@ -66,7 +66,7 @@ class ReplayTest {
         session.apply(SessionInput.Release(BrickButton.RUN))
         session.advance(4_321)
 
-        val again = Session.replay(session.world, listOf(hardProgram), loadPhysicsEngine(), session.inputs, session.state.milliseconds)
+        val again = Session.replay(session.world, listOf(RobotLoad(listOf(hardProgram))), loadPhysicsEngine(), session.inputs, session.state.milliseconds)
 
         assertEquals(session.traceHash, again.traceHash)
         assertEquals(session.state.robot, again.state.robot)
@@ -84,7 +84,7 @@ class ReplayTest {
     fun `an input at another time makes another run`() = runTest {
         val session = startRun(ScriptedProgram.square).apply { advance(3_000) }
         val later = session.inputs.map { if (it.input is SessionInput.Release) it.copy(milliseconds = it.milliseconds + 1) else it }
-        val other = Session.replay(session.world, listOf(ScriptedProgram.square), loadPhysicsEngine(), later, session.state.milliseconds)
+        val other = Session.replay(session.world, listOf(RobotLoad(listOf(ScriptedProgram.square))), loadPhysicsEngine(), later, session.state.milliseconds)
         assertNotEquals(session.traceHash, other.traceHash)
     }
 }

@@ -36,6 +36,11 @@ class ScriptedProgram(build: ScriptedProgram.() -> Unit) : RcxProgram {
         steps += Step(listOf(motor(A, mode, power), motor(C, mode, power)), 0)
     }
 
+    /** Powers an input port, 0..2, as a light or rotation sensor needs it. */
+    fun activate(port: Int) {
+        steps += Step(listOf(RomCall(0x1946, listOf(0x1000 + port))), 0)
+    }
+
     override fun start(rom: Rom): ProgramRun = Run(rom, steps)
 
     private fun drive(left: Int, right: Int, milliseconds: Double) {

@@ -84,7 +84,7 @@ class SteppingTest {
 
     @Test
     fun `with no program time passes and no step is made`() = runTest {
-        val session = Session(BuiltInWorlds.plain, emptyList(), loadPhysicsEngine())
+        val session = Session(BuiltInWorlds.plain, emptyList<RobotLoad>(), loadPhysicsEngine())
         assertEquals(StopReason.TimeUp, session.runUntilStop(20))
         assertEquals(StopReason.Ended, session.stepStatement(StepKind.INTO))
         assertEquals(20, session.state.milliseconds)
@@ -116,8 +116,8 @@ class SteppingTest {
         session.advance(100)
         val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
         val program = readRobolang("test", "beep\nbeep\nbeep\nforward 20", calibration)
-        val programs = listOf(assertIs<RobolangResult.Ready>(program).program)
-        val again = Session.replay(BuiltInWorlds.plain, programs, loadPhysicsEngine(), session.inputs, session.state.milliseconds)
+        val loads = listOf(RobotLoad(listOf(assertIs<RobolangResult.Ready>(program).program)))
+        val again = Session.replay(BuiltInWorlds.plain, loads, loadPhysicsEngine(), session.inputs, session.state.milliseconds)
         assertEquals(session.traceHash, again.traceHash)
     }
 

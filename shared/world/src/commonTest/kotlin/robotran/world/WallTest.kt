@@ -33,15 +33,27 @@ class WallTest {
         }
     }
 
-    @Test
-    fun `the wheels go on turning at a wall`() = runTest {
-        val session = startRun(driveFor(10_000, power = 3))
-        session.advance(5_000)
+    /** How far the left tyre turns in a second in which the robot pushes against the wall, in centimetres. */
+    private suspend fun turnedAtWall(power: Int): Double {
+        val session = startRun(driveFor(20_000, power))
+        session.advance(14_000)
         val before = session.state.robot
         session.advance(1_000)
         val after = session.state.robot
-        assertEquals(20.0 / Penbot.WHEEL_CIRCUMFERENCE, after.leftWheelTurn - before.leftWheelTurn, 1e-6)
         assertEquals(before.pose.x, after.pose.x, 0.02)
+        return (after.leftWheelTurn - before.leftWheelTurn) * Penbot.WHEEL_CIRCUMFERENCE
+    }
+
+    @Test
+    fun `at full power the wheels slip at a wall, slower than they would run free`() = runTest {
+        val turned = turnedAtWall(power = 7)
+        assertTrue(turned > 0.5 * Penbot.TOP_SPEED && turned < 0.8 * Penbot.TOP_SPEED, "they turned $turned cm")
+    }
+
+    @Test
+    fun `at little power the motors stall at a wall`() = runTest {
+        assertEquals(0.0, turnedAtWall(power = 0), 0.05)
+        assertEquals(0.0, turnedAtWall(power = 2), 0.05)
     }
 
     @Test

@@ -18,10 +18,10 @@ class InkProperties : StringSpec({
 
     "ink only grows, and no more is drawn than the pen has moved" {
         checkAll(moves) { way ->
-            val writer = InkWriter(Paper(20.0, 20.0))
+            val writer = InkWriter(Paper(20.0, 20.0), robots = 1)
             var before = 0.0
             for (move in way) {
-                writer.move(move.x, move.y, move.down)
+                writer.move(0, move.x, move.y, move.down)
                 writer.ink.lengthCentimetres shouldBeGreaterThanOrEqualTo before
                 before = writer.ink.lengthCentimetres
             }

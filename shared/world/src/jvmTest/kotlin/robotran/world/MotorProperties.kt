@@ -15,8 +15,13 @@ class MotorProperties : StringSpec({
 
     fun distance(mode: MotorMode, power: Int, milliseconds: Int, brakingPower: Int): Double {
         val motor = Motor()
-        val driven = (1..milliseconds).sumOf { motor.tick(told(mode, power)) }
-        return driven + (1..2000).sumOf { motor.tick(told(MotorMode.BRAKE, brakingPower)) }
+
+        fun way(told: MotorState): Double {
+            motor.tick(told)
+            return motor.speed * SimulationLimits.TICK_SECONDS
+        }
+        val driven = (1..milliseconds).sumOf { way(told(mode, power)) }
+        return driven + (1..2000).sumOf { way(told(MotorMode.BRAKE, brakingPower)) }
     }
 
     "a motor drives as far as it is told to, however hard it brakes" {

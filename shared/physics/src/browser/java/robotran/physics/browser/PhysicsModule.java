@@ -34,8 +34,8 @@ public final class PhysicsModule {
     }
 
     @JSExport
-    public static int addBody(int world, double x, double y, double angle) {
-        return worlds.get(world).addBody(x, y, angle);
+    public static int addBody(int world, int kind, double x, double y, double angle) {
+        return worlds.get(world).addBody(kind, x, y, angle);
     }
 
     @JSExport
@@ -46,6 +46,26 @@ public final class PhysicsModule {
     @JSExport
     public static void setMass(int world, int body, double x, double y, double mass, double inertia) {
         worlds.get(world).setMass(body, x, y, mass, inertia);
+    }
+
+    @JSExport
+    public static int addCircle(int world, int body, double x, double y, double radius, double friction) {
+        return worlds.get(world).addCircle(body, x, y, radius, friction);
+    }
+
+    @JSExport
+    public static void spreadMass(int world, int body, double mass) {
+        worlds.get(world).spreadMass(body, mass);
+    }
+
+    @JSExport
+    public static void rubOnFloor(int world, int body, double force, double torque) {
+        worlds.get(world).rubOnFloor(body, force, torque);
+    }
+
+    @JSExport
+    public static void place(int world, int body, double x, double y, double angle) {
+        worlds.get(world).place(body, x, y, angle);
     }
 
     @JSExport
@@ -94,8 +114,13 @@ public final class PhysicsModule {
     }
 
     @JSExport
-    public static int touchedFixtures(int world, int body) {
-        return worlds.get(world).touchedFixtures(body);
+    public static int contacts(int world, int body) {
+        return worlds.get(world).contacts(body);
+    }
+
+    @JSExport
+    public static double freeWay(int world, int body, double fromX, double fromY, double toX, double toY) {
+        return worlds.get(world).freeWay(body, fromX, fromY, toX, toY);
     }
 
     @JSExport

@@ -86,7 +86,7 @@ internal class LinkedClass(
     }
 
     /** What runs before the class is first used, null for nothing. */
-    val initializer: LinkedMethod? by lazy(LazyThreadSafetyMode.NONE) {
+    val initializer: LinkedMethod? by lazy(LazyThreadSafetyMode.PUBLICATION) {
         methods.find { it.name == "<clinit>" && it.descriptor == "()V" && it.isStatic }
     }
 

@@ -1,6 +1,7 @@
 package robotran.world.physics
 
 import robotran.physics.RigidWorld
+import robotran.world.Point
 import robotran.physics.Trigonometry as JavaTrigonometry
 
 actual suspend fun loadPhysicsEngine(): PhysicsEngine = JvmPhysicsEngine
@@ -20,9 +21,17 @@ private object JvmPhysicsEngine : PhysicsEngine {
 }
 
 private class JvmPhysicsWorld(private val world: RigidWorld) : PhysicsWorld {
-    override fun addBody(x: Double, y: Double, angle: Double) = world.addBody(x, y, angle)
+    override fun addBody(kind: Int, x: Double, y: Double, angle: Double) = world.addBody(kind, x, y, angle)
 
     override fun addPolygon(body: Int, corners: DoubleArray, friction: Double) = world.addPolygon(body, corners, friction)
+
+    override fun addCircle(body: Int, x: Double, y: Double, radius: Double, friction: Double) = world.addCircle(body, x, y, radius, friction)
+
+    override fun spreadMass(body: Int, mass: Double) = world.spreadMass(body, mass)
+
+    override fun rubOnFloor(body: Int, force: Double, torque: Double) = world.rubOnFloor(body, force, torque)
+
+    override fun place(body: Int, x: Double, y: Double, angle: Double) = world.place(body, x, y, angle)
 
     override fun setMass(body: Int, x: Double, y: Double, mass: Double, inertia: Double) = world.setMass(body, x, y, mass, inertia)
 
@@ -36,7 +45,9 @@ private class JvmPhysicsWorld(private val world: RigidWorld) : PhysicsWorld {
         world.velocityX(body), world.velocityY(body), world.angularVelocity(body),
     )
 
-    override fun touchedFixtures(body: Int) = world.touchedFixtures(body)
+    override fun contacts(body: Int) = world.contacts(body)
+
+    override fun freeWay(body: Int, from: Point, to: Point) = world.freeWay(body, from.x, from.y, to.x, to.y)
 
     override fun close() = Unit
 }

@@ -10,9 +10,17 @@ internal external interface PhysicsModule : JsAny {
 
     fun closeWorld(world: Int)
 
-    fun addBody(world: Int, x: Double, y: Double, angle: Double): Int
+    fun addBody(world: Int, kind: Int, x: Double, y: Double, angle: Double): Int
 
     fun addPolygon(world: Int, body: Int, corners: JsAny, friction: Double): Int
+
+    fun addCircle(world: Int, body: Int, x: Double, y: Double, radius: Double, friction: Double): Int
+
+    fun spreadMass(world: Int, body: Int, mass: Double)
+
+    fun rubOnFloor(world: Int, body: Int, force: Double, torque: Double)
+
+    fun place(world: Int, body: Int, x: Double, y: Double, angle: Double)
 
     fun setMass(world: Int, body: Int, x: Double, y: Double, mass: Double, inertia: Double)
 
@@ -34,7 +42,9 @@ internal external interface PhysicsModule : JsAny {
 
     fun angularVelocity(world: Int, body: Int): Double
 
-    fun touchedFixtures(world: Int, body: Int): Int
+    fun contacts(world: Int, body: Int): Int
+
+    fun freeWay(world: Int, body: Int, fromX: Double, fromY: Double, toX: Double, toY: Double): Double
 
     fun sineOf(angle: Double): Double
 

@@ -3,6 +3,7 @@
 package robotran.world.physics
 
 import kotlinx.coroutines.await
+import robotran.world.Point
 
 actual suspend fun loadPhysicsEngine(): PhysicsEngine = WasmPhysicsEngine(importPhysicsModule().await())
 
@@ -21,10 +22,19 @@ private class WasmPhysicsEngine(private val module: PhysicsModule) : PhysicsEngi
 }
 
 private class WasmPhysicsWorld(private val module: PhysicsModule, private val world: Int) : PhysicsWorld {
-    override fun addBody(x: Double, y: Double, angle: Double) = module.addBody(world, x, y, angle)
+    override fun addBody(kind: Int, x: Double, y: Double, angle: Double) = module.addBody(world, kind, x, y, angle)
 
     override fun addPolygon(body: Int, corners: DoubleArray, friction: Double) =
         module.addPolygon(world, body, corners.toJsArray(), friction)
+
+    override fun addCircle(body: Int, x: Double, y: Double, radius: Double, friction: Double) =
+        module.addCircle(world, body, x, y, radius, friction)
+
+    override fun spreadMass(body: Int, mass: Double) = module.spreadMass(world, body, mass)
+
+    override fun rubOnFloor(body: Int, force: Double, torque: Double) = module.rubOnFloor(world, body, force, torque)
+
+    override fun place(body: Int, x: Double, y: Double, angle: Double) = module.place(world, body, x, y, angle)
 
     override fun setMass(body: Int, x: Double, y: Double, mass: Double, inertia: Double) =
         module.setMass(world, body, x, y, mass, inertia)
@@ -39,7 +49,9 @@ private class WasmPhysicsWorld(private val module: PhysicsModule, private val wo
         module.velocityX(world, body), module.velocityY(world, body), module.angularVelocity(world, body),
     )
 
-    override fun touchedFixtures(body: Int) = module.touchedFixtures(world, body)
+    override fun contacts(body: Int) = module.contacts(world, body)
+
+    override fun freeWay(body: Int, from: Point, to: Point) = module.freeWay(world, body, from.x, from.y, to.x, to.y)
 
     override fun close() = module.closeWorld(world)
 }

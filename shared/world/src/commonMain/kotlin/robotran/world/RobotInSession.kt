@@ -1,0 +1,68 @@
+package robotran.world
+
+import robotran.rom.Brick
+import robotran.rom.InfraredAir
+import robotran.rom.MotorPort
+import robotran.rom.RcxProgram
+import robotran.rom.RomLog
+import robotran.world.explain.Explanation
+import robotran.world.explain.Influence
+import robotran.world.explain.InfluenceMessages
+import robotran.world.noise.NoiseStreams
+import kotlin.math.floor
+
+/** One robot of a session: its brick, and the machine it is built into. */
+internal class RobotInSession(
+    private val number: Int,
+    private val world: World,
+    private val load: RobotLoad,
+    private val simulation: Simulation,
+    air: InfraredAir,
+) {
+    val brick = Brick(load.programs, air, firstSlot = load.firstSlot)
+    val machine = simulation.machines[number]
+    val ports = InputPorts(world.robots[number], brick, NoiseStreams(world.seed, number), world.realism)
+    private val facing = world.robots[number].lightFacing ?: load.lightFacing ?: LightFacing.DOWN
+    private var millivolts = 0
+    private var hashedCalls = 0L
+
+    val romLog: RomLog get() = brick.log
+
+    /** Whether there is a program to be started by Run. */
+    val hasProgram: Boolean get() = load.programs.any { program: RcxProgram? -> program != null }
+
+    val snapshot: RobotSnapshot
+        get() = RobotSnapshot(brick.state, machine.state, machine.bumps, brick.remarks, romLog.total.toInt())
+
+    /** What has made it stray so far. */
+    fun influences(messages: InfluenceMessages): List<Influence> {
+        val hasLightSensor = world.robots[number].ports.any { PortSensor.LIGHT in it }
+        val realism = if (hasLightSensor) world.realism else 0.0
+        return Explanation(world.robots[number], machine, if (hasLightSensor) ports.lightBias else 0.0, realism, messages).influences()
+    }
+
+    /** Measures what is plugged in; to be done just before the firmware reads it. */
+    fun sense() {
+        ports.measure(machine, simulation.temperature) { active -> simulation.lightOn(number, facing, active) }
+        val now = floor(machine.battery.volts * MILLIVOLTS_PER_VOLT).toInt()
+        if (world.realism > 0 && kotlin.math.abs(now - millivolts) >= MILLIVOLTS_TOLD) {
+            millivolts = now
+            brick.setBattery(now)
+        }
+    }
+
+    /** The motors move on for the millisecond with the number [tick]. */
+    fun moveMotors(tick: Long) = machine.tick(brick.motor(MotorPort.A), brick.motor(MotorPort.B), brick.motor(MotorPort.C), tick)
+
+    /** Adds the ROM calls made since this was done last. */
+    fun addCallsTo(hash: TraceHash) {
+        while (hashedCalls < romLog.total) romLog[hashedCalls++]?.let(hash::add)
+    }
+
+    private companion object {
+        const val MILLIVOLTS_PER_VOLT = 1000
+
+        /** Half of what the brick's converter can tell apart. */
+        const val MILLIVOLTS_TOLD = 14
+    }
+}

@@ -1,0 +1,87 @@
+package robotran.world.physics
+
+import robotran.world.Block
+import robotran.world.Outline
+import robotran.world.Penbot
+import robotran.world.Point
+import robotran.world.Shape
+import robotran.world.TouchKind
+import robotran.world.Wall
+import robotran.world.length
+import robotran.world.outline
+import robotran.world.signedArea
+import kotlin.math.sqrt
+
+/** Puts a wall into the physics as a body that does not move. */
+internal fun PhysicsWorld.addWall(wall: Wall) {
+    val along = length(wall.to.x - wall.from.x, wall.to.y - wall.from.y)
+    val directionX = if (along == 0.0) 1.0 else (wall.to.x - wall.from.x) / along
+    val directionY = if (along == 0.0) 0.0 else (wall.to.y - wall.from.y) / along
+    val reach = (along + wall.thickness) / 2
+    val half = wall.thickness / 2
+
+    fun corner(forwards: Double, leftwards: Double) =
+        listOf(forwards * directionX - leftwards * directionY, forwards * directionY + leftwards * directionX)
+    val corners = corner(-reach, -half) + corner(reach, -half) + corner(reach, half) + corner(-reach, half)
+    val body = addBody(TouchKind.WALLS.ordinal, (wall.from.x + wall.to.x) / 2, (wall.from.y + wall.to.y) / 2, 0.0)
+    addPolygon(body, corners.toDoubleArray(), Penbot.SHELL_FRICTION)
+}
+
+/** Puts a barrier into the physics as a body that does not move. */
+internal fun PhysicsWorld.addBarrier(shape: Shape, trigonometry: Trigonometry) {
+    addShape(TouchKind.BARRIERS, shape.outline(trigonometry), shape.centre)
+}
+
+/** Puts a block into the physics as a body that slides on the floor, its origin in [Shape.centre]; returns its number. */
+internal fun PhysicsWorld.addBlock(block: Block, trigonometry: Trigonometry): Int {
+    val outline = block.shape.outline(trigonometry)
+    val body = addShape(TouchKind.BLOCKS, outline, block.shape.centre)
+    spreadMass(body, block.mass)
+    val force = block.friction * block.mass * Penbot.GRAVITY
+    rubOnFloor(body, force, force * DISC_LEVER * sqrt(outline.area / kotlin.math.PI))
+    return body
+}
+
+/** Where a shape is turned about: the middle of a rectangle or circle, the centre of gravity of a polygon. */
+internal val Shape.centre: Point
+    get() = when (this) {
+        is Shape.Rectangle -> centre
+        is Shape.Circle -> centre
+        is Shape.Polygon -> centreOfGravity(corners)
+    }
+
+private fun PhysicsWorld.addShape(kind: TouchKind, outline: Outline, centre: Point): Int {
+    val body = addBody(kind.ordinal, centre.x, centre.y, 0.0)
+    when (outline) {
+        is Outline.Round -> addCircle(body, 0.0, 0.0, outline.radius, Penbot.SHELL_FRICTION)
+        is Outline.Angular -> addPolygon(
+            body, outline.corners.flatMap { listOf(it.x - centre.x, it.y - centre.y) }.toDoubleArray(), Penbot.SHELL_FRICTION,
+        )
+    }
+    return body
+}
+
+private val Outline.area: Double
+    get() = when (this) {
+        is Outline.Round -> kotlin.math.PI * radius * radius
+        is Outline.Angular -> signedArea(corners) / 2
+    }
+
+private fun centreOfGravity(corners: List<Point>): Point {
+    val first = corners.first()
+    var x = 0.0
+    var y = 0.0
+    for (number in corners.indices) {
+        val corner = corners[number]
+        val next = corners[(number + 1) % corners.size]
+        // Seen from the first corner, so that a small polygon far out does not lose digits.
+        val weight = (corner.x - first.x) * (next.y - first.y) - (next.x - first.x) * (corner.y - first.y)
+        x += weight * (corner.x + next.x - 2 * first.x)
+        y += weight * (corner.y + next.y - 2 * first.y)
+    }
+    val whole = 3 * signedArea(corners.map { Point(it.x - first.x, it.y - first.y) })
+    return Point(first.x + x / whole, first.y + y / whole)
+}
+
+/** The lever of the friction under a disc that is turned, as a part of its radius. */
+private const val DISC_LEVER = 2.0 / 3.0
