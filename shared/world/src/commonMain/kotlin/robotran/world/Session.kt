@@ -15,6 +15,7 @@ import robotran.rom.ThreadView
 import robotran.rom.VariableScope
 import robotran.world.explain.EnglishInfluenceMessages
 import robotran.world.explain.Influence
+import robotran.world.goal.GoalJudge
 import robotran.world.physics.PhysicsEngine
 
 /**
@@ -45,6 +46,11 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
     private var nextToTick = 0
     private var latest: SessionState? = null
     private var closed = false
+    private val judge = if (world.goals.isEmpty()) null else GoalJudge(world, physics.trigonometry)
+
+    init {
+        judge?.observe(snapshot(), emptyList())
+    }
 
     /** The number of the robot whose program can be stopped and looked into, and whose ROM calls and sounds these are. */
     var watched = 0
@@ -132,6 +138,17 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
     /** What the brick's memory holds now. */
     fun memory(): MemorySnapshot = brick.memory()
 
+    /**
+     * The run is over: whether the world's goals are met is decided now, and does not change any more even if the session goes on. Not an input, so a
+     * [replay] does not do it.
+     */
+    fun finish() {
+        endPause()
+        judge?.observe(snapshot(), robots.map { it.newTones() })
+        judge?.finish(snapshot())
+        latest = null
+    }
+
     /** Frees what the physics holds. The session can still be looked at, but not go on. */
     fun close() {
         if (!closed) simulation.close()
@@ -171,6 +188,7 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
             simulation.addTo(hash)
         }
         for (robot in robots) robot.addCallsTo(hash)
+        if (milliseconds % SimulationLimits.MILLISECONDS_PER_JUDGEMENT == 0L) judge?.observe(snapshot(), robots.map { it.newTones() })
     }
 
     private fun changeLamp(number: Int, change: (LampState) -> LampState) {
@@ -192,7 +210,7 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
         blocks = simulation.blocks,
         lamps = simulation.light.lamps,
         ink = simulation.ink,
-        goals = emptyList(),
+        goals = judge?.progress.orEmpty(),
     )
 
     companion object {
