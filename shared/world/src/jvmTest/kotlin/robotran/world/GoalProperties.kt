@@ -13,6 +13,7 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.orNull
 import io.kotest.property.checkAll
+import kotlinx.coroutines.runBlocking
 import robotran.rom.Brick
 import robotran.rom.RunState
 import robotran.rom.SoundEvent
@@ -21,7 +22,7 @@ import robotran.world.goal.isDecided
 import robotran.world.physics.loadPhysicsEngine
 
 class GoalProperties : StringSpec({
-    val trigonometry = loadPhysicsEngine().trigonometry
+    val trigonometry = runBlocking { loadPhysicsEngine() }.trigonometry
     val brick = Brick(emptyList()).state
     val points = listOf(Point(10.0, 10.0), Point(70.0, 12.0), Point(30.0, 50.0))
     val sheet = World(
