@@ -3,9 +3,7 @@ package robotran.world
 import robotran.rom.Brick
 import robotran.rom.InfraredAir
 import robotran.rom.MotorPort
-import robotran.rom.RcxProgram
 import robotran.rom.RomLog
-import robotran.rom.SoundEvent
 import robotran.world.explain.Explanation
 import robotran.world.explain.Influence
 import robotran.world.explain.InfluenceMessages
@@ -16,7 +14,7 @@ import kotlin.math.floor
 internal class RobotInSession(
     private val number: Int,
     private val world: World,
-    private val load: RobotLoad,
+    load: RobotLoad,
     private val simulation: Simulation,
     air: InfraredAir,
 ) {
@@ -26,16 +24,8 @@ internal class RobotInSession(
     private val facing = world.robots[number].lightFacing ?: load.lightFacing ?: LightFacing.DOWN
     private var millivolts = 0
     private var hashedCalls = 0L
-    private var judgedSounds = 0L
 
     val romLog: RomLog get() = brick.log
-
-    /** What its loudspeaker has begun to play since this was asked last. */
-    fun newTones(): List<SoundEvent.Tone> =
-        brick.sounds.since(judgedSounds).filterIsInstance<SoundEvent.Tone>().also { judgedSounds = brick.sounds.total }
-
-    /** Whether there is a program to be started by Run. */
-    val hasProgram: Boolean get() = load.programs.any { program: RcxProgram? -> program != null }
 
     val snapshot: RobotSnapshot
         get() = RobotSnapshot(brick.state, machine.state, machine.bumps, brick.remarks, romLog.total.toInt())

@@ -9,6 +9,7 @@ import robotran.rom.ProgramRemark
 import robotran.rom.RcxProgram
 import robotran.rom.RomLog
 import robotran.rom.SensorCode
+import robotran.rom.SoundEvent
 import robotran.rom.SoundTrack
 import robotran.rom.StepKind
 import robotran.rom.ThreadView
@@ -42,15 +43,12 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
     private val brick: Brick get() = robots[watched].brick
     private val hash = TraceHash()
     private val recorded = mutableListOf<RecordedInput>()
+    private val judge = GoalJudge(world, physics.trigonometry)
+    private val tonesJudged = LongArray(robots.size)
     private var milliseconds = 0L
     private var nextToTick = 0
     private var latest: SessionState? = null
     private var closed = false
-    private val judge = if (world.goals.isEmpty()) null else GoalJudge(world, physics.trigonometry)
-
-    init {
-        judge?.observe(snapshot(), emptyList())
-    }
 
     /** The number of the robot whose program can be stopped and looked into, and whose ROM calls and sounds these are. */
     var watched = 0
@@ -139,14 +137,11 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
     fun memory(): MemorySnapshot = brick.memory()
 
     /**
-     * The run is over: whether the world's goals are met is decided now, and does not change any more even if the session goes on. Not an input, so a
-     * [replay] does not do it.
+     * The run is over, nothing more is to come that counts for the world's goals: those are decided now and for good. Time may go on to pass.
      */
     fun finish() {
-        endPause()
-        judge?.observe(snapshot(), robots.map { it.newTones() })
-        judge?.finish(snapshot())
-        latest = null
+        judge.finish(state)
+        latest = latest?.copy(goals = judge.progress)
     }
 
     /** Frees what the physics holds. The session can still be looked at, but not go on. */
@@ -188,7 +183,19 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
             simulation.addTo(hash)
         }
         for (robot in robots) robot.addCallsTo(hash)
-        if (milliseconds % SimulationLimits.MILLISECONDS_PER_JUDGEMENT == 0L) judge?.observe(snapshot(), robots.map { it.newTones() })
+        if (milliseconds % SimulationLimits.MILLISECONDS_PER_JUDGEMENT == 0L && world.goals.isNotEmpty()) judgeGoals()
+    }
+
+    private fun judgeGoals() {
+        judge.observe(state, robots.mapIndexed(::newTones))
+        latest = latest?.copy(goals = judge.progress)
+    }
+
+    private fun newTones(number: Int, robot: RobotInSession): List<SoundEvent.Tone> {
+        val track = robot.brick.sounds
+        val new = track.since(tonesJudged[number])
+        tonesJudged[number] = track.total
+        return new.filterIsInstance<SoundEvent.Tone>()
     }
 
     private fun changeLamp(number: Int, change: (LampState) -> LampState) {
@@ -210,7 +217,7 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
         blocks = simulation.blocks,
         lamps = simulation.light.lamps,
         ink = simulation.ink,
-        goals = judge?.progress.orEmpty(),
+        goals = judge.progress,
     )
 
     companion object {

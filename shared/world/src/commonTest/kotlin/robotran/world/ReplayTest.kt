@@ -13,7 +13,7 @@ class ReplayTest {
     fun `a square is the same run on every target`() = runTest {
         val session = startRun(ScriptedProgram.square)
         session.advance(10_000)
-        assertEquals("99cea286cc90958b", session.traceHash)
+        assertEquals("1988632ed3a1556e", session.traceHash)
     }
 
     /** A minute of driving into walls at all angles, sliding along them and spinning in corners. */

@@ -1,5 +1,6 @@
 package robotran.ui.sheet
 
+import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.StrokeJoin
@@ -8,26 +9,40 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.world.Ink
 import robotran.world.InkStroke
 import robotran.world.Penbot
+import robotran.world.RobotPlace
 import kotlin.math.max
 
-/** The lines the pen has left, as wide as the pen is. */
-internal fun DrawScope.drawInk(ink: Ink, transform: SheetTransform) {
+/** Remembers what the strokes drawn last look like: all but the one being drawn are the same in the next frame. */
+internal class InkDrawing(private val transform: SheetTransform) {
+    private var drawn: List<DrawnStroke> = emptyList()
+    private var latest: Ink? = null
+
     val width = max(Penbot.PEN_LINE_WIDTH.toFloat() * transform.pixelsPerCentimetre, LEAST_WIDTH_PIXELS)
-    for (stroke in ink.strokes) drawStroke(stroke, width, transform)
+
+    fun strokes(ink: Ink): List<DrawnStroke> {
+        if (ink !== latest) {
+            drawn = ink.strokes.mapIndexed { number, stroke ->
+                drawn.getOrNull(number)?.takeIf { it.stroke === stroke } ?: DrawnStroke(stroke, transform)
+            }
+            latest = ink
+        }
+        return drawn
+    }
 }
 
-private fun DrawScope.drawStroke(stroke: InkStroke, width: Float, transform: SheetTransform) {
-    val points = stroke.points.map { transform.toPixels(it.x, it.y) }
-    val first = points.firstOrNull() ?: return
-    if (points.size == 1) {
-        drawCircle(SheetColours.INK, width / 2, first)
-        return
+/** @property dot where a pen was only put down and lifted; null where it drew a line. */
+internal class DrawnStroke(val stroke: InkStroke, transform: SheetTransform) {
+    val dot: Offset? = stroke.points.singleOrNull()?.let { transform.toPixels(it.x, it.y) }
+    val path = Path().apply { addLine(stroke.points.map { transform.toPixels(it.x, it.y) }) }
+}
+
+/** The lines the pens have left, as wide as a pen is. */
+internal fun DrawScope.drawInk(drawing: InkDrawing, ink: Ink, robots: List<RobotPlace>) {
+    val line = Stroke(drawing.width, cap = StrokeCap.Round, join = StrokeJoin.Round)
+    for (drawn in drawing.strokes(ink)) {
+        val colour = RobotColours.ink(drawn.stroke.robot, robots)
+        if (drawn.dot != null) drawCircle(colour, drawing.width / 2, drawn.dot) else drawPath(drawn.path, colour, style = line)
     }
-    val path = Path().apply {
-        moveTo(first.x, first.y)
-        for (point in points.drop(1)) lineTo(point.x, point.y)
-    }
-    drawPath(path, SheetColours.INK, style = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round))
 }
 
 /** In a picture so small that the line would vanish. */

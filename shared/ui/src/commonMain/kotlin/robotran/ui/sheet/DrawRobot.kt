@@ -9,10 +9,15 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.withTransform
+import robotran.world.RobotColour
+import robotran.world.RobotPlace
 import robotran.world.RobotState
 
-/** The penbot from above, true to size: yellow brick on a black chassis, two wheels, bumpers in front, the pen between the wheels. */
-internal fun DrawScope.drawRobot(robot: RobotState, transform: SheetTransform) {
+/**
+ * The penbot from above, true to size: a brick in the colour of [build] on a black chassis, two wheels, bumpers in front, the pen between
+ * the wheels, and a lamp on top if it has one.
+ */
+internal fun DrawScope.drawRobot(robot: RobotState, build: RobotPlace, transform: SheetTransform) {
     val place = transform.toPixels(robot.pose.x, robot.pose.y)
     val scale = transform.pixelsPerCentimetre
     withTransform({
@@ -28,9 +33,10 @@ internal fun DrawScope.drawRobot(robot: RobotState, transform: SheetTransform) {
         plate(RobotPlan.AXLE, RobotColours.TREAD, 0.2f)
         plate(RobotPlan.CHASSIS, RobotColours.CHASSIS, 1f, RobotColours.CHASSIS_EDGE)
         for (motor in RobotPlan.MOTORS) plate(motor, RobotColours.MOTOR, 0.4f, RobotColours.CHASSIS_EDGE)
-        drawBrickFromAbove()
+        drawBrickFromAbove(build.colour)
         plate(RobotPlan.LIGHT_SENSOR, RobotColours.LIGHT_SENSOR, 0.3f, RobotColours.CHASSIS_EDGE)
         drawPen(robot.penDown)
+        if (build.beacon > 0) drawBeacon()
     }
 }
 
@@ -52,8 +58,8 @@ private fun DrawScope.drawBumper(place: Rect, pressed: Boolean) {
     plate(moved, if (pressed) RobotColours.BUMPER_EDGE else RobotColours.BUMPER, 0.6f, RobotColours.BUMPER_EDGE)
 }
 
-private fun DrawScope.drawBrickFromAbove() {
-    plate(RobotPlan.BRICK, RobotColours.BRICK, 0.6f, RobotColours.BRICK_EDGE)
+private fun DrawScope.drawBrickFromAbove(colour: RobotColour) {
+    plate(RobotPlan.BRICK, RobotColours.brick(colour), 0.6f, RobotColours.edge(colour))
     plate(RobotPlan.DISPLAY, RobotColours.GLASS, 0.2f, RobotColours.CHASSIS)
     for ((place, colour) in RobotPlan.BUTTONS.zip(RobotColours.BUTTONS)) drawCircle(colour, 0.55f, place)
     for (place in RobotPlan.INPUTS) plate(place, RobotColours.BUMPER, 0.15f)
@@ -66,6 +72,12 @@ private fun DrawScope.drawPen(down: Boolean) {
     drawCircle(RobotColours.CHASSIS_EDGE, RobotPlan.CLIP_RADIUS, RobotPlan.PEN, style = Stroke(0.15f))
     drawCircle(if (down) RobotColours.PEN_TIP_DOWN else RobotColours.PEN_TIP_UP, RobotPlan.PEN_RADIUS, RobotPlan.PEN)
     drawCircle(RobotColours.CHASSIS_EDGE, RobotPlan.PEN_RADIUS, RobotPlan.PEN, style = Stroke(0.12f))
+}
+
+private fun DrawScope.drawBeacon() {
+    drawCircle(SheetColours.LAMP, RobotPlan.BEACON_RADIUS, RobotPlan.BEACON)
+    drawCircle(Color.White, RobotPlan.BEACON_RADIUS / 2, RobotPlan.BEACON)
+    drawCircle(SheetColours.LAMP_EDGE, RobotPlan.BEACON_RADIUS, RobotPlan.BEACON, style = Stroke(0.15f))
 }
 
 private fun DrawScope.plate(place: Rect, colour: Color, corner: Float, edge: Color? = null) {

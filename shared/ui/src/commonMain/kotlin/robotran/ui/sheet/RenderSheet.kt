@@ -4,6 +4,8 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Canvas
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.drawscope.CanvasDrawScope
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
 import robotran.world.SessionState
@@ -11,21 +13,31 @@ import robotran.world.World
 import kotlin.math.roundToInt
 
 /**
- * A picture of the sheet, as the screen shows it by day; needs no screen.
+ * A picture of the sheet as the screen shows it, by day unless [colours] say otherwise; needs no screen.
  *
  * @param widthPixels how wide it is to be; its height follows from the paper. At least 1, at most [MOST_PICTURE_PIXELS].
+ * @param labels what the robots' names and the numbers of goals are written with; null for leaving them out.
  */
-fun renderSheet(world: World, state: SessionState, widthPixels: Int = PICTURE_PIXELS): ImageBitmap {
+fun renderSheet(
+    world: World,
+    state: SessionState,
+    widthPixels: Int = PICTURE_PIXELS,
+    labels: TextMeasurer? = null,
+    colours: SheetColours = SheetColours.LIGHT,
+): ImageBitmap = renderOn(world, widthPixels) { drawing -> drawSheet(drawing, state, colours, labels) }
+
+/** A picture with room for the sheet of [world], drawn by [draw]. */
+internal fun renderOn(world: World, widthPixels: Int, draw: DrawScope.(SheetDrawing) -> Unit): ImageBitmap {
     require(widthPixels in 1..MOST_PICTURE_PIXELS) { "A picture is 1 to $MOST_PICTURE_PIXELS pixels wide, not $widthPixels" }
     val paper = world.paper
     val wide = paper.width + 2 * PICTURE_MARGIN_CENTIMETRES
     val high = paper.height + 2 * PICTURE_MARGIN_CENTIMETRES
     val heightPixels = (widthPixels * high / wide).roundToInt().coerceIn(1, MOST_PICTURE_PIXELS)
     val size = Size(widthPixels.toFloat(), heightPixels.toFloat())
-    val transform = SheetTransform.fitting(paper.width, paper.height, PICTURE_MARGIN_CENTIMETRES, size)
+    val drawing = SheetFit(world, PICTURE_MARGIN_CENTIMETRES).into(size)
     val image = ImageBitmap(widthPixels, heightPixels)
     CanvasDrawScope().draw(Density(1f), LayoutDirection.Ltr, Canvas(image), size) {
-        drawSheet(world, state, SheetColours.LIGHT, transform)
+        draw(drawing)
     }
     return image
 }

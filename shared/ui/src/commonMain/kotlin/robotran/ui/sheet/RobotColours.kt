@@ -2,6 +2,8 @@ package robotran.ui.sheet
 
 import androidx.compose.ui.graphics.Color
 import robotran.ui.theme.RobotranColours
+import robotran.world.RobotColour
+import robotran.world.RobotPlace
 
 /** The colours of the penbot seen from above; the same by day and by night. */
 internal object RobotColours {
@@ -11,8 +13,6 @@ internal object RobotColours {
     val TREAD = Color(0xFF85898E)
     val BUMPER = Color(0xFF9AA0A5)
     val BUMPER_EDGE = Color(0xFF4A4F54)
-    val BRICK = RobotranColours.YELLOW
-    val BRICK_EDGE = Color(0xFF8F7200)
     val GLASS = Color(0xFFBFC9B4)
     val CLIP = Color(0xFFC9CED2)
     val PEN_TIP_DOWN = RobotranColours.ON_OFF_RED
@@ -22,4 +22,31 @@ internal object RobotColours {
     /** View, On-Off, Prgm, Run. */
     val BUTTONS = listOf(CHASSIS, RobotranColours.ON_OFF_RED, CLIP, RobotranColours.RUN_GREEN)
     val LIGHT_SENSOR = Color(0xFF1E4FB5)
+
+    fun brick(colour: RobotColour): Color = when (colour) {
+        RobotColour.YELLOW -> RobotranColours.YELLOW
+        RobotColour.RED -> Color(0xFFD8402F)
+        RobotColour.BLUE -> Color(0xFF3B82D6)
+        RobotColour.GREEN -> Color(0xFF4BAA57)
+        RobotColour.ORANGE -> Color(0xFFF08A24)
+        RobotColour.PURPLE -> Color(0xFF9A5BC4)
+        RobotColour.WHITE -> Color(0xFFF2F1EC)
+        RobotColour.BLACK -> Color(0xFF4A4E53)
+    }
+
+    /** Around a brick, and what a pen in this colour writes. */
+    fun edge(colour: RobotColour): Color = when (colour) {
+        RobotColour.YELLOW -> Color(0xFF8F7200)
+        RobotColour.RED -> Color(0xFFA0261A)
+        RobotColour.BLUE -> Color(0xFF1F5FA8)
+        RobotColour.GREEN -> Color(0xFF226B30)
+        RobotColour.ORANGE -> Color(0xFFA85A08)
+        RobotColour.PURPLE -> Color(0xFF673087)
+        RobotColour.WHITE -> Color(0xFF7C8085)
+        RobotColour.BLACK -> Color(0xFF17191B)
+    }
+
+    /** What the pen of the robot with this number in its world draws: the pupil's own always in blue. */
+    fun ink(robot: Int, robots: List<RobotPlace>): Color =
+        robots.getOrNull(robot)?.takeIf { robot > 0 }?.let { edge(it.colour) } ?: SheetColours.INK
 }

@@ -45,5 +45,9 @@ internal object RobotPlan {
     const val PEN_RADIUS = 0.7f
     const val CLIP_RADIUS = 1.2f
 
+    /** A lamp on top, over the display. */
+    val BEACON: Offset = DISPLAY.center
+    const val BEACON_RADIUS = 1.3f
+
     private fun portsAt(y: Float): List<Rect> = listOf(2.7f, 4.6f, 6.5f).map { Rect(it - 0.7f, y - 0.7f, it + 0.7f, y + 0.7f) }
 }

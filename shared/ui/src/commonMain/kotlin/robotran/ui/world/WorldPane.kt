@@ -8,8 +8,9 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.rememberTextMeasurer
 import robotran.ui.sheet.SheetColours
-import robotran.ui.sheet.SheetTransform
+import robotran.ui.sheet.SheetFit
 import robotran.ui.sheet.drawSheet
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.WorkshopState
@@ -20,10 +21,10 @@ internal fun WorldPane(state: WorkshopState, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
     val description = describeWorld(state.session)
+    val fit = remember(state.world) { SheetFit(state.world, DESK_MARGIN_CENTIMETRES) }
+    val labels = rememberTextMeasurer()
     Canvas(modifier.fillMaxSize().testTag("world").semantics { contentDescription = description }) {
-        val paper = state.world.paper
-        val transform = SheetTransform.fitting(paper.width, paper.height, DESK_MARGIN_CENTIMETRES, size)
-        drawSheet(state.world, state.session, sheetColours, transform)
+        drawSheet(fit.into(size), state.session, sheetColours, labels)
     }
 }
 

@@ -10,6 +10,7 @@ import robotran.world.Ink
 import robotran.world.InkStroke
 import robotran.world.Point
 import robotran.world.Pose
+import robotran.world.RobotColour
 import robotran.world.RobotSnapshot
 import robotran.world.RobotState
 import robotran.world.SessionState
@@ -55,9 +56,9 @@ class SheetPictureTest {
     @Test
     fun `the robot looks where it is headed`() {
         val brick = RobotPlan.BRICK.left + 0.4
-        assertEquals(RobotColours.BRICK, picture(heading = 0.0).at(40.0 + brick, 30.0))
-        assertEquals(RobotColours.BRICK, picture(heading = 90.0).at(40.0, 30.0 + brick))
-        assertEquals(RobotColours.BRICK, picture(heading = 180.0).at(40.0 - brick, 30.0))
+        assertEquals(RobotColours.brick(RobotColour.YELLOW), picture(heading = 0.0).at(40.0 + brick, 30.0))
+        assertEquals(RobotColours.brick(RobotColour.YELLOW), picture(heading = 90.0).at(40.0, 30.0 + brick))
+        assertEquals(RobotColours.brick(RobotColour.YELLOW), picture(heading = 180.0).at(40.0 - brick, 30.0))
     }
 
     @Test

@@ -1,0 +1,80 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.graphics.drawscope.clipPath
+import androidx.compose.ui.graphics.drawscope.withTransform
+import robotran.world.Pose
+import robotran.world.Shape
+import kotlin.math.max
+
+/**
+ * A block where the world has it, made ready for being drawn anywhere.
+ *
+ * @property grain the rings of a log, or the grain of a board.
+ */
+internal class BlockDrawing(shape: Shape, transform: SheetTransform) {
+    val centre = transform.toPixels(shape.centre.x, shape.centre.y)
+    val path = pathOf(shape, transform)
+    val grain = Path()
+    val lineWidth = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, 1f)
+
+    init {
+        when (shape) {
+            is Shape.Circle -> addRings(shape.radius.toFloat() * transform.pixelsPerCentimetre)
+            is Shape.Rectangle -> addBoards(shape, transform)
+            is Shape.Polygon -> addGrain(max(GRAIN_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_GRAIN_PIXELS))
+        }
+    }
+
+    private fun addRings(radius: Float) {
+        for (part in RINGS) grain.addOval(Rect(centre, radius * part))
+    }
+
+    /** Along its longer side. */
+    private fun addBoards(shape: Shape.Rectangle, transform: SheetTransform) {
+        val (first, second, third, fourth) = shape.corners().map { transform.toPixels(it.x, it.y) }
+        val lengthwise = shape.width >= shape.height
+        for (part in BOARDS) {
+            val from = if (lengthwise) first.part(fourth, part) else first.part(second, part)
+            val to = if (lengthwise) second.part(third, part) else fourth.part(third, part)
+            grain.moveTo(from.x, from.y)
+            grain.lineTo(to.x, to.y)
+        }
+    }
+
+    private fun addGrain(step: Float) {
+        val bounds = path.getBounds()
+        var y = bounds.top + step / 2
+        while (y < bounds.bottom) {
+            grain.moveTo(bounds.left, y)
+            grain.lineTo(bounds.right, y)
+            y += step
+        }
+    }
+
+    private fun Offset.part(other: Offset, part: Float) = this + (other - this) * part
+}
+
+/** A block from above, of wood with its grain. */
+internal fun DrawScope.drawBlock(block: BlockDrawing, moved: Pose, transform: SheetTransform) {
+    val scale = transform.pixelsPerCentimetre
+    withTransform({
+        translate((moved.x * scale).toFloat(), (-moved.y * scale).toFloat())
+        rotate(-moved.heading.toFloat(), block.centre)
+    }) {
+        drawPath(block.path, SheetColours.BLOCK)
+        clipPath(block.path) { drawPath(block.grain, SheetColours.BLOCK_GRAIN, style = Stroke(block.lineWidth, cap = StrokeCap.Round)) }
+        drawPath(block.path, SheetColours.BLOCK_EDGE, style = Stroke(block.lineWidth * 2))
+    }
+}
+
+private const val LINE_CENTIMETRES = 0.15f
+private const val GRAIN_CENTIMETRES = 1.2f
+private const val LEAST_GRAIN_PIXELS = 5f
+private val RINGS = listOf(0.25f, 0.5f, 0.75f)
+private val BOARDS = listOf(0.25f, 0.5f, 0.75f)

@@ -1,0 +1,77 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.PathEffect
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.text.TextMeasurer
+import robotran.world.GoalProgress
+import kotlin.math.max
+
+internal class RegionDrawing(val region: GoalRegion, val path: Path)
+
+/** To be reached: green with a flag, fuller once it is reached. Not to be entered: red dashes. Not to be left: long blue-grey dashes. */
+internal fun DrawScope.drawRegion(drawing: RegionDrawing, goals: List<GoalProgress>, transform: SheetTransform, labels: TextMeasurer?) {
+    val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_LINE_PIXELS)
+    when (drawing.region.kind) {
+        RegionKind.REACH -> {
+            val met = drawing.region.isMet(goals)
+            drawPath(drawing.path, SheetColours.REACH.copy(alpha = if (met) MET_ALPHA else FILL_ALPHA))
+            drawPath(drawing.path, SheetColours.REACH.copy(alpha = LINE_ALPHA), style = Stroke(width))
+            drawFlag(drawing, transform, labels)
+        }
+
+        RegionKind.STAY_OUT -> {
+            drawPath(drawing.path, SheetColours.STAY_OUT.copy(alpha = FILL_ALPHA))
+            drawDashes(drawing.path, SheetColours.STAY_OUT, width, SHORT_DASH)
+        }
+
+        RegionKind.STAY_IN -> {
+            drawDashes(drawing.path, SheetColours.STAY_IN, width, LONG_DASH)
+        }
+    }
+}
+
+private fun DrawScope.drawDashes(path: Path, colour: Color, width: Float, dash: Float) {
+    val dashes = PathEffect.dashPathEffect(floatArrayOf(dash * width, SHORT_DASH * width))
+    drawPath(path, colour, style = Stroke(width, pathEffect = dashes))
+}
+
+/** A chequered flag in the middle of the region, and which one it is if there are several in an order. */
+private fun DrawScope.drawFlag(drawing: RegionDrawing, transform: SheetTransform, labels: TextMeasurer?) {
+    val bounds = drawing.path.getBounds()
+    val size = minOf(bounds.minDimension * FLAG_PART, MOST_FLAG_CENTIMETRES * transform.pixelsPerCentimetre)
+    val number = drawing.region.number
+    val middle = if (number != null && labels != null) bounds.center - Offset(size * 0.25f, 0f) else bounds.center
+    val top = middle - Offset(size * 0.4f, size / 2)
+    val cell = Size(size * 0.2f, size * 0.2f)
+    drawLine(SheetColours.FLAG, top, top + Offset(0f, size), max(size / 14, 1f), StrokeCap.Round)
+    drawRect(Color.White, top, Size(cell.width * FLAG_COLUMNS, cell.height * FLAG_ROWS))
+    for (row in 0 until FLAG_ROWS) {
+        for (column in 0 until FLAG_COLUMNS) {
+            if ((row + column) % 2 == 0) drawRect(SheetColours.FLAG, top + Offset(column * cell.width, row * cell.height), cell)
+        }
+    }
+    if (number != null && labels != null) {
+        drawLabel(labels, number.toString(), bounds.center + Offset(size * 0.55f, 0f), size * 0.8f, SheetColours.FLAG)
+    }
+}
+
+private const val LINE_CENTIMETRES = 0.3f
+private const val LEAST_LINE_PIXELS = 1.5f
+private const val FILL_ALPHA = 0.1f
+private const val MET_ALPHA = 0.35f
+private const val LINE_ALPHA = 0.7f
+
+/** Of the line's width. */
+private const val SHORT_DASH = 3f
+private const val LONG_DASH = 8f
+
+private const val FLAG_PART = 0.45f
+private const val MOST_FLAG_CENTIMETRES = 6f
+private const val FLAG_COLUMNS = 4
+private const val FLAG_ROWS = 3

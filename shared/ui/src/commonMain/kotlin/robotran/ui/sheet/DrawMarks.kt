@@ -1,0 +1,165 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Canvas
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.FilterQuality
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.graphics.Paint
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.PointMode
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.StrokeJoin
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.graphics.drawscope.clipPath
+import androidx.compose.ui.unit.IntOffset
+import androidx.compose.ui.unit.IntSize
+import robotran.world.Mark
+import robotran.world.MarkFigure
+import robotran.world.Shade
+import kotlin.math.max
+import kotlin.math.roundToInt
+
+/** A mark made ready for drawing, in pixels. */
+internal sealed interface MarkDrawing {
+    /**
+     * An area, or a line of a [width].
+     *
+     * @property dots the middles of what shows that it is blue, whoever sees colours or not; empty for other colours.
+     */
+    class Painted(
+        val path: Path,
+        val colour: Color,
+        val width: Float?,
+        val dots: List<Offset>,
+        val dotSize: Float,
+    ) : MarkDrawing
+
+    /** A picture with a pixel for each cell. */
+    class Picture(val image: ImageBitmap, val place: Rect) : MarkDrawing
+}
+
+internal fun markDrawing(mark: Mark, transform: SheetTransform): MarkDrawing = when (val figure = mark.figure) {
+    is MarkFigure.Area -> area(pathOf(figure.shape, transform), mark.shade, transform)
+    is MarkFigure.Line -> line(figure, mark.shade, transform)
+    is MarkFigure.GreyMap -> picture(figure, transform)
+}
+
+internal fun DrawScope.drawMark(mark: MarkDrawing) {
+    when (mark) {
+        is MarkDrawing.Painted -> drawPainted(mark)
+
+        is MarkDrawing.Picture -> drawImage(
+            mark.image,
+            dstOffset = IntOffset(mark.place.left.roundToInt(), mark.place.top.roundToInt()),
+            dstSize = IntSize(mark.place.width.roundToInt(), mark.place.height.roundToInt()),
+            filterQuality = FilterQuality.None,
+        )
+    }
+}
+
+private fun DrawScope.drawPainted(mark: MarkDrawing.Painted) {
+    val dotColour = SheetColours.MARK_DOTS
+    if (mark.width != null) {
+        drawPath(mark.path, mark.colour, style = Stroke(mark.width, cap = StrokeCap.Round, join = StrokeJoin.Round))
+        drawPoints(mark.dots, PointMode.Points, dotColour, mark.dotSize, StrokeCap.Round)
+    } else {
+        drawPath(mark.path, mark.colour)
+        if (mark.dots.isNotEmpty()) {
+            clipPath(mark.path) {
+                drawPoints(mark.dots, PointMode.Points, dotColour, mark.dotSize, StrokeCap.Round)
+            }
+        }
+    }
+}
+
+private fun area(path: Path, shade: Shade, transform: SheetTransform): MarkDrawing {
+    val step = dotStep(transform)
+    val dots = if (shade.isBlue) gridWithin(path.getBounds(), step) else emptyList()
+    return MarkDrawing.Painted(path, shade.colour, null, dots, step * DOT_PART)
+}
+
+private fun line(line: MarkFigure.Line, shade: Shade, transform: SheetTransform): MarkDrawing {
+    val points = line.points.map { transform.toPixels(it.x, it.y) }
+    val width = (line.width * transform.pixelsPerCentimetre).toFloat()
+    val step = dotStep(transform)
+    val dots = if (shade.isBlue) placesAlong(if (line.closed) points + points.first() else points, step) else emptyList()
+    val path = Path().apply { addLine(points, line.closed) }
+    return MarkDrawing.Painted(path, shade.colour, width, dots, minOf(step * DOT_PART, width / 2))
+}
+
+private fun picture(map: MarkFigure.GreyMap, transform: SheetTransform): MarkDrawing {
+    val columns = map.rows.first().length
+    val image = ImageBitmap(columns, map.rows.size)
+    val canvas = Canvas(image)
+    val paint = Paint()
+    map.rows.forEachIndexed { row, cells ->
+        var from = 0
+        while (from < columns) {
+            var to = from + 1
+            while (to < columns && cells[to] == cells[from]) to++
+            val grey = cells[from].digitToIntOrNull(HEXADECIMAL)
+            if (grey != null) {
+                paint.color = greyColour(grey / (HEXADECIMAL - 1.0))
+                canvas.drawRect(from.toFloat(), row.toFloat(), to.toFloat(), row + 1f, paint)
+            }
+            from = to
+        }
+    }
+    val corner = transform.toPixels(map.corner.x, map.corner.y)
+    val cell = (map.cell * transform.pixelsPerCentimetre).toFloat()
+    return MarkDrawing.Picture(image, Rect(Offset(corner.x, corner.y - cell * map.rows.size), Size(cell * columns, cell * map.rows.size)))
+}
+
+private val Shade.colour: Color
+    get() = when (this) {
+        is Shade.Grey -> greyColour(reflectance)
+        is Shade.Colour -> Color(red, green, blue)
+    }
+
+private val Shade.isBlue: Boolean get() = this is Shade.Colour && blue > red + CLEARLY && blue > green + CLEARLY
+
+private fun greyColour(reflectance: Double): Color = reflectance.toFloat().coerceIn(0f, 1f).let { Color(it, it, it) }
+
+private fun dotStep(transform: SheetTransform) = max(DOT_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_DOT_STEP)
+
+/** Every other row begins half a step further to the right. */
+private fun gridWithin(bounds: Rect, step: Float): List<Offset> = buildList {
+    var y = bounds.top + step / 2
+    var odd = false
+    while (y < bounds.bottom) {
+        var x = bounds.left + if (odd) step else step / 2
+        while (x < bounds.right) {
+            add(Offset(x, y))
+            x += step
+        }
+        odd = !odd
+        y += step
+    }
+}
+
+/** Places every [step] pixels along a line through [points]. */
+internal fun placesAlong(points: List<Offset>, step: Float): List<Offset> = buildList {
+    var next = 0f
+    for ((from, to) in points.zipWithNext()) {
+        val length = (to - from).getDistance()
+        while (next < length) {
+            add(from + (to - from) * (next / length))
+            next += step
+        }
+        next -= length
+    }
+}
+
+private const val HEXADECIMAL = 16
+
+/** How much bluer than red and green a colour is that people call blue. */
+private const val CLEARLY = 32
+private const val DOT_CENTIMETRES = 1f
+private const val LEAST_DOT_STEP = 6f
+
+/** How large a dot is, of the step between two. */
+private const val DOT_PART = 0.3f

@@ -1,0 +1,25 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.PathEffect
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.StrokeJoin
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import robotran.world.Template
+import kotlin.math.max
+
+internal fun templatePath(template: Template, transform: SheetTransform): Path = Path().apply {
+    for (stroke in template.strokes) addLine(stroke.map { transform.toPixels(it.x, it.y) })
+}
+
+/** A faint dotted line that ink will cover. */
+internal fun DrawScope.drawTemplate(path: Path, transform: SheetTransform) {
+    val width = max(TEMPLATE_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_WIDTH_PIXELS)
+    // Dashes without length but with round ends are dots.
+    val dots = PathEffect.dashPathEffect(floatArrayOf(0f, 2 * width))
+    drawPath(path, SheetColours.TEMPLATE, style = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round, pathEffect = dots))
+}
+
+private const val TEMPLATE_CENTIMETRES = 0.5f
+private const val LEAST_WIDTH_PIXELS = 2f

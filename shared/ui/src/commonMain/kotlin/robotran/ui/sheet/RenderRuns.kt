@@ -1,0 +1,62 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.StrokeJoin
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.World
+import kotlin.math.max
+
+/** The way that a robot took in one run: where it came through, and how it stood at the end. */
+class RunTrack(
+    val way: List<Point>,
+    val end: Pose,
+)
+
+/**
+ * A picture of several runs in the same world one over the other, each in a colour of its own, with an arrow where it ended: how much
+ * they differ is how much was left to chance. As wide as [renderSheet] allows.
+ */
+fun renderRuns(
+    world: World,
+    runs: List<RunTrack>,
+    widthPixels: Int = PICTURE_PIXELS,
+): ImageBitmap = renderOn(world, widthPixels) { drawing ->
+    drawGround(drawing, SheetColours.LIGHT)
+    drawSolids(drawing.solids)
+    runs.forEachIndexed { number, run -> drawTrack(run, runColour(number, runs.size), drawing.transform) }
+}
+
+private fun DrawScope.drawTrack(run: RunTrack, colour: Color, transform: SheetTransform) {
+    val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, 1f)
+    val line = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round)
+    drawPath(Path().apply { addLine(run.way.map { transform.toPixels(it.x, it.y) }) }, colour, style = line)
+    drawPath(arrow(run.end, transform), colour)
+}
+
+/** Its tip is where the robot is, and points where it looks. */
+private fun arrow(pose: Pose, transform: SheetTransform): Path {
+    val tip = Point(pose.x, pose.y)
+    val heading = pose.heading * RADIANS_PER_DEGREE
+    val back = tip.towards(heading, -ARROW_CENTIMETRES)
+    val corners = listOf(
+        tip, back.towards(heading + QUARTER_TURN, ARROW_CENTIMETRES / 3),
+        back.towards(
+            heading - QUARTER_TURN,
+            ARROW_CENTIMETRES / 3,
+        ),
+    )
+    return Path().apply { addLine(corners.map { transform.toPixels(it.x, it.y) }, closed = true) }
+}
+
+/** As far from one another as colours can be. */
+private fun runColour(number: Int, runs: Int) = Color.hsv(360f * number / runs, 0.85f, 0.75f, alpha = 0.75f)
+
+private const val LINE_CENTIMETRES = 0.2f
+private const val ARROW_CENTIMETRES = 3.0
+private const val QUARTER_TURN = kotlin.math.PI / 2

@@ -1,0 +1,99 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.graphics.Path
+import robotran.world.Point
+import robotran.world.Shape
+import robotran.world.Wall
+import kotlin.math.PI
+import kotlin.math.abs
+import kotlin.math.cos
+import kotlin.math.hypot
+import kotlin.math.sin
+
+/** What [shape] looks like in pixels. */
+internal fun pathOf(shape: Shape, transform: SheetTransform): Path = Path().apply {
+    if (shape is Shape.Circle) {
+        val radius = (shape.radius * transform.pixelsPerCentimetre).toFloat()
+        addOval(Rect(transform.toPixels(shape.centre.x, shape.centre.y), radius))
+    } else {
+        addLine(shape.corners().map { transform.toPixels(it.x, it.y) }, closed = true)
+    }
+}
+
+internal fun pathOf(wall: Wall, transform: SheetTransform): Path =
+    Path().apply { addLine(wall.corners().map { transform.toPixels(it.x, it.y) }, closed = true) }
+
+/** Lines from each of [points] to the next. */
+internal fun Path.addLine(points: List<Offset>, closed: Boolean = false) {
+    val first = points.firstOrNull() ?: return
+    moveTo(first.x, first.y)
+    for (number in 1 until points.size) lineTo(points[number].x, points[number].y)
+    if (closed) close()
+}
+
+/** Round about counter-clockwise, in centimetres; a circle has so many corners that it looks round. */
+internal fun Shape.corners(): List<Point> = when (this) {
+    is Shape.Circle -> (0 until CIRCLE_CORNERS).map { centre.towards(it * 2 * PI / CIRCLE_CORNERS, radius) }
+    is Shape.Rectangle -> rectangle(centre, angle * RADIANS_PER_DEGREE, width / 2, height / 2)
+    is Shape.Polygon -> if (twiceTheArea(corners) < 0) corners.reversed() else corners
+}
+
+/** The four corners of a wall, whose ends reach half its thickness beyond its line. */
+internal fun Wall.corners(): List<Point> {
+    val length = hypot(to.x - from.x, to.y - from.y)
+    val middle = Point((from.x + to.x) / 2, (from.y + to.y) / 2)
+    return rectangle(middle, kotlin.math.atan2(to.y - from.y, to.x - from.x), (length + thickness) / 2, thickness / 2)
+}
+
+/** The point of a shape that stays where it is when the shape is turned. */
+internal val Shape.centre: Point
+    get() = when (this) {
+        is Shape.Circle -> centre
+        is Shape.Rectangle -> centre
+        is Shape.Polygon -> middleOf(corners)
+    }
+
+/** Where one comes to from here in the direction [angle], in radians. */
+internal fun Point.towards(angle: Double, distance: Double) = Point(x + distance * cos(angle), y + distance * sin(angle))
+
+private fun rectangle(centre: Point, angle: Double, halfLength: Double, halfWidth: Double): List<Point> {
+    val cosine = cos(angle)
+    val sine = sin(angle)
+
+    fun corner(along: Double, across: Double) =
+        Point(centre.x + along * cosine - across * sine, centre.y + along * sine + across * cosine)
+    return listOf(
+        corner(-halfLength, -halfWidth), corner(halfLength, -halfWidth), corner(halfLength, halfWidth), corner(-halfLength, halfWidth),
+    )
+}
+
+/** The centre of its area; of corners all on a line, the middle of the corners. */
+private fun middleOf(corners: List<Point>): Point {
+    val area = twiceTheArea(corners)
+    if (abs(area) < LEAST_AREA) return Point(corners.sumOf { it.x } / corners.size, corners.sumOf { it.y } / corners.size)
+    var x = 0.0
+    var y = 0.0
+    corners.forEachEdge { from, to ->
+        val weight = (from.x * to.y - to.x * from.y) / (3 * area)
+        x += (from.x + to.x) * weight
+        y += (from.y + to.y) * weight
+    }
+    return Point(x, y)
+}
+
+private fun twiceTheArea(corners: List<Point>): Double {
+    var area = 0.0
+    corners.forEachEdge { from, to -> area += from.x * to.y - to.x * from.y }
+    return area
+}
+
+/** From each corner to the next and from the last to the first. */
+internal inline fun List<Point>.forEachEdge(action: (Point, Point) -> Unit) {
+    for (number in indices) action(this[number], this[(number + 1) % size])
+}
+
+internal const val RADIANS_PER_DEGREE = PI / 180
+private const val CIRCLE_CORNERS = 48
+private const val LEAST_AREA = 1e-9

@@ -1,0 +1,207 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.ImageBitmap
+import robotran.ui.sheet.SheetScenes.with
+import robotran.world.Barrier
+import robotran.world.Block
+import robotran.world.Goal
+import robotran.world.GoalStatus
+import robotran.world.InkStroke
+import robotran.world.Lamp
+import robotran.world.LampState
+import robotran.world.Mark
+import robotran.world.MarkFigure
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.RobotColour
+import robotran.world.RobotPlace
+import robotran.world.Shade
+import robotran.world.Shape
+import robotran.world.Template
+import robotran.world.Wall
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNotEquals
+import kotlin.test.assertTrue
+
+class SheetThingsTest {
+    private val paper = SheetColours.LIGHT.paper
+
+    @Test
+    fun `a mark has its own grey and the last one lies on top`() {
+        val world = with {
+            copy(marks = listOf(area(Shape.Circle(Point(50.0, 20.0), 5.0), Shade.Grey(0.0)), area(box(50.0, 20.0), Shade.Grey(1.0))))
+        }
+        assertEquals(Color.White, closeUp(world).at(50.0, 20.0))
+        assertEquals(Color.Black, closeUp(world).at(54.0, 20.0))
+        assertEquals(paper, closeUp(world).at(56.0, 20.0))
+    }
+
+    @Test
+    fun `a blue mark has dots and a red one has none`() {
+        val blue = with { copy(marks = listOf(area(box(50.0, 20.0, 8.0), Shade.Colour(0, 0, 200)))) }
+        val red = with { copy(marks = listOf(area(box(50.0, 20.0, 8.0), Shade.Colour(200, 0, 0)))) }
+        assertTrue(closeUp(blue).coloursAround(50.0, 20.0, 1.0).size > 1)
+        assertEquals(setOf(Color(200, 0, 0)), closeUp(red).coloursAround(50.0, 20.0, 1.0))
+    }
+
+    @Test
+    fun `a line mark is as wide as it says and only a closed one comes back to its beginning`() {
+        val points = listOf(Point(40.0, 10.0), Point(60.0, 10.0), Point(60.0, 30.0))
+        val open = closeUp(with { copy(marks = listOf(Mark(MarkFigure.Line(points, 2.0)))) })
+        val closed = closeUp(with { copy(marks = listOf(Mark(MarkFigure.Line(points, 2.0, closed = true)))) })
+        assertEquals(Color.Black, open.at(50.0, 10.9))
+        assertEquals(paper, open.at(50.0, 11.1))
+        assertEquals(paper, open.at(50.0, 20.0))
+        assertEquals(Color.Black, closed.at(50.0, 20.0))
+    }
+
+    @Test
+    fun `a grey map has its rows from the top down and is see-through at its points`() {
+        val map = MarkFigure.GreyMap(Point(40.0, 10.0), 2.0, listOf("0f", ".8"))
+        val picture = closeUp(with { copy(marks = listOf(Mark(map))) })
+        assertEquals(Color.Black, picture.at(41.0, 13.0))
+        assertEquals(Color.White, picture.at(43.0, 13.0))
+        assertEquals(paper, picture.at(41.0, 11.0))
+        assertEquals(Color(136, 136, 136), picture.at(43.0, 11.0))
+    }
+
+    @Test
+    fun `barriers look like walls whatever their form and direction`() {
+        val corners = listOf(Point(70.0, 10.0), Point(76.0, 10.0), Point(76.0, 16.0))
+        val world = with {
+            copy(
+                walls = listOf(Wall(Point(30.0, 12.0), Point(30.0, 30.0), 2.0)),
+                barriers = listOf(
+                    Barrier(Shape.Rectangle(Point(45.0, 20.0), 10.0, 2.0, 90.0)),
+                    Barrier(Shape.Circle(Point(60.0, 20.0), 4.0)),
+                    Barrier(Shape.Polygon(corners)),
+                    Barrier(Shape.Polygon(corners.reversed())),
+                ),
+            )
+        }
+        val picture = closeUp(world)
+        val solid = setOf(SheetColours.WALL, SheetColours.WALL_HATCHING)
+        for ((x, y) in listOf(30.0 to 20.0, 45.0 to 24.0, 60.0 to 20.0, 74.5 to 12.5)) {
+            assertTrue(picture.coloursAround(x, y, 0.8).containsAll(solid), "no hatching at $x, $y")
+        }
+        assertEquals(paper, picture.at(49.0, 20.0))
+    }
+
+    @Test
+    fun `a block is drawn where it is now and turned`() {
+        val world = with { copy(blocks = listOf(Block(Shape.Rectangle(Point(50.0, 20.0), 10.0, 2.0)))) }
+        val moved = closeUp(world, SheetScenes.state(world, blocks = listOf(Pose(20.0, 5.0, 90.0))))
+        assertNotEquals(paper, closeUp(world).at(54.0, 20.6))
+        assertEquals(paper, moved.at(54.0, 20.6))
+        assertNotEquals(paper, moved.at(70.6, 29.0))
+        assertEquals(paper, moved.at(74.0, 25.0))
+    }
+
+    @Test
+    fun `a lamp lights what is before it but not behind a barrier, and nothing when it is off`() {
+        val lamp = Lamp(Point(40.0, 30.0), direction = 0.0, cone = 90.0)
+        val world = with { copy(lamps = listOf(lamp), barriers = listOf(Barrier(Shape.Rectangle(Point(55.0, 30.0), 1.0, 6.0)))) }
+        val picture = closeUp(world)
+        assertNotEquals(paper, picture.at(50.0, 30.0))
+        assertNotEquals(paper, picture.at(60.0, 40.0))
+        assertEquals(paper, picture.at(60.0, 30.0))
+        assertEquals(paper, picture.at(30.0, 30.0))
+        val off = closeUp(world, SheetScenes.state(world, lamps = listOf(LampState(lamp.place, on = false))))
+        assertEquals(paper, off.at(50.0, 30.0))
+    }
+
+    @Test
+    fun `a lamp that has been moved shines where it is now`() {
+        val world = with { copy(lamps = listOf(Lamp(Point(30.0, 30.0)))) }
+        val moved = closeUp(world, SheetScenes.state(world, lamps = listOf(LampState(Point(80.0, 30.0), on = true))))
+        assertEquals(SheetColours.LAMP, moved.at(80.0, 30.0))
+        assertNotEquals(SheetColours.LAMP, moved.at(30.0, 30.0))
+    }
+
+    @Test
+    fun `a world is made ready for drawing once for each size`() {
+        val fit = SheetFit(SheetScenes.everything, 2.0)
+        val first = fit.into(Size(100f, 60f))
+        assertTrue(fit.into(Size(100f, 60f)) === first)
+        assertTrue(fit.into(Size(200f, 120f)) !== first)
+    }
+
+    @Test
+    fun `a mark ends where the paper ends`() {
+        val picture = closeUp(with { copy(marks = listOf(area(box(96.0, 20.0), Shade.Grey(0.0)))) })
+        assertEquals(Color.Black, picture.at(95.5, 20.0))
+        assertNotEquals(Color.Black, picture.at(96.5, 20.0))
+    }
+
+    @Test
+    fun `each pen writes in its robot's colour, the first one in blue`() {
+        val world = with { copy(robots = robots + RobotPlace(Pose(80.0, 10.0, 0.0), "green", RobotColour.GREEN)) }
+        val strokes = listOf(
+            InkStroke(listOf(Point(40.0, 30.0), Point(60.0, 30.0))),
+            InkStroke(listOf(Point(40.0, 40.0), Point(60.0, 40.0)), robot = 1),
+        )
+        val picture = closeUp(world, SheetScenes.state(world, strokes = strokes))
+        assertEquals(SheetColours.INK, picture.at(50.0, 30.0))
+        assertEquals(RobotColours.edge(RobotColour.GREEN), picture.at(50.0, 40.0))
+    }
+
+    @Test
+    fun `each robot has a brick of its colour`() {
+        for (colour in RobotColour.entries) {
+            val picture = closeUp(with { copy(robots = listOf(RobotPlace(Pose(40.0, 20.0, 0.0), colour = colour))) })
+            assertEquals(RobotColours.brick(colour), picture.at(40.0 + RobotPlan.BRICK.left + 0.4, 20.0), colour.name)
+        }
+        assertEquals(RobotColour.entries.size, RobotColour.entries.map(RobotColours::brick).toSet().size)
+    }
+
+    @Test
+    fun `a region to be reached is green, and fuller once it is reached`() {
+        val world = with { copy(goals = listOf(Goal.Reach(box(60.0, 20.0, 20.0)))) }
+        val before = closeUp(world).at(52.0, 12.0)
+        val after = closeUp(world, SheetScenes.state(world, goals = listOf(SheetScenes.progress(GoalStatus.MET)))).at(52.0, 12.0)
+        assertTrue(before.green > before.red && after.red < before.red)
+    }
+
+    @Test
+    fun `a region to keep out of is red and one to stay in is left plain`() {
+        val keepOut = closeUp(with { copy(goals = listOf(Goal.All(listOf(Goal.StayOut(box(60.0, 20.0, 20.0)))))) })
+        assertTrue(keepOut.at(60.0, 20.0).let { it.red > it.green })
+        val stayIn = closeUp(with { copy(goals = listOf(Goal.StayIn(box(60.0, 20.0, 20.0)))) })
+        assertEquals(paper, stayIn.at(60.0, 20.0))
+        assertTrue(SheetColours.STAY_IN in stayIn.coloursAround(60.0, 30.0, 2.0))
+    }
+
+    @Test
+    fun `the drawing to be traced is dotted and ink covers it`() {
+        val world = with { copy(template = Template(listOf(listOf(Point(40.0, 30.0), Point(60.0, 30.0))))) }
+        val colours = closeUp(world).coloursAround(50.0, 30.0, 1.5)
+        assertTrue(SheetColours.TEMPLATE in colours && paper in colours)
+        val traced = closeUp(world, SheetScenes.state(world, strokes = listOf(InkStroke(listOf(Point(40.0, 30.0), Point(60.0, 30.0))))))
+        assertEquals(SheetColours.INK, traced.at(50.0, 30.0))
+    }
+
+    @Test
+    fun `goals to be reached one after the other are numbered`() {
+        val one = Goal.Reach(box(20.0, 20.0))
+        val two = Goal.Reach(box(60.0, 20.0))
+        val out = Goal.StayOut(box(40.0, 20.0))
+        val regions = goalRegions(listOf(out, Goal.InOrder(listOf(one, out, two)), one))
+        assertEquals(listOf(null, 1, 2), regions.map { it.number })
+        assertEquals(listOf(listOf(0), listOf(1, 0), listOf(1, 2)), regions.map { it.where })
+    }
+
+    private fun area(shape: Shape, shade: Shade) = Mark(MarkFigure.Area(shape), shade)
+
+    private fun box(x: Double, y: Double, side: Double = 2.0) = Shape.Rectangle(Point(x, y), side, side)
+
+    /** The colours in a cross that reaches so far from its middle. */
+    private fun ImageBitmap.coloursAround(x: Double, y: Double, reach: Double): Set<Color> =
+        (-STEPS..STEPS).flatMap { listOf(at(x + reach * it / STEPS, y), at(x, y + reach * it / STEPS)) }.toSet()
+
+    private companion object {
+        const val STEPS = 40
+    }
+}
