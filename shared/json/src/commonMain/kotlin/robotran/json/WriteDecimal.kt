@@ -30,9 +30,8 @@ fun nearestDecimal(number: Double): Double = checkNotNull(readDecimal(writeDecim
 
 /** From 1e15 on, where only the first digits can be given. */
 private fun longWhole(size: Double): String {
-    var zeros = 0
-    while (size / powerOfTen(zeros) >= MOST && zeros < EXACT_POWER_OF_TEN) zeros++
-    return floor(size / powerOfTen(zeros)).toLong().toString() + "0".repeat(zeros)
+    val zeros = (0..EXACT_POWER_OF_TEN).firstOrNull { size / powerOfTen(it) < MOST } ?: EXACT_POWER_OF_TEN
+    return floor(size / powerOfTen(zeros) + HALF).toLong().toString() + "0".repeat(zeros)
 }
 
 private fun nearest(size: Double): String {

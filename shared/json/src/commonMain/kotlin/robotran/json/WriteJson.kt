@@ -10,14 +10,16 @@ import kotlinx.serialization.json.JsonUnquotedLiteral
 /**
  * [element] as text for people and for merging: what fits into a line is on one, but each object in a list is on a line of its own. Ends with
  * a line end.
+ *
+ * @param tall the names of members whose lists have each entry on a line of its own, as lines of a text.
  */
-fun writeJson(element: JsonElement): String = buildString {
-    JsonWriter(this).write(element, indent = 0, before = 0)
+fun writeJson(element: JsonElement, tall: Set<String> = emptySet()): String = buildString {
+    JsonWriter(this, tall).write(element, indent = 0, before = 0)
     append('\n')
 }
 
 /** [element] as short as it can be. */
-fun writeCompactJson(element: JsonElement): String = buildString { JsonWriter(this, blank = "").writeOnOneLine(element) }
+fun writeCompactJson(element: JsonElement): String = buildString { JsonWriter(this, emptySet(), blank = "").writeOnOneLine(element) }
 
 /** A number as every target writes it. */
 @OptIn(ExperimentalSerializationApi::class)
@@ -39,7 +41,7 @@ fun JsonObject.withRest(rest: Map<String, JsonElement>): JsonObject = if (rest.i
     )
 }
 
-private class JsonWriter(private val out: StringBuilder, private val blank: String = " ") {
+private class JsonWriter(private val out: StringBuilder, private val tall: Set<String>, private val blank: String = " ") {
     /** @param before how much of the line is taken already, beside the indentation. */
     fun write(element: JsonElement, indent: Int, before: Int) {
         when {
@@ -48,7 +50,11 @@ private class JsonWriter(private val out: StringBuilder, private val blank: Stri
             element is JsonObject -> lines(element.entries, "{", "}", indent) { (name, value) ->
                 writeText(name)
                 out.append(": ")
-                write(value, indent + INDENT, before = name.length + NAME_MARKS)
+                if (isTall(name, value)) {
+                    lines(value as JsonArray, "[", "]", indent + INDENT) { write(it, indent + INDENT + INDENT, before = 0) }
+                } else {
+                    write(value, indent + INDENT, before = name.length + NAME_MARKS)
+                }
             }
 
             element is JsonArray -> lines(element, "[", "]", indent) { write(it, indent + INDENT, before = 0) }
@@ -71,8 +77,14 @@ private class JsonWriter(private val out: StringBuilder, private val blank: Stri
         }
     }
 
-    private fun mustBreak(element: JsonElement, indent: Int): Boolean =
-        (indent == 0 && element is JsonObject && element.isNotEmpty()) || (element is JsonArray && element.any { it is JsonObject })
+    /** All that is around a list of objects or a tall one breaks with it. */
+    private fun mustBreak(element: JsonElement, indent: Int): Boolean = when (element) {
+        is JsonObject -> element.isNotEmpty() && (indent == 0 || element.any { (name, value) -> isTall(name, value) || mustBreak(value, INDENT) })
+        is JsonArray -> element.any { it is JsonObject || mustBreak(it, INDENT) }
+        is JsonPrimitive -> false
+    }
+
+    private fun isTall(name: String, value: JsonElement) = name in tall && value is JsonArray && value.isNotEmpty()
 
     private fun fits(element: JsonElement, before: Int): Boolean {
         val start = out.length
@@ -132,12 +144,14 @@ private class JsonWriter(private val out: StringBuilder, private val blank: Stri
                 character == '"' || character == '\\' -> out.append('\\').append(character)
                 character == '\n' -> out.append("\\n")
                 character == '\t' -> out.append("\\t")
-                character < ' ' || isHalfCharacter(text, place) -> out.append("\\u").append(character.code.toString(radix = 16).padStart(UNICODE_DIGITS, '0'))
+                character < ' ' || isHalfCharacter(text, place) -> out.append("\\u").append(hexadecimal(character))
                 else -> out.append(character)
             }
         }
         out.append('"')
     }
+
+    private fun hexadecimal(character: Char): String = character.code.toString(radix = 16).padStart(UNICODE_DIGITS, '0')
 
     private companion object {
         const val INDENT = 2

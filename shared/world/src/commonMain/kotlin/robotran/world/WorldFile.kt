@@ -2,6 +2,9 @@ package robotran.world
 
 import robotran.json.JsonReading
 import robotran.json.readJson
+import robotran.json.writeJson
+import robotran.world.file.TALL_LISTS
+import robotran.world.file.elementOf
 import robotran.world.file.worldIn
 
 /**
@@ -12,6 +15,12 @@ fun readWorld(text: String): WorldFileResult = resultOf(readJson(text, ::worldIn
 
 /** The same for a file as it lies on a disk: in UTF-8, with or without a byte order mark. */
 fun readWorld(bytes: ByteArray): WorldFileResult = resultOf(readJson(bytes, ::worldIn))
+
+/**
+ * [world] as a file of the newest version, for people to read and to merge: what is as usual is left out, unknown fields are kept. [readWorld] makes
+ * the same world of it, if all its numbers have no more than fifteen digits, as those of a world that was read have.
+ */
+fun writeWorld(world: World): String = writeJson(elementOf(world), TALL_LISTS)
 
 private fun resultOf(reading: JsonReading<World>): WorldFileResult = when (reading) {
     is JsonReading.Read -> WorldFileResult.Loaded(reading.value)

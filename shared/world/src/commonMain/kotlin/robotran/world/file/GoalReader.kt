@@ -56,10 +56,10 @@ internal class GoalReader(private val shapes: ShapeReader) {
         fun unknown() = unknownOf(place)
     }
 
-    private companion object {
-        val DRAW = Goal.DrawTemplate()
-        val FOLLOW = Goal.FollowLine("")
-        val KINDS: Map<String, (Fields) -> Goal> = mapOf(
+    companion object {
+        val USUAL_DRAWING = Goal.DrawTemplate()
+        val USUAL_FOLLOWING = Goal.FollowLine(line = "")
+        private val KINDS: Map<String, (Fields) -> Goal> = mapOf(
             "reach" to { f ->
                 val stays = f.place.optional("stays")?.flag() ?: false
                 Goal.Reach(f.region(), f.who(), f.whole(), f.within(), stays, f.says, f.unknown())
@@ -68,9 +68,9 @@ internal class GoalReader(private val shapes: ShapeReader) {
             "stayIn" to { f -> Goal.StayIn(f.region(), f.who(), f.whole(), f.says, f.unknown()) },
             "neverTouch" to { f -> Goal.NeverTouch(f.touchKinds(), f.who(), f.says, f.unknown()) },
             "drawTemplate" to { f ->
-                val coverage = f.place.optional("coverage")?.number(0.0..1.0) ?: DRAW.coverage
-                val excess = f.place.optional("excess")?.number(0.0..WorldLimits.MAXIMUM_EXCESS) ?: DRAW.excess
-                Goal.DrawTemplate(f.tolerance(DRAW.tolerance), coverage, excess, f.says, f.unknown())
+                val coverage = f.place.optional("coverage")?.number(0.0..1.0) ?: USUAL_DRAWING.coverage
+                val excess = f.place.optional("excess")?.number(0.0..WorldLimits.MAXIMUM_EXCESS) ?: USUAL_DRAWING.excess
+                Goal.DrawTemplate(f.tolerance(USUAL_DRAWING.tolerance), coverage, excess, f.says, f.unknown())
             },
             "inkLength" to { f ->
                 val atLeast = f.length("atLeast")
@@ -81,8 +81,8 @@ internal class GoalReader(private val shapes: ShapeReader) {
             },
             "followLine" to { f ->
                 val line = f.place.member("line").text(WorldLimits.MAXIMUM_NAME_CHARACTERS)
-                val laps = f.place.optional("laps")?.number(WorldLimits.MINIMUM_LAPS..WorldLimits.MAXIMUM_LAPS) ?: FOLLOW.laps
-                Goal.FollowLine(line, laps, f.tolerance(FOLLOW.tolerance), f.who(), f.within(), f.says, f.unknown())
+                val laps = f.place.optional("laps")?.number(WorldLimits.MINIMUM_LAPS..WorldLimits.MAXIMUM_LAPS) ?: USUAL_FOLLOWING.laps
+                Goal.FollowLine(line, laps, f.tolerance(USUAL_FOLLOWING.tolerance), f.who(), f.within(), f.says, f.unknown())
             },
             "endWithin" to { f ->
                 Goal.EndWithin(f.place.member("seconds").wholeNumber(WorldLimits.SECONDS), f.who(), f.says, f.unknown())

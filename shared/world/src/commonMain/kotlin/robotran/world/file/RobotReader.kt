@@ -51,4 +51,4 @@ private fun readProgramLine(place: JsonPlace): String {
     return line
 }
 
-private const val FIRST_ROBOT = "yellow"
+internal const val FIRST_ROBOT = "yellow"

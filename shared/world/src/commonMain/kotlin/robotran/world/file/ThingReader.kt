@@ -73,7 +73,8 @@ internal class ThingReader(private val shapes: ShapeReader) {
         greys.indexOfFirst { it.length != greys.first().length }.takeIf { it >= 0 }?.let {
             rows[it].refuse("must be as long as the first row, ${greys.first().length}")
         }
-        return MarkFigure.GreyMap(shapes.corner(place), place.member("cell").number(WorldLimits.MINIMUM_CELL..WorldLimits.MAXIMUM_CELL), greys)
+        val cell = place.member("cell").number(WorldLimits.MINIMUM_CELL..WorldLimits.MAXIMUM_CELL)
+        return MarkFigure.GreyMap(shapes.corner(place), cell, greys)
     }
 
     private fun greyRow(place: JsonPlace): String {

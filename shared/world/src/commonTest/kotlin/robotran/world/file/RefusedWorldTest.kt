@@ -46,8 +46,9 @@ class RefusedWorldTest {
 
     @Test
     fun `where a name is there twice, the last one counts and is told`() {
-        assertEquals("Line 5: title must not be empty.", refusalWith("\"title\": \"Everything\",", "\"title\": \"Everything\",\n\"t\\u0069tle\": \" \","))
-        assertEquals("Twice", loaded(FULL_WORLD.replaceFirst("\"title\": \"Everything\",", "\"title\": 5, \"title\": \"Twice\",")).title)
+        val title = "\"title\": \"Everything\","
+        assertEquals("Line 5: title must not be empty.", refusalWith(title, "$title\n\"t\\u0069tle\": \" \","))
+        assertEquals("Twice", loaded(FULL_WORLD.replaceFirst(title, "\"title\": 5, \"title\": \"Twice\",")).title)
     }
 
     @Test

@@ -3,6 +3,8 @@ package robotran.world.file
 import robotran.world.World
 import robotran.world.WorldFileResult
 import robotran.world.readWorld
+import robotran.world.writeWorld
+import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
@@ -71,4 +73,25 @@ internal fun refusal(text: String): WorldFileResult.Refused = assertIs<WorldFile
 internal fun refusalWith(old: String, new: String): String {
     assertTrue(old in FULL_WORLD, "$old is in the file")
     return refusal(FULL_WORLD.replaceFirst(old, new)).message
+}
+
+/**
+ * What is said about it behind the line, after a check that this is [line]: where [old] is, if nothing else is said.
+ */
+internal fun complaint(old: String, new: String, line: Int = FULL_WORLD.substringBefore(old).count { it == '\n' } + 1): String {
+    val message = refusalWith(old, new)
+    assertTrue(message.startsWith("Line $line: "), "$message is about line $line")
+    return message.substringAfter(": ")
+}
+
+/** Checks what is true of whatever is read: a world is written and read as the same one, a refusal has a sentence and places that fit. */
+internal fun holds(result: WorldFileResult) {
+    when (result) {
+        is WorldFileResult.Loaded -> assertEquals<WorldFileResult>(result, readWorld(writeWorld(result.world)))
+        is WorldFileResult.Refused -> {
+            assertTrue(result.message.endsWith("."), result.message)
+            assertTrue(result.path.isEmpty() || result.line != null, result.message)
+            assertTrue(result.line == null || result.message.startsWith("Line ${result.line}"), result.message)
+        }
+    }
 }

@@ -1,0 +1,94 @@
+package robotran.world.file
+
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonPrimitive
+import robotran.json.ObjectBuilder
+import robotran.json.jsonObject
+import robotran.world.Barrier
+import robotran.world.Block
+import robotran.world.Lamp
+import robotran.world.Mark
+import robotran.world.MarkFigure
+import robotran.world.Point
+import robotran.world.Shade
+import robotran.world.Shape
+import robotran.world.Wall
+
+internal fun elementOf(wall: Wall) = jsonObject(wall.unknown.members) {
+    put("from", point(wall.from))
+    put("to", point(wall.to))
+    number("thickness", wall.thickness)
+}
+
+internal fun elementOf(barrier: Barrier) = jsonObject(barrier.unknown.members) {
+    text("name", barrier.name)
+    shape(barrier.shape)
+}
+
+internal fun elementOf(block: Block) = jsonObject(block.unknown.members) {
+    text("name", block.name)
+    shape(block.shape)
+    number("mass", block.mass, usual = Block.DEFAULT_MASS)
+    number("friction", block.friction, usual = Block.DEFAULT_FRICTION)
+}
+
+internal fun elementOf(mark: Mark) = jsonObject(mark.unknown.members) {
+    text("name", mark.name)
+    when (val shade = mark.shade) {
+        is Shade.Grey -> number("grey", shade.reflectance, usual = 0.0)
+        is Shade.Colour -> text("colour", "#" + listOf(shade.red, shade.green, shade.blue).joinToString("", transform = ::hexadecimal))
+    }
+    when (val figure = mark.figure) {
+        is MarkFigure.Area -> shape(figure.shape)
+        is MarkFigure.Line -> put("line", elementOf(figure))
+        is MarkFigure.GreyMap -> put("greyMap", elementOf(figure))
+    }
+}
+
+internal fun elementOf(lamp: Lamp) = jsonObject(lamp.unknown.members) {
+    text("name", lamp.name)
+    corner(lamp.place)
+    number("brightness", lamp.brightness, usual = 1.0)
+    number("direction", lamp.direction, usual = 0.0)
+    number("cone", lamp.cone, usual = Lamp.ALL_ROUND)
+    flag("on", lamp.on, usual = true)
+}
+
+internal fun ObjectBuilder.shape(shape: Shape) = when (shape) {
+    is Shape.Polygon -> put("polygon", points(shape.corners))
+    is Shape.Circle -> put(
+        "circle",
+        jsonObject {
+            corner(shape.centre)
+            number("radius", shape.radius)
+        },
+    )
+    is Shape.Rectangle -> put(
+        "rectangle",
+        jsonObject {
+            corner(shape.centre)
+            number("width", shape.width)
+            number("height", shape.height)
+            number("angle", shape.angle, usual = 0.0)
+        },
+    )
+}
+
+private fun elementOf(line: MarkFigure.Line) = jsonObject {
+    put("points", points(line.points))
+    number("width", line.width)
+    flag("closed", line.closed, usual = false)
+}
+
+private fun elementOf(map: MarkFigure.GreyMap) = jsonObject {
+    corner(map.corner)
+    number("cell", map.cell)
+    put("rows", JsonArray(map.rows.map(::JsonPrimitive)))
+}
+
+private fun ObjectBuilder.corner(place: Point) {
+    number("x", place.x)
+    number("y", place.y)
+}
+
+private fun hexadecimal(part: Int): String = part.toString(radix = 16).padStart(2, '0')

@@ -1,0 +1,76 @@
+package robotran.world.file
+
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import robotran.json.decimal
+import robotran.json.jsonObject
+import robotran.world.Light
+import robotran.world.Point
+import robotran.world.PortSensor
+import robotran.world.Pose
+import robotran.world.RobotColour
+import robotran.world.RobotPlace
+import robotran.world.World
+
+/** Lists of lines of text. */
+val TALL_LISTS: Set<String> = setOf("program", "rows")
+
+/** [world] as it is written into files, in the newest version of the format. */
+fun elementOf(world: World): JsonObject = jsonObject(world.unknown.members) {
+    text("format", WORLD_FORMAT)
+    number("version", WORLD_VERSION)
+    text("title", world.title)
+    text("task", world.task, usual = "")
+    put(
+        "paper",
+        jsonObject(world.paper.unknown.members) {
+            number("width", world.paper.width)
+            number("height", world.paper.height)
+        },
+    )
+    list("robots", world.robots, ::elementOf)
+    list("walls", world.walls, ::elementOf)
+    list("barriers", world.barriers, ::elementOf)
+    list("blocks", world.blocks, ::elementOf)
+    list("marks", world.marks, ::elementOf)
+    list("lamps", world.lamps, ::elementOf)
+    number("light", world.ambientLight, usual = Light.DIM_ROOM)
+    number("temperature", world.temperature, usual = World.ROOM_TEMPERATURE)
+    put(
+        "template",
+        world.template?.let { template -> jsonObject(template.unknown.members) { put("strokes", JsonArray(template.strokes.map(::points))) } },
+    )
+    list("goals", world.goals, ::elementOf)
+    number("timeLimit", world.timeLimit, usual = World.DEFAULT_TIME_LIMIT)
+    number("realism", world.realism, usual = 0.0)
+    number("seed", world.seed, usual = 1)
+}
+
+private fun elementOf(robot: RobotPlace) = jsonObject(robot.unknown.members) {
+    text("name", robot.name, usual = FIRST_ROBOT)
+    text("colour", wordFor(robot.colour), usual = wordFor(RobotColour.YELLOW))
+    put("start", elementOf(robot.start))
+    if (robot.ports != RobotPlace.PENBOT_PORTS) put("ports", elementOf(robot.ports))
+    text("lightSensor", robot.lightFacing?.let(::wordFor))
+    number("beacon", robot.beacon, usual = 0.0)
+    put("program", robot.program?.let { program -> JsonArray(program.lines().map(::JsonPrimitive)) })
+}
+
+private fun elementOf(start: Pose) = jsonObject {
+    number("x", start.x)
+    number("y", start.y)
+    number("heading", start.heading)
+}
+
+private fun elementOf(ports: List<List<PortSensor>>) = jsonObject {
+    PORTS.zip(ports) { port, sensors ->
+        val words = sensors.map { JsonPrimitive(wordFor(it)) }
+        if (words.isNotEmpty()) put(port, words.singleOrNull() ?: JsonArray(words))
+    }
+}
+
+internal fun point(point: Point): JsonElement = JsonArray(listOf(decimal(point.x), decimal(point.y)))
+
+internal fun points(points: List<Point>): JsonElement = JsonArray(points.map(::point))
