@@ -87,4 +87,30 @@ internal fun signedArea(corners: List<Point>): Double =
         corner.x * next.y - next.x * corner.y
     }
 
+/** What a shape is turned about: the middle of a rectangle or circle, the centre of gravity of a polygon. */
+internal val Shape.centre: Point
+    get() = when (this) {
+        is Shape.Rectangle -> centre
+        is Shape.Circle -> centre
+        is Shape.Polygon -> centroid(corners)
+    }
+
+/** The middle of the area within [corners]. */
+private fun centroid(corners: List<Point>): Point {
+    val twiceArea = signedArea(corners)
+    if (twiceArea == 0.0) return Point(corners.sumOf { it.x } / corners.size, corners.sumOf { it.y } / corners.size)
+    val first = corners.first()
+    var x = 0.0
+    var y = 0.0
+    for (number in 1..<corners.size - 1) {
+        val corner = corners[number]
+        val next = corners[number + 1]
+        val part = (corner.x - first.x) * (next.y - first.y) - (next.x - first.x) * (corner.y - first.y)
+        x += part * (corner.x - first.x + next.x - first.x)
+        y += part * (corner.y - first.y + next.y - first.y)
+    }
+    return Point(first.x + x / (THIRDS * twiceArea), first.y + y / (THIRDS * twiceArea))
+}
+
 internal const val RADIANS_PER_DEGREE = PI / 180.0
+private const val THIRDS = 3.0

@@ -3,7 +3,6 @@ package robotran.world
 import robotran.rom.Brick
 import robotran.rom.InfraredAir
 import robotran.rom.MotorPort
-import robotran.rom.RcxProgram
 import robotran.rom.RomLog
 import robotran.world.explain.Explanation
 import robotran.world.explain.Influence
@@ -15,7 +14,7 @@ import kotlin.math.floor
 internal class RobotInSession(
     private val number: Int,
     private val world: World,
-    private val load: RobotLoad,
+    load: RobotLoad,
     private val simulation: Simulation,
     air: InfraredAir,
 ) {
@@ -27,9 +26,6 @@ internal class RobotInSession(
     private var hashedCalls = 0L
 
     val romLog: RomLog get() = brick.log
-
-    /** Whether there is a program to be started by Run. */
-    val hasProgram: Boolean get() = load.programs.any { program: RcxProgram? -> program != null }
 
     val snapshot: RobotSnapshot
         get() = RobotSnapshot(brick.state, machine.state, machine.bumps, brick.remarks, romLog.total.toInt())

@@ -4,12 +4,11 @@ import robotran.rom.BrickButton
 import robotran.rom.RunState
 
 /**
- * Presses Run on the brick and lets time pass with nobody there, until the program is over and the robot stands still, or
+ * Presses Run on all bricks and lets time pass with nobody there, until the first robot's program is over and it stands still, or
  * [milliseconds] have passed. The same program in the same world gives the same [report] wherever it is done.
  */
 fun Session.runUnattended(milliseconds: Int) {
-    apply(SessionInput.Press(BrickButton.RUN))
-    apply(SessionInput.Release(BrickButton.RUN))
+    pressRun()
     var left = milliseconds
     while (left > 0) {
         val before = state
@@ -18,6 +17,14 @@ fun Session.runUnattended(milliseconds: Int) {
         left -= part
         val over = state.brick.run is RunState.Ended || state.brick.run is RunState.Failed
         if (over && state.robot.pose == before.robot.pose) return
+    }
+}
+
+/** Presses Run on all bricks at once and lets go. */
+fun Session.pressRun() {
+    for (robot in world.robots.indices) {
+        apply(SessionInput.Press(BrickButton.RUN, robot))
+        apply(SessionInput.Release(BrickButton.RUN, robot))
     }
 }
 

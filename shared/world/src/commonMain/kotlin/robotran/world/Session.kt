@@ -9,12 +9,14 @@ import robotran.rom.ProgramRemark
 import robotran.rom.RcxProgram
 import robotran.rom.RomLog
 import robotran.rom.SensorCode
+import robotran.rom.SoundEvent
 import robotran.rom.SoundTrack
 import robotran.rom.StepKind
 import robotran.rom.ThreadView
 import robotran.rom.VariableScope
 import robotran.world.explain.EnglishInfluenceMessages
 import robotran.world.explain.Influence
+import robotran.world.goal.GoalJudge
 import robotran.world.physics.PhysicsEngine
 
 /**
@@ -41,6 +43,8 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
     private val brick: Brick get() = robots[watched].brick
     private val hash = TraceHash()
     private val recorded = mutableListOf<RecordedInput>()
+    private val judge = GoalJudge(world, physics.trigonometry)
+    private val tonesJudged = LongArray(robots.size)
     private var milliseconds = 0L
     private var nextToTick = 0
     private var latest: SessionState? = null
@@ -132,6 +136,14 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
     /** What the brick's memory holds now. */
     fun memory(): MemorySnapshot = brick.memory()
 
+    /**
+     * The run is over, nothing more is to come that counts for the world's goals: those are decided now and for good. Time may go on to pass.
+     */
+    fun finish() {
+        judge.finish(state)
+        latest = latest?.copy(goals = judge.progress)
+    }
+
     /** Frees what the physics holds. The session can still be looked at, but not go on. */
     fun close() {
         if (!closed) simulation.close()
@@ -171,6 +183,19 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
             simulation.addTo(hash)
         }
         for (robot in robots) robot.addCallsTo(hash)
+        if (milliseconds % SimulationLimits.MILLISECONDS_PER_JUDGEMENT == 0L && world.goals.isNotEmpty()) judgeGoals()
+    }
+
+    private fun judgeGoals() {
+        judge.observe(state, robots.mapIndexed(::newTones))
+        latest = latest?.copy(goals = judge.progress)
+    }
+
+    private fun newTones(number: Int, robot: RobotInSession): List<SoundEvent.Tone> {
+        val track = robot.brick.sounds
+        val new = track.since(tonesJudged[number])
+        tonesJudged[number] = track.total
+        return new.filterIsInstance<SoundEvent.Tone>()
     }
 
     private fun changeLamp(number: Int, change: (LampState) -> LampState) {
@@ -192,7 +217,7 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
         blocks = simulation.blocks,
         lamps = simulation.light.lamps,
         ink = simulation.ink,
-        goals = emptyList(),
+        goals = judge.progress,
     )
 
     companion object {

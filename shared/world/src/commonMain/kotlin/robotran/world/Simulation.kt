@@ -8,7 +8,6 @@ import robotran.world.physics.PhysicsEngine
 import robotran.world.physics.addBarrier
 import robotran.world.physics.addBlock
 import robotran.world.physics.addWall
-import robotran.world.physics.centre
 
 /** The world outside the bricks: everything that lies, stands and shines on the paper, and the robots as machines. */
 internal class Simulation(private val world: World, engine: PhysicsEngine) {

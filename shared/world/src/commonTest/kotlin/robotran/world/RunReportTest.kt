@@ -2,6 +2,7 @@ package robotran.world
 
 import kotlinx.coroutines.test.runTest
 import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import robotran.rom.ProgramFailure
 import robotran.rom.ProgramRun
@@ -52,6 +53,23 @@ class RunReportTest {
         val report = runToEnd(FailingProgram).report()
         assertEquals(RunStatus.FAILED, report.status)
         assertEquals("Line 3: There is nothing to divide by.", report.error)
+    }
+
+    @Test
+    fun `goals are told with their parts`() = runTest {
+        val goals = listOf(Goal.All(listOf(Goal.InkLength(2.0, null, says = "Draw."), Goal.NeverTouch(says = "Touch nothing."))))
+        val session = runToEnd(ScriptedProgram { penDown(); forward(3.0) }, BuiltInWorlds.plain.copy(goals = goals))
+        val expected = listOf("met" to "pending", "met" to "met")
+        for ((draws, touches) in expected) {
+            val all = Json.parseToJsonElement(session.report().toJson()).jsonObject.getValue("goals").jsonArray.single().jsonObject
+            assertEquals(listOf("goal", "met", "status", "progress", "parts"), all.keys.toList())
+            assertEquals("\"$touches\"", all["status"].toString())
+            val parts = all.getValue("parts").jsonArray.map { it.jsonObject }
+            assertEquals(listOf("\"Draw.\"", "\"Touch nothing.\""), parts.map { it["goal"].toString() })
+            assertEquals(listOf("\"$draws\"", "\"$touches\""), parts.map { it["status"].toString() })
+            session.finish()
+        }
+        assertEquals(session.report(), Json.decodeFromString(RunReport.serializer(), session.report().toJson()))
     }
 
     @Test

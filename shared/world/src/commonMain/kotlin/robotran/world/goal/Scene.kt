@@ -11,9 +11,9 @@ import robotran.world.RobotSnapshot
 import robotran.world.SessionState
 import robotran.world.Shape
 import robotran.world.World
+import robotran.world.centre
 import robotran.world.outline
 import robotran.world.physics.Trigonometry
-import robotran.world.signedArea
 
 /** Somebody that goals are about, by his number in the world. */
 internal sealed interface Actor {
@@ -120,28 +120,5 @@ internal class Places(private val world: World, private val trigonometry: Trigon
 /** A block where the world has it. */
 private class RestingBlock(block: Block, trigonometry: Trigonometry) {
     val outline = block.shape.outline(trigonometry)
-    val centre: Point = when (val shape = block.shape) {
-        is Shape.Rectangle -> shape.centre
-        is Shape.Circle -> shape.centre
-        is Shape.Polygon -> centroid(shape.corners)
-    }
+    val centre: Point = block.shape.centre
 }
-
-/** The middle of the area within [corners]; a block turns about it. */
-internal fun centroid(corners: List<Point>): Point {
-    val twiceArea = signedArea(corners)
-    if (twiceArea == 0.0) return Point(corners.sumOf { it.x } / corners.size, corners.sumOf { it.y } / corners.size)
-    val first = corners.first()
-    var x = 0.0
-    var y = 0.0
-    for (number in 1..<corners.size - 1) {
-        val corner = corners[number]
-        val next = corners[number + 1]
-        val part = (corner.x - first.x) * (next.y - first.y) - (next.x - first.x) * (corner.y - first.y)
-        x += part * (corner.x - first.x + next.x - first.x)
-        y += part * (corner.y - first.y + next.y - first.y)
-    }
-    return Point(first.x + x / (THIRDS * twiceArea), first.y + y / (THIRDS * twiceArea))
-}
-
-private const val THIRDS = 3.0

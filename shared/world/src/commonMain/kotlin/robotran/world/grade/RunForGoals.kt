@@ -1,12 +1,11 @@
 package robotran.world.grade
 
-import robotran.rom.BrickButton
 import robotran.rom.RunState
 import robotran.world.GoalStatus
 import robotran.world.Session
-import robotran.world.SessionInput
 import robotran.world.SessionState
 import robotran.world.goal.isDecided
+import robotran.world.pressRun
 import robotran.world.report
 
 /**
@@ -39,13 +38,6 @@ fun Session.runForGoals(milliseconds: Int = world.timeLimit * MILLISECONDS_PER_S
         seconds = state.milliseconds / MILLISECONDS_PER_SECOND.toDouble(),
         report = report(),
     )
-}
-
-private fun Session.pressRun() {
-    for (robot in state.robots.indices) {
-        apply(SessionInput.Press(BrickButton.RUN, robot))
-        apply(SessionInput.Release(BrickButton.RUN, robot))
-    }
 }
 
 private fun Session.areGoalsDecided(): Boolean {

@@ -7,6 +7,7 @@ import robotran.world.Point
 import robotran.world.Shape
 import robotran.world.TouchKind
 import robotran.world.Wall
+import robotran.world.centre
 import robotran.world.length
 import robotran.world.outline
 import robotran.world.signedArea
@@ -42,14 +43,6 @@ internal fun PhysicsWorld.addBlock(block: Block, trigonometry: Trigonometry): In
     return body
 }
 
-/** Where a shape is turned about: the middle of a rectangle or circle, the centre of gravity of a polygon. */
-internal val Shape.centre: Point
-    get() = when (this) {
-        is Shape.Rectangle -> centre
-        is Shape.Circle -> centre
-        is Shape.Polygon -> centreOfGravity(corners)
-    }
-
 private fun PhysicsWorld.addShape(kind: TouchKind, outline: Outline, centre: Point): Int {
     val body = addBody(kind.ordinal, centre.x, centre.y, 0.0)
     when (outline) {
@@ -66,22 +59,6 @@ private val Outline.area: Double
         is Outline.Round -> kotlin.math.PI * radius * radius
         is Outline.Angular -> signedArea(corners) / 2
     }
-
-private fun centreOfGravity(corners: List<Point>): Point {
-    val first = corners.first()
-    var x = 0.0
-    var y = 0.0
-    for (number in corners.indices) {
-        val corner = corners[number]
-        val next = corners[(number + 1) % corners.size]
-        // Seen from the first corner, so that a small polygon far out does not lose digits.
-        val weight = (corner.x - first.x) * (next.y - first.y) - (next.x - first.x) * (corner.y - first.y)
-        x += weight * (corner.x + next.x - 2 * first.x)
-        y += weight * (corner.y + next.y - 2 * first.y)
-    }
-    val whole = 3 * signedArea(corners.map { Point(it.x - first.x, it.y - first.y) })
-    return Point(first.x + x / whole, first.y + y / whole)
-}
 
 /** The lever of the friction under a disc that is turned, as a part of its radius. */
 private const val DISC_LEVER = 2.0 / 3.0

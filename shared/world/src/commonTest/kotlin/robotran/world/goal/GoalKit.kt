@@ -1,0 +1,102 @@
+package robotran.world.goal
+
+import robotran.rom.Brick
+import robotran.rom.LcdGlass
+import robotran.rom.RcxMemory
+import robotran.rom.RunState
+import robotran.rom.SoundEvent
+import robotran.rom.TextLcd
+import robotran.world.Goal
+import robotran.world.GoalProgress
+import robotran.world.GoalStatus
+import robotran.world.Ink
+import robotran.world.InkStroke
+import robotran.world.Paper
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.RobotPlace
+import robotran.world.RobotSnapshot
+import robotran.world.RobotState
+import robotran.world.SessionState
+import robotran.world.Shape
+import robotran.world.TouchKind
+import robotran.world.World
+import robotran.world.physics.Trigonometry
+import robotran.world.physics.loadPhysicsEngine
+
+/** A sheet with one robot in its middle. */
+internal val sheet = World("A sheet", Paper(100.0, 80.0), listOf(RobotPlace(Pose(50.0, 40.0, 0.0))))
+
+internal fun rectangle(left: Double, bottom: Double, right: Double, top: Double) =
+    Shape.Rectangle(Point((left + right) / 2, (bottom + top) / 2), right - left, top - bottom)
+
+/** Only so much of a run as a goal looks at; each call is the next moment. */
+internal class Run(world: World, trigonometry: Trigonometry) {
+    val judge = GoalJudge(world, trigonometry)
+    private val brick = Brick(emptyList()).state
+    private var milliseconds = 0L
+    private var robots = world.robots.map { RobotSnapshot(brick, RobotState(it.start, 0.0, 0.0, false, false, false), 0, emptyList(), 0) }
+    private var blocks = world.blocks.map { Pose(0.0, 0.0, 0.0) }
+    private var ink = Ink.NONE
+    private var strokes: List<InkStroke> = emptyList()
+
+    val goals: List<GoalProgress> get() = judge.progress
+    val goal: GoalProgress get() = goals.first()
+    val status: GoalStatus get() = goal.status
+
+    private val state get() = SessionState(milliseconds, robots, blocks, emptyList(), ink, judge.progress)
+
+    fun robotAt(x: Double, y: Double, heading: Double = 0.0, number: Int = 0) =
+        look { change(number) { copy(robot = robot.copy(pose = Pose(x, y, heading))) } }
+
+    /** Puts the light sensor of the first robot there; it looks along x. */
+    fun sensorAt(x: Double, y: Double) = robotAt(x - robotran.world.Penbot.LIGHT_SENSOR_PLACE, y)
+
+    fun blockAt(x: Double, y: Double, heading: Double = 0.0, number: Int = 0) =
+        look { blocks = blocks.mapIndexed { index, pose -> if (index == number) Pose(x, y, heading) else pose } }
+
+    fun touching(vararg kinds: TouchKind, number: Int = 0) = look {
+        change(number) { copy(robot = robot.copy(touching = kinds.toSet(), touched = robot.touched + kinds)) }
+    }
+
+    fun programIs(run: RunState, number: Int = 0) = look { change(number) { copy(brick = brick.copy(run = run)) } }
+
+    fun shows(text: String, number: Int = 0) = look {
+        val memory = RcxMemory().also { TextLcd.print(text, it) }
+        change(number) { copy(brick = brick.copy(glass = LcdGlass.of(memory))) }
+    }
+
+    /** Adds a stroke. */
+    fun draws(vararg places: Pair<Double, Double>, robot: Int = 0) = look {
+        strokes = strokes + InkStroke(places.map { Point(it.first, it.second) }, robot)
+        ink = Ink(strokes, strokes.sumOf { stroke -> stroke.points.zipWithNext { a, b -> robotran.world.length(b.x - a.x, b.y - a.y) }.sum() })
+    }
+
+    fun inkIs(ink: Ink) = look { this.ink = ink }
+
+    fun plays(vararg hertz: Double, ofFirmware: Boolean = false, number: Int = 0) {
+        milliseconds += 10
+        val tones = robots.indices.map { robot -> if (robot == number) hertz.map { SoundEvent.Tone(milliseconds, it, 100, ofFirmware) } else emptyList() }
+        judge.observe(state, tones)
+    }
+
+    /** Lets time pass up to a second. */
+    fun until(seconds: Double) {
+        milliseconds = (seconds * 1000).toLong() - 10
+        look { }
+    }
+
+    fun finish() = judge.finish(state)
+
+    private fun look(change: () -> Unit) {
+        change()
+        milliseconds += 10
+        judge.observe(state, robots.map { emptyList() })
+    }
+
+    private fun change(number: Int, change: RobotSnapshot.() -> RobotSnapshot) {
+        robots = robots.mapIndexed { index, robot -> if (index == number) robot.change() else robot }
+    }
+}
+
+internal suspend fun run(vararg goals: Goal, world: World = sheet) = Run(world.copy(goals = goals.toList()), loadPhysicsEngine().trigonometry)
