@@ -11,7 +11,11 @@ internal val BENCHMARKS: Map<String, suspend () -> Figure> =
         "line-follower" to ::lineFollowerSpeed,
         "open-sheet" to ::openSheetSpeed,
         "walls" to ::wallsSpeed,
-        "against-dyn4j" to ::sessionAgainstDyn4j,
+        "heavy" to ::heavyWorldSpeed,
+        "tick" to ::tickAgainstStep,
+        "heavy-tick" to ::heavyTickAgainstStep,
+        "barriers" to ::growthWithBarriers,
+        "robots" to ::growthWithRobots,
     )
 
 /** Measures [name] and tells the result in a line that begins with it. */

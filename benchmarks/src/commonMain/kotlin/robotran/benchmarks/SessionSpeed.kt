@@ -1,15 +1,15 @@
 package robotran.benchmarks
 
 import robotran.robolang.Calibration
-import robotran.rom.BrickButton
 import robotran.rom.RcxProgram
 import robotran.world.BuiltInWorlds
 import robotran.world.Penbot
+import robotran.world.RobotLoad
 import robotran.world.Session
-import robotran.world.SessionInput
 import robotran.world.World
 import robotran.world.physics.PhysicsEngine
 import robotran.world.physics.loadPhysicsEngine
+import robotran.world.pressRun
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.minutes
 import kotlin.time.DurationUnit
@@ -20,12 +20,37 @@ internal suspend fun openSheetSpeed(): Figure = realTime(BuiltInWorlds.plain.cop
 /** The same among walls, which the robot runs into all the time. */
 internal suspend fun wallsSpeed(): Figure = realTime(BuiltInWorlds.plain)
 
-/** How much longer the session among walls takes than dyn4j alone with as many bodies. */
-internal suspend fun sessionAgainstDyn4j(): Figure {
+/** The same in a world full of things: 40 barriers, 10 blocks, three robots, lamps, a mark, noise. */
+internal suspend fun heavyWorldSpeed(): Figure = realTime(heavyWorld())
+
+/** How much longer a session takes than the steps of dyn4j that it contains, done alone. */
+internal suspend fun tickAgainstStep(): Figure = againstStep(BuiltInWorlds.plain)
+
+/** The same in the world full of things. */
+internal suspend fun heavyTickAgainstStep(): Figure = againstStep(heavyWorld())
+
+/** How many times as fast as real time sessions run with more and more barriers. */
+internal suspend fun growthWithBarriers(): Figure = growth(listOf(1, 10, 100, 400)) { crowdedWorld(barriers = it, robots = 1) }
+
+/** How many times as fast as real time sessions run with more and more robots, all of them driving and drawing. */
+internal suspend fun growthWithRobots(): Figure = growth(listOf(1, 2, 4, 8)) { crowdedWorld(barriers = 40, robots = it) }
+
+private fun heavyWorld() = crowdedWorld(barriers = 40, robots = 3, blocks = 10, furnished = true)
+
+private suspend fun growth(sizes: List<Int>, world: (Int) -> World): Figure {
     val physics = loadPhysicsEngine()
-    val session = driving(BuiltInWorlds.plain, physics)
-    val alone = median { pushABoxAbout(physics) }
-    return Figure(session / alone, "times as long as dyn4j alone", "a minute of dyn4j in ${seconds(alone)} s")
+    val speeds = sizes.map { VIRTUAL_TIME / driving(world(it), physics) }
+    val all = sizes.zip(speeds).joinToString { (size, speed) -> "$size: ${rounded(speed)}" }
+    return Figure(speeds.first() / speeds.last(), "times as slow with ${sizes.last()} as with ${sizes.first()}", "times real time with $all")
+}
+
+private suspend fun againstStep(world: World): Figure {
+    val physics = loadPhysicsEngine()
+    val recorded = RecordedPhysics(physics)
+    driveOnce(world, recorded)
+    val bare = median { recorded.again() }
+    val session = driving(world, physics)
+    return Figure(session / bare, "times as long as its steps of dyn4j alone", "a minute of those in ${seconds(bare)} s")
 }
 
 /** How many times as fast as real time a session runs in which a Java program follows a line, at a brick's speed. */
@@ -39,25 +64,36 @@ private suspend fun realTime(world: World): Figure = realTime(driving(world, loa
 private fun realTime(time: Duration): Figure =
     Figure(VIRTUAL_TIME / time, "times real time", "a minute in ${seconds(time)} s")
 
-/** How long it takes to drive about in [world] for [VIRTUAL_TIME]. */
+/** How long it takes all robots to drive about in [world] for [VIRTUAL_TIME]. */
 private fun driving(
     world: World,
     physics: PhysicsEngine,
-): Duration = running(programOf(PROGRAM, Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)), world, physics)
+): Duration = running(drivingProgram(), world, physics)
 
-/** How long [program] takes for [VIRTUAL_TIME] of its run in [world]. */
+/** How long [program], on all robots, takes for [VIRTUAL_TIME] of its run in [world]. */
 private fun running(
     program: RcxProgram,
     world: World,
     physics: PhysicsEngine,
-): Duration =
-    median {
-        val session = Session(world, listOf(program), physics)
-        session.apply(SessionInput.Press(BrickButton.RUN))
-        session.apply(SessionInput.Release(BrickButton.RUN))
-        session.advance(VIRTUAL_TIME.inWholeMilliseconds.toInt())
-        session.close()
-    }
+): Duration = median { runOnce(program, world, physics) }
+
+private fun driveOnce(
+    world: World,
+    physics: PhysicsEngine,
+) = runOnce(drivingProgram(), world, physics)
+
+private fun runOnce(
+    program: RcxProgram,
+    world: World,
+    physics: PhysicsEngine,
+) {
+    val session = Session(world, world.robots.map { RobotLoad(listOf(program)) }, physics)
+    session.pressRun()
+    session.advance(VIRTUAL_TIME.inWholeMilliseconds.toInt())
+    session.close()
+}
+
+private fun drivingProgram() = programOf(PROGRAM, Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
 
 private fun seconds(time: Duration): String = rounded(time.toDouble(DurationUnit.SECONDS))
 

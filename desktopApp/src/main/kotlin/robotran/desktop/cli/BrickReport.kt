@@ -2,9 +2,11 @@ package robotran.desktop.cli
 
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
+import robotran.rom.BrickButton
 import robotran.rom.LcdGlass
 import robotran.rom.MotorState
 import robotran.rom.RunState
@@ -93,8 +95,24 @@ private fun json(recorded: RecordedInput): JsonObject =
     buildJsonObject {
         put("milliseconds", recorded.milliseconds)
         when (val input = recorded.input) {
-            is SessionInput.Press -> put("press", buttonName(input.button))
-            is SessionInput.Release -> put("release", buttonName(input.button))
+            is SessionInput.Press -> putButton("press", input.button, input.robot)
+
+            is SessionInput.Release -> putButton("release", input.button, input.robot)
+
             SessionInput.Stop -> put("stop", true)
+
+            // Nobody can do these on the command line.
+            is SessionInput.PlaceRobot, is SessionInput.MoveLamp, is SessionInput.SwitchLamp, is SessionInput.ChangeAmbientLight,
+            is SessionInput.ChangeTemperature, is SessionInput.TouchSensor,
+            -> put("other", input.toString())
         }
     }
+
+private fun JsonObjectBuilder.putButton(
+    name: String,
+    button: BrickButton,
+    robot: Int,
+) {
+    put(name, buttonName(button))
+    if (robot != 0) put("robot", robot)
+}

@@ -24,7 +24,7 @@ internal class Bumper(private val stream: NoiseStream, private val realism: Doub
 
     /** Lets one tick pass. */
     fun tick(touching: Boolean) {
-        if (!touching && untilOut == 0 && bounces == 0) return
+        if (!touching && untilOut == 0 && bounces == 0 && !isClosed) return
         val wasPressed = isPressed
         untilOut = if (touching) Penbot.BUMPER_RETURN else maxOf(0, untilOut - 1)
         if (isPressed != wasPressed && realism > 0) bounces = (realism * Realism.BOUNCE_MILLISECONDS * stream.share()).toInt() + 1

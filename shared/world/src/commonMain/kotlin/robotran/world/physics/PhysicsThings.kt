@@ -3,6 +3,7 @@ package robotran.world.physics
 import robotran.world.Block
 import robotran.world.Outline
 import robotran.world.Penbot
+import robotran.world.Point
 import robotran.world.Shape
 import robotran.world.TouchKind
 import robotran.world.Wall
