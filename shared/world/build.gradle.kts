@@ -10,6 +10,7 @@ texts {
     constant("commonMain", "robotran.world.worldTexts", "worlds", "*.world.json")
     constant("jvmTest", "robotran.world.file.schemaTexts", "worlds", "*.schema.json")
     blocks("commonTest", "robotran.world.documentedWorlds", "docs", "worlds.md", "json")
+    constant("commonTest", "robotran.world.penbotPages", "docs", "penbot.md")
     constant("commonTest", "robotran.world.exampleTexts", "examples", "*.robo")
     constant("commonTest", "robotran.world.expectedRuns", "shared/world/src/commonTest/resources/runs", "*")
 }

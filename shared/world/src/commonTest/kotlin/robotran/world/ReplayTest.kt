@@ -38,15 +38,15 @@ class ReplayTest {
                 "status": "ended",
                 "seconds": 60.101,
                 "pose": {
-                    "x": 27.782,
-                    "y": 15.074,
-                    "heading": -141.527
+                    "x": 15.108,
+                    "y": 47.682,
+                    "heading": 128.099
                 },
-                "inkCentimetres": 582.553,
-                "bumps": 10,
+                "inkCentimetres": 584.169,
+                "bumps": 11,
                 "lcd": "9.0 0",
                 "romCalls": 382,
-                "traceHash": "aac80b74bc0eb4cb",
+                "traceHash": "8ba95d0c2bd07b80",
                 "error": null,
                 "goals": []
             }
