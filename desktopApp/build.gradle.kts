@@ -5,9 +5,11 @@ plugins {
 dependencies {
     implementation(project(":shared:ui"))
     implementation(project(":shared:programs"))
+    implementation(project(":shared:projects"))
     implementation(compose.desktop.currentOs)
     implementation(libs.coroutines.swing)
     implementation(libs.clikt)
+    implementation(libs.mordant)
     implementation(libs.commons.compress)
     implementation(libs.serialization.json)
     testImplementation(project(":shared:lejos-library"))

@@ -8,7 +8,9 @@ plugins {
 
 texts {
     constant("commonMain", "robotran.world.worldTexts", "worlds", "*.world.json")
+    constant("jvmTest", "robotran.world.file.schemaTexts", "worlds", "*.schema.json")
     blocks("commonTest", "robotran.world.documentedWorlds", "docs", "worlds.md", "json")
+    constant("commonTest", "robotran.world.penbotPages", "docs", "penbot.md")
     constant("commonTest", "robotran.world.exampleTexts", "examples", "*.robo")
     constant("commonTest", "robotran.world.expectedRuns", "shared/world/src/commonTest/resources/runs", "*")
 }
@@ -27,6 +29,9 @@ kotlin {
             implementation(project(":shared:robolang"))
             implementation(project(":shared:tinyvm"))
             implementation(project(":shared:lejos-library"))
+        }
+        jvmTest.dependencies {
+            implementation(libs.json.schema.validator)
         }
         jvmMain.dependencies {
             implementation(project(":shared:physics"))

@@ -5,6 +5,7 @@ import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
 import robotran.desktop.ExitCode
+import robotran.desktop.cli.grade.GradeCommand
 
 /**
  * The command line of Robotran.
@@ -22,6 +23,7 @@ class CommandLine(
             RobotranCommand(openWindow).subcommands(
                 AppCommand(openWindow),
                 RunCommand(console),
+                GradeCommand(console),
                 CheckCommand(console),
                 TranslateCommand(console),
                 FormatCommand(console),
@@ -46,6 +48,9 @@ interface Console {
 
     /** Says what is wrong. */
     fun complain(words: String)
+
+    /** Says how far some work is, just as it stands, with no end of line. */
+    fun mention(words: String)
 }
 
 /** The console of the process: standard output and standard error. */
@@ -53,4 +58,9 @@ object ProcessConsole : Console {
     override fun say(words: String) = println(words)
 
     override fun complain(words: String) = System.err.println(words)
+
+    override fun mention(words: String) {
+        System.err.print(words)
+        System.err.flush()
+    }
 }

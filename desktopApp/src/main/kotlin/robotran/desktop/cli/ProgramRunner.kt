@@ -4,49 +4,63 @@ import kotlinx.coroutines.runBlocking
 import robotran.desktop.ExitCode
 import robotran.desktop.files.NamedProgram
 import robotran.desktop.files.ProgramFiles
-import robotran.desktop.files.TextFile
 import robotran.desktop.files.readProgramFiles
-import robotran.desktop.files.readTextFile
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramReader
-import robotran.programs.ProgramResult
-import robotran.rom.RcxProgram
 import robotran.rom.RunState
 import robotran.ui.workshop.PENBOT_CALIBRATION
 import robotran.world.BuiltInWorlds
+import robotran.world.RobotLoad
 import robotran.world.Session
 import robotran.world.World
-import robotran.world.WorldFileResult
+import robotran.world.grade.runForGoals
 import robotran.world.physics.loadPhysicsEngine
-import robotran.world.readWorld
 import robotran.world.runUnattended
+
+/**
+ * What to run.
+ *
+ * @property programs the programs' files for the first robot, see [readProgramFiles].
+ * @property robots programs for other robots.
+ * @property java how Java programs are to run.
+ * @property world the world's file; the plain sheet if null.
+ * @property milliseconds how much virtual time may pass at most; null for the world's time limit.
+ * @property presses what is done to the buttons; if empty, Run is pressed.
+ */
+internal class RunRequest(
+    val programs: List<String>,
+    val robots: List<RobotFile>,
+    val java: JavaSettings,
+    val world: String?,
+    val changes: WorldChanges,
+    val milliseconds: Int?,
+    val presses: List<ButtonPress>,
+)
 
 /** Runs programs in one world as `robotran run` does: reads all, presses Run, lets virtual time pass, writes the results. */
 internal class ProgramRunner(
     private val console: Console,
 ) {
-    /**
-     * @param programNames the programs' files, see [readProgramFiles].
-     * @param java how Java programs are to run.
-     * @param worldName the world's file; the plain sheet if null.
-     * @param milliseconds how much virtual time may pass at most.
-     * @param presses what is done to the buttons; if empty, Run is pressed.
-     */
     fun run(
-        programNames: List<String>,
-        java: JavaSettings,
-        worldName: String?,
-        milliseconds: Int,
-        presses: List<ButtonPress>,
+        request: RunRequest,
         outputs: RunOutputs,
     ): ExitCode {
-        val programs = readPrograms(programNames, java)
-        val world = readWorldFile(worldName)
+        val programs = readPrograms(request.programs)
+        val world = if (request.world == null) BuiltInWorlds.plain else readWorldFile(request.world, console)
         if (programs == null || world == null) return ExitCode.BAD_INPUT
+        val loads = readLoads(world, programs, request) ?: return ExitCode.BAD_INPUT
+        return run(request.changes.of(world), loads, request, outputs)
+    }
 
-        val session = runBlocking { Session(world, programs, loadPhysicsEngine()) }
+    private fun run(
+        world: World,
+        loads: List<RobotLoad>,
+        request: RunRequest,
+        outputs: RunOutputs,
+    ): ExitCode {
+        val session = runBlocking { Session(world, loads, loadPhysicsEngine()) }
         try {
-            if (presses.isEmpty()) session.runUnattended(milliseconds) else session.runWithPresses(presses, milliseconds)
+            letRun(session, request)
             val problems = RunResults(session, console).write(outputs)
             problems.forEach(console::complain)
             val run = session.state.brick.run
@@ -60,15 +74,29 @@ internal class ProgramRunner(
         }
     }
 
-    /** Null if any of them cannot run; why is told. */
-    private fun readPrograms(
-        names: List<String>,
-        java: JavaSettings,
-    ): List<RcxProgram>? =
+    private fun letRun(
+        session: Session,
+        request: RunRequest,
+    ) {
+        val milliseconds = request.milliseconds ?: (session.world.timeLimit * 1000)
+        when {
+            request.presses.isNotEmpty() -> {
+                session.runWithPresses(request.presses, milliseconds)
+                session.finish()
+            }
+
+            // As it is graded, so that goals come out the same.
+            session.world.goals.isNotEmpty() -> session.runForGoals(milliseconds, endsWhenDecided = false)
+
+            else -> session.runUnattended(milliseconds)
+        }
+    }
+
+    /** Null if any of them cannot be read; why is told. */
+    private fun readPrograms(names: List<String>): List<NamedProgram>? =
         when (val files = readProgramFiles(names)) {
             is ProgramFiles.Read -> {
-                val reader = ProgramReader(PENBOT_CALIBRATION, java)
-                files.programs.map { readProgram(it, reader) }.takeIf { null !in it }?.filterNotNull()
+                files.programs
             }
 
             is ProgramFiles.Refused -> {
@@ -77,44 +105,19 @@ internal class ProgramRunner(
             }
         }
 
-    private fun readProgram(
-        program: NamedProgram,
-        reader: ProgramReader,
-    ): RcxProgram? =
-        when (val result = runBlocking { reader.read(program.source) }) {
-            is ProgramResult.Ready -> {
-                result.program
+    /** Null if any of them cannot run; why is told. */
+    private fun readLoads(
+        world: World,
+        programs: List<NamedProgram>,
+        request: RunRequest,
+    ): List<RobotLoad>? =
+        when (val loading = readLoads(world, ProgramReader(PENBOT_CALIBRATION, request.java), programs, request.robots)) {
+            is Loading.Loaded -> {
+                loading.loads
             }
 
-            is ProgramResult.Mistaken -> {
-                result.mistakes.forEach { console.complain(lineOf(program, it)) }
-                null
-            }
-        }
-
-    private fun readWorldFile(name: String?): World? {
-        if (name == null) return BuiltInWorlds.plain
-        val text = textOf(name) ?: return null
-        return when (val result = readWorld(text)) {
-            is WorldFileResult.Loaded -> {
-                result.world
-            }
-
-            is WorldFileResult.Refused -> {
-                console.complain("$name: ${result.message}")
-                null
-            }
-        }
-    }
-
-    private fun textOf(name: String): String? =
-        when (val file = readTextFile(name)) {
-            is TextFile.Read -> {
-                file.text
-            }
-
-            is TextFile.Refused -> {
-                console.complain(file.reason)
+            is Loading.Refused -> {
+                loading.reasons.forEach(console::complain)
                 null
             }
         }

@@ -5,15 +5,13 @@ import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
-import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
-import robotran.programs.JavaSettings
 import robotran.rom.RomGroup
-import robotran.tinyvm.TinyVmMode
-import robotran.tinyvm.TinyVmSpeed
+import robotran.world.World
 import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 
 /** `robotran run FILE..`: runs programs on the brick without a window and writes down what happened. */
@@ -25,11 +23,8 @@ internal class RunCommand(
         help = "a program: in Robolang (.robo), in leJOS Java (one or more .java), or compiled (.class, .jar, a folder); five at most",
     ).multipleArguments(required = true)
     private val world by option("--world", metavar = "FILE", help = "the world to run in (.world.json); a plain sheet if not given")
-    private val milliseconds by option("--for", metavar = "SECONDS", help = "virtual seconds to run at most; 60 if not given")
-        .convert { text -> virtualMilliseconds(text) ?: fail("$text is not a number of seconds from 0 to $LONGEST_RUN_SECONDS") }
-        .default(DEFAULT_RUN_MILLISECONDS)
-    private val forgiving by option("--forgiving", help = "runs Java as the language says, not with the peculiarities of a brick").flag()
-    private val unlimited by option("--unlimited", help = "runs Java much faster than a brick").flag()
+    private val seed by option("--seed", metavar = "N", help = "what is left to chance is drawn from this, instead of the world's seed")
+        .convert { text -> readSeed(text) ?: fail("$text is not a whole number from 0 to ${Int.MAX_VALUE}") }
     private val picture by option("--picture", metavar = "FILE", help = "writes a picture of the sheet (.png)")
     private val presses by option(
         "--press",
@@ -53,31 +48,23 @@ internal class RunCommand(
     private val report by option("--report", metavar = "FILE|-", help = "writes the report as JSON")
     private val brickReport by option("--brick-report", metavar = "FILE|-", help = "writes display, sounds and state of the brick as JSON")
     private val memory by option("--memory", metavar = "FILE|-", help = "writes what is in the brick's memory at the end")
+    private val options by RunOptions()
 
     override fun help(context: Context) = "Runs programs on the brick: powered on, the first of them, Run pressed."
 
     override fun run() {
-        conflictIn(presses, milliseconds)?.let { throw UsageError(it) }
+        conflictIn(presses, options.milliseconds ?: USUAL_RUN_MILLISECONDS)?.let { throw UsageError(it) }
         val outputs = RunOutputs(picture, romLog, romLogOnly, report, brickReport, memory)
-        throw ProgramResult(ProgramRunner(console).run(programs, javaSettings(), world, milliseconds, presses, outputs).status)
+        val request = RunRequest(
+            programs, options.robots, options.java, world, WorldChanges(seed, options.realism), options.milliseconds, presses,
+        )
+        throw ProgramResult(ProgramRunner(console).run(request, outputs).status)
     }
 
-    private fun javaSettings() =
-        JavaSettings(
-            if (forgiving) TinyVmMode.FORGIVING else TinyVmMode.BRICK,
-            if (unlimited) TinyVmSpeed.UNLIMITED else TinyVmSpeed.BRICK,
-        )
-
     private companion object {
-        const val DEFAULT_RUN_MILLISECONDS = 60_000
-
-        /** A day of virtual time: longer than any lesson, and still far from what a 32-bit count of milliseconds holds. */
-        const val LONGEST_RUN_SECONDS = 86_400
+        const val USUAL_RUN_MILLISECONDS = World.DEFAULT_TIME_LIMIT * 1000
 
         val GROUPS = RomGroup.entries.associateBy { it.name.lowercase() }
-
-        fun virtualMilliseconds(text: String): Int? =
-            text.toDoubleOrNull()?.takeIf { it in 0.0..LONGEST_RUN_SECONDS.toDouble() }?.let { (it * 1000).toInt() }
     }
 }
 

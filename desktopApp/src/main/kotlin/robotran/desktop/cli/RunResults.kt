@@ -5,10 +5,12 @@ import robotran.rom.RomLogFilter
 import robotran.rom.toCsv
 import robotran.rom.toLogText
 import robotran.ui.sheet.sheetPng
+import robotran.world.GoalReport
 import robotran.world.RunReport
 import robotran.world.RunStatus
 import robotran.world.Session
 import robotran.world.report
+import kotlin.math.roundToInt
 
 /** Writes what a finished run is to leave behind. */
 internal class RunResults(
@@ -63,8 +65,18 @@ internal class RunResults(
         val place = with(report.pose) { "x $x cm, y $y cm, heading $heading degrees" }
         val outcome = "$how after ${report.seconds} s. The robot is at $place; it drew ${report.inkCentimetres} cm."
         val explanation = session.state.brick.explanation.takeIf { report.status == RunStatus.ENDED }
-        return listOfNotNull(outcome, explanation).joinToString(" ")
+        val sentences = listOfNotNull(outcome, explanation).joinToString(" ")
+        return (listOf(sentences) + goalLines(report.goals, "")).joinToString("\n")
     }
+
+    private fun goalLines(
+        goals: List<GoalReport>,
+        indentation: String,
+    ): List<String> =
+        goals.flatMap { goal ->
+            val done = if (goal.met) "met:" else "not met (${(goal.progress * 100).roundToInt()} %):"
+            listOf("$indentation$done ${goal.goal}") + goalLines(goal.parts, "$indentation  ")
+        }
 
     private companion object {
         const val CONSOLE = "-"

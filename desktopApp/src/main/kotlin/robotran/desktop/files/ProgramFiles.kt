@@ -5,6 +5,7 @@ import robotran.programs.SourceFile
 import robotran.rom.Brick
 import java.nio.file.Path
 import kotlin.io.path.isDirectory
+import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
 /** The programs that files named by a person hold. */
@@ -72,6 +73,20 @@ private fun readJava(names: List<String>): ReadProgram {
             }
         }
     return ReadProgram.Read(ProgramSource.Java(nameOf(names.first()), files))
+}
+
+/**
+ * The files to be given to [readProgramFiles] for what somebody names as one program: those of a folder of Java sources, all of them; otherwise the file or
+ * folder itself.
+ */
+internal fun filesOfProgram(name: String): List<String> {
+    val sources =
+        if (isFolder(name)) {
+            runCatching { Path.of(name).listDirectoryEntries("*$JAVA") }.getOrDefault(emptyList()).map { it.toString() }.sorted()
+        } else {
+            emptyList()
+        }
+    return sources.ifEmpty { listOf(name) }
 }
 
 /** The name of the file or folder [path] without the folders it is in. */

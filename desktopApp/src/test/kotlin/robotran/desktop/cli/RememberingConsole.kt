@@ -4,6 +4,7 @@ package robotran.desktop.cli
 internal class RememberingConsole : Console {
     val said = mutableListOf<String>()
     val complaints = mutableListOf<String>()
+    val mentions = mutableListOf<String>()
 
     override fun say(words: String) {
         said += words
@@ -11,5 +12,9 @@ internal class RememberingConsole : Console {
 
     override fun complain(words: String) {
         complaints += words
+    }
+
+    override fun mention(words: String) {
+        mentions += words
     }
 }

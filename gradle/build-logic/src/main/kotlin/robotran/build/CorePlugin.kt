@@ -8,6 +8,10 @@ import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
 /** A module of pure common Kotlin for the JVM (desktop, Android) and wasm (browser), tested on both. */
 class CorePlugin : Plugin<Project> {
+    private companion object {
+        const val TEST_JAVA_PROPERTY = "testJava"
+    }
+
     @OptIn(ExperimentalWasmDsl::class)
     override fun apply(project: Project) {
         project.pluginManager.apply("org.jetbrains.kotlin.multiplatform")
@@ -29,6 +33,8 @@ class CorePlugin : Plugin<Project> {
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.useJUnitPlatform()
             PropertyTests.configure(project, test)
+            // Another JDK than the one that builds, by its folder: what must be the same on all of them can be tried on any.
+            project.findProperty(TEST_JAVA_PROPERTY)?.let { test.setExecutable("$it/bin/java") }
         }
     }
 }

@@ -2,21 +2,15 @@ package robotran.world
 
 import robotran.rom.Brick
 import robotran.rom.CallFrame
-import robotran.rom.InfraredAir
-import robotran.rom.InfraredRange
 import robotran.rom.MemorySnapshot
 import robotran.rom.ProgramRemark
 import robotran.rom.RcxProgram
 import robotran.rom.RomLog
-import robotran.rom.SensorCode
-import robotran.rom.SoundEvent
 import robotran.rom.SoundTrack
 import robotran.rom.StepKind
 import robotran.rom.ThreadView
 import robotran.rom.VariableScope
-import robotran.world.explain.EnglishInfluenceMessages
 import robotran.world.explain.Influence
-import robotran.world.goal.GoalJudge
 import robotran.world.physics.PhysicsEngine
 
 /**
@@ -35,25 +29,15 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
     constructor(world: World, programs: List<RcxProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) :
         this(world, listOf(RobotLoad(programs, firstSlot)), physics)
 
-    private val simulation = Simulation(world, physics)
-    private val air = InfraredAir(::reaches)
-    private val robots = world.robots.indices.map {
-        RobotInSession(it, world, loads.getOrElse(it) { RobotLoad(emptyList()) }, simulation, air)
-    }
-    private val brick: Brick get() = robots[watched].brick
-    private val hash = TraceHash()
+    private val running = RobotsInWorld(world, loads, physics)
+    private val brick: Brick get() = running.robots[watched].brick
     private val recorded = mutableListOf<RecordedInput>()
-    private val judge = GoalJudge(world, physics.trigonometry)
-    private val tonesJudged = LongArray(robots.size)
-    private var milliseconds = 0L
-    private var nextToTick = 0
-    private var latest: SessionState? = null
     private var closed = false
 
     /** The number of the robot whose program can be stopped and looked into, and whose ROM calls and sounds these are. */
     var watched = 0
         set(number) {
-            require(number in robots.indices) { "There is no robot $number." }
+            require(number in world.robots.indices) { "There is no robot $number." }
             endPause()
             field = number
         }
@@ -68,10 +52,10 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
     val inputs: List<RecordedInput> get() = recorded.toList()
 
     /** The session as it is now. */
-    val state: SessionState get() = latest ?: snapshot().also { latest = it }
+    val state: SessionState get() = running.state
 
     /** A hash of where all robots and blocks are after every step of the physics and of every ROM call so far, as 16 hexadecimal digits. */
-    val traceHash: String get() = hash.text
+    val traceHash: String get() = running.traceHash
 
     /** The lines that [runUntilStop] and [stepStatement] stop before. */
     var breakpoints: Set<Breakpoint> = emptySet()
@@ -94,7 +78,7 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
     /** Lets time pass, whatever the breakpoints. */
     fun advance(milliseconds: Int) {
         check(!closed) { "The session is closed." }
-        repeat(milliseconds) { tick() }
+        repeat(milliseconds) { running.tick() }
     }
 
     /**
@@ -115,23 +99,12 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
     /** Does something to the session from outside, between two ticks. */
     fun apply(input: SessionInput) {
         endPause()
-        recorded += RecordedInput(milliseconds, input)
-        latest = null
-        when (input) {
-            is SessionInput.Press -> robots.getOrNull(input.robot)?.brick?.press(input.button)
-            is SessionInput.Release -> robots.getOrNull(input.robot)?.brick?.release(input.button)
-            SessionInput.Stop -> robots.forEach { it.brick.stopProgram() }
-            is SessionInput.PlaceRobot -> if (input.robot in robots.indices) simulation.place(input.robot, input.pose)
-            is SessionInput.MoveLamp -> changeLamp(input.lamp) { it.copy(place = input.place) }
-            is SessionInput.SwitchLamp -> changeLamp(input.lamp) { it.copy(on = input.on) }
-            is SessionInput.ChangeAmbientLight -> simulation.light.changeAmbient(maxOf(0.0, input.light))
-            is SessionInput.ChangeTemperature -> simulation.temperature = input.celsius
-            is SessionInput.TouchSensor -> robots.getOrNull(input.robot)?.ports?.touch(input.port, input.pressed)
-        }
+        recorded += RecordedInput(running.milliseconds, input)
+        running.apply(input)
     }
 
     /** What has made the robots stray so far and their sensors err, robot by robot; what did next to nothing is left out. */
-    fun explain(): List<Influence> = robots.flatMap { it.influences(EnglishInfluenceMessages) }
+    fun explain(): List<Influence> = running.explain()
 
     /** What the brick's memory holds now. */
     fun memory(): MemorySnapshot = brick.memory()
@@ -139,91 +112,30 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
     /**
      * The run is over, nothing more is to come that counts for the world's goals: those are decided now and for good. Time may go on to pass.
      */
-    fun finish() {
-        judge.finish(state)
-        latest = latest?.copy(goals = judge.progress)
-    }
+    fun finish() = running.finish()
 
     /** Frees what the physics holds. The session can still be looked at, but not go on. */
     fun close() {
-        if (!closed) simulation.close()
+        if (!closed) running.close()
         closed = true
     }
 
     private fun advanceUntilStop(stepping: Stepping, milliseconds: Int): StopReason {
         check(!closed) { "The session is closed." }
         val run = brick.debuggableRun
-        val end = this.milliseconds + milliseconds
+        val end = running.milliseconds + milliseconds
         run?.watch = stepping.takeIf { it.canStop }
-        while (this.milliseconds < end && stepping.reason == null && brick.debuggableRun === run) tick()
+        while (running.milliseconds < end && stepping.reason == null && brick.debuggableRun === run) running.tick()
         run?.watch = null
         return stepping.reason ?: if (brick.debuggableRun === run) StopReason.TimeUp else StopReason.Ended
     }
 
     /** Ends a millisecond that the program was stopped in the middle of. */
     private fun endPause() {
-        if (brick.isPaused) tick()
+        if (brick.isPaused) running.tick()
     }
-
-    /** One millisecond, or what is left of one. */
-    private fun tick() {
-        latest = null
-        if (nextToTick == 0 && (milliseconds + 1) % SensorCode.READING_MILLISECONDS == 0L) robots.forEach(RobotInSession::sense)
-        while (nextToTick < robots.size) {
-            val brick = robots[nextToTick].brick
-            brick.tick()
-            if (brick.isPaused) return
-            nextToTick++
-        }
-        nextToTick = 0
-        milliseconds++
-        for (robot in robots) robot.moveMotors(milliseconds)
-        if (milliseconds % SimulationLimits.TICKS_PER_PHYSICS_STEP == 0L) {
-            simulation.step()
-            simulation.addTo(hash)
-        }
-        for (robot in robots) robot.addCallsTo(hash)
-        if (milliseconds % SimulationLimits.MILLISECONDS_PER_JUDGEMENT == 0L && world.goals.isNotEmpty()) judgeGoals()
-    }
-
-    private fun judgeGoals() {
-        judge.observe(state, robots.mapIndexed(::newTones))
-        latest = latest?.copy(goals = judge.progress)
-    }
-
-    private fun newTones(number: Int, robot: RobotInSession): List<SoundEvent.Tone> {
-        val track = robot.brick.sounds
-        val new = track.since(tonesJudged[number])
-        tonesJudged[number] = track.total
-        return new.filterIsInstance<SoundEvent.Tone>()
-    }
-
-    private fun changeLamp(number: Int, change: (LampState) -> LampState) {
-        val lamp = simulation.light.lamps.getOrNull(number) ?: return
-        simulation.light.change(number, change(lamp))
-    }
-
-    /** Whether infrared light of one brick comes to another: through a room, or across a table. */
-    private fun reaches(sender: Int, receiver: Int, range: InfraredRange): Boolean {
-        if (range == InfraredRange.LONG) return true
-        val from = simulation.machines[sender].body.motion
-        val to = simulation.machines[receiver].body.motion
-        return length(to.x - from.x, to.y - from.y) <= SHORT_INFRARED_RANGE
-    }
-
-    private fun snapshot() = SessionState(
-        milliseconds = milliseconds,
-        robots = robots.map { it.snapshot },
-        blocks = simulation.blocks,
-        lamps = simulation.light.lamps,
-        ink = simulation.ink,
-        goals = judge.progress,
-    )
 
     companion object {
-        /** How far a brick's light comes that is to reach across a table, in centimetres. */
-        private const val SHORT_INFRARED_RANGE = 100.0
-
         /** A new session to which [inputs], in the order of their times, are done again, after [milliseconds]. */
         fun replay(
             world: World,
@@ -243,6 +155,6 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
     }
 
     private fun advanceTo(time: Long) {
-        while (milliseconds < time) advance(1)
+        while (running.milliseconds < time) advance(1)
     }
 }

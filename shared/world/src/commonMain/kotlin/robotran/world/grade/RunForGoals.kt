@@ -9,8 +9,8 @@ import robotran.world.pressRun
 import robotran.world.report
 
 /**
- * Presses Run on every robot that has a program and lets time pass with nobody there, until
- * - all goals of the world are decided for good, or
+ * Presses Run on every robot and lets time pass with nobody there, until
+ * - all goals of the world are decided for good, if [endsWhenDecided], or
  * - the first robot's program is over and for [QUIET_MILLISECONDS] nothing has moved or sounded any more, or
  * - [milliseconds] have passed.
  *
@@ -18,11 +18,11 @@ import robotran.world.report
  *
  * @param milliseconds the world's time limit if not given.
  */
-fun Session.runForGoals(milliseconds: Int = world.timeLimit * MILLISECONDS_PER_SECOND): Grade {
+fun Session.runForGoals(milliseconds: Int = world.timeLimit * MILLISECONDS_PER_SECOND, endsWhenDecided: Boolean = true): Grade {
     pressRun()
     var left = milliseconds
     var quiet = 0
-    while (left > 0 && quiet < QUIET_MILLISECONDS && !areGoalsDecided()) {
+    while (left > 0 && quiet < QUIET_MILLISECONDS && !(endsWhenDecided && areGoalsDecided())) {
         val before = state
         val part = minOf(left, LOOK_MILLISECONDS)
         advance(part)

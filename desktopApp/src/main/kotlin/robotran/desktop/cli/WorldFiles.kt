@@ -1,0 +1,47 @@
+package robotran.desktop.cli
+
+import robotran.desktop.files.TextFile
+import robotran.desktop.files.readTextFile
+import robotran.world.World
+import robotran.world.WorldFileResult
+import robotran.world.readWorld
+
+/**
+ * What is changed about a world for a run.
+ *
+ * @property seed null for the world's own, as [realism].
+ */
+internal data class WorldChanges(
+    val seed: Int? = null,
+    val realism: Double? = null,
+) {
+    fun of(world: World): World = world.copy(seed = seed ?: world.seed, realism = realism ?: world.realism)
+}
+
+/** Reads the world file [name]; null if it cannot be used, and why is told. */
+internal fun readWorldFile(
+    name: String,
+    console: Console,
+): World? {
+    val text =
+        when (val file = readTextFile(name)) {
+            is TextFile.Read -> {
+                file.text
+            }
+
+            is TextFile.Refused -> {
+                console.complain(file.reason)
+                return null
+            }
+        }
+    return when (val result = readWorld(text)) {
+        is WorldFileResult.Loaded -> {
+            result.world
+        }
+
+        is WorldFileResult.Refused -> {
+            console.complain("$name: ${result.message}")
+            null
+        }
+    }
+}

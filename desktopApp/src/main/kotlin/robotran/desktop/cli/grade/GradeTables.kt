@@ -1,0 +1,103 @@
+package robotran.desktop.cli.grade
+
+import com.github.ajalt.mordant.rendering.AnsiLevel
+import com.github.ajalt.mordant.rendering.BorderType
+import com.github.ajalt.mordant.rendering.TextAlign
+import com.github.ajalt.mordant.rendering.Whitespace
+import com.github.ajalt.mordant.table.table
+import com.github.ajalt.mordant.terminal.Terminal
+import robotran.world.GoalProgress
+import robotran.world.GoalStatus
+import robotran.world.grade.Grade
+
+/**
+ * The grades for a person to read.
+ *
+ * @param commandFor the command that shows the run of a program with a seed.
+ */
+internal class GradeTables(
+    private val seeds: IntRange,
+    private val commandFor: (program: String, seed: Int) -> String,
+) {
+    /** One program in full: goal by goal, then the seeds that failed. */
+    fun ofProgram(program: ProgramGrades.Graded): String {
+        val rows = goalRows(program.grades.map { it.goals }, "")
+        val table = render(listOf("goal", "met with", "least done"), rows)
+        val failed = program.grades.filterNot { it.passed }
+        return (listOf(table, sentence(program)) + failed.take(MOST_TOLD).flatMap { failure(program.name, it) } + rest(failed)).joinToString("\n")
+    }
+
+    /** Several programs, a row for each, and for each that failed the first seed that it did with. */
+    fun ofClass(programs: List<ProgramGrades>): String {
+        val table = render(listOf("program", "passed with", "first goal that was missed"), programs.map(::classRow))
+        val failures = programs.filterIsInstance<ProgramGrades.Graded>().mapNotNull { program ->
+            program.grades.firstOrNull { !it.passed }?.let { "${program.name}: ${commandFor(program.name, it.seed)}" }
+        }
+        return (listOf(table) + failures).joinToString("\n")
+    }
+
+    private fun classRow(program: ProgramGrades): List<String> =
+        when (program) {
+            is ProgramGrades.Graded -> {
+                val missed = program.grades.firstNotNullOfOrNull { firstUnmet(it.goals) }
+                listOf(program.name, "${program.passed} of ${program.grades.size}", missed?.sentence.orEmpty())
+            }
+
+            is ProgramGrades.Refused -> {
+                listOf(program.name, "-", "It cannot run: it has mistakes.")
+            }
+        }
+
+    /** @param runs of each run the same goals. */
+    private fun goalRows(
+        runs: List<List<GoalProgress>>,
+        indentation: String,
+    ): List<List<String>> =
+        runs.first().indices.flatMap { number ->
+            val goals = runs.map { it[number] }
+            val least = goals.minBy { it.progress }
+            val met = "${goals.count { it.status == GoalStatus.MET }} of ${goals.size}"
+            listOf(listOf(indentation + least.sentence, met, percent(least))) + goalRows(goals.map { it.parts }, "$indentation  ")
+        }
+
+    private fun sentence(program: ProgramGrades.Graded): String =
+        when (program.passed) {
+            program.grades.size -> "${program.name} meets all goals with ${inWords(seeds)}."
+            else -> "${program.name} meets all goals with ${program.passed} of ${program.grades.size} seeds (${inWords(seeds)})."
+        }
+
+    private fun failure(
+        program: String,
+        grade: Grade,
+    ): List<String> {
+        val goal = firstUnmet(grade.goals)
+        val missed = if (goal == null) "no goal" else "\"${goal.sentence}\" was not met (${percent(goal)})"
+        val error = grade.report.error?.let { ". The program failed: $it" }.orEmpty()
+        return listOf("Seed ${grade.seed}: $missed$error", "  ${commandFor(program, grade.seed)}")
+    }
+
+    private fun rest(failed: List<Grade>): List<String> =
+        if (failed.size <= MOST_TOLD) emptyList() else listOf("And ${failed.size - MOST_TOLD} more: seeds ${failed.drop(MOST_TOLD).joinToString { "${it.seed}" }}.")
+
+    private fun render(
+        header: List<String>,
+        rows: List<List<String>>,
+    ): String {
+        val widget = table {
+            borderType = BorderType.ASCII
+            whitespace = Whitespace.PRE_WRAP
+            header { rowFrom(header) }
+            column(1) { align = TextAlign.RIGHT }
+            body { rows.forEach(::rowFrom) }
+        }
+        return terminal.render(widget).lines().joinToString("\n") { it.trimEnd() }.trimEnd()
+    }
+
+    private companion object {
+        const val MOST_TOLD = 10
+        const val WIDTH = 110
+
+        /** Only renders; what is rendered goes to the console like all else. */
+        val terminal = Terminal(ansiLevel = AnsiLevel.NONE, width = WIDTH, nonInteractiveWidth = WIDTH, interactive = false)
+    }
+}

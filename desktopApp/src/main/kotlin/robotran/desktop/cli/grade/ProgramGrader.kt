@@ -1,0 +1,117 @@
+package robotran.desktop.cli.grade
+
+import kotlinx.coroutines.runBlocking
+import robotran.desktop.ExitCode
+import robotran.desktop.cli.Console
+import robotran.desktop.cli.Loading
+import robotran.desktop.cli.WorldChanges
+import robotran.desktop.cli.readLoads
+import robotran.desktop.cli.readWorldFile
+import robotran.desktop.files.ProgramFiles
+import robotran.desktop.files.filesOfProgram
+import robotran.desktop.files.readProgramFiles
+import robotran.desktop.files.writeFile
+import robotran.programs.ProgramReader
+import robotran.ui.workshop.PENBOT_CALIBRATION
+import robotran.world.RobotLoad
+import robotran.world.World
+import robotran.world.physics.loadPhysicsEngine
+
+/** Grades programs as `robotran grade` does: reads all, runs all, writes the results. */
+internal class ProgramGrader(
+    private val console: Console,
+) {
+    fun run(request: GradeRequest): ExitCode {
+        val world = readWorldFile(request.world, console)?.let { WorldChanges(realism = request.options.realism).of(it) } ?: return ExitCode.BAD_INPUT
+        if (world.goals.isEmpty()) {
+            console.complain("The world ${request.world} has no goals, so there is nothing to grade.")
+            return ExitCode.BAD_INPUT
+        }
+        val names = request.programs.distinct()
+        val loadings = names.associateWith { loading(it, world, request) }
+        loadings.values.filterIsInstance<Loading.Refused>().flatMap { it.reasons }.forEach(console::complain)
+        if (loadings.values.none { it is Loading.Loaded }) return ExitCode.BAD_INPUT
+
+        val seeds = request.seeds ?: world.seed..world.seed
+        val milliseconds = request.options.milliseconds ?: (world.timeLimit * MILLISECONDS_PER_SECOND)
+        val loads = loadings.mapNotNull { (name, loading) -> (loading as? Loading.Loaded)?.let { name to it.loads } }.toMap()
+        val grades = grade(world, loads, seeds, milliseconds, request.jobs)
+        val programs = loadings.map { (name, loading) ->
+            when (loading) {
+                is Loading.Loaded -> ProgramGrades.Graded(name, grades.getValue(name))
+                is Loading.Refused -> ProgramGrades.Refused(name, loading.reasons)
+            }
+        }
+        val problems = write(world, programs, request)
+        problems.forEach(console::complain)
+        if (CONSOLE !in listOf(request.junit, request.report)) {
+            console.say(words(programs, seeds, GradedRun(request.world, milliseconds, request.options.words)))
+        }
+        return when {
+            problems.isNotEmpty() || programs.any { it is ProgramGrades.Refused } -> ExitCode.BAD_INPUT
+            programs.all { it is ProgramGrades.Graded && it.passed == it.grades.size } -> ExitCode.DONE
+            else -> ExitCode.PROGRAM_FAILED
+        }
+    }
+
+    private fun loading(
+        name: String,
+        world: World,
+        request: GradeRequest,
+    ): Loading =
+        when (val files = readProgramFiles(filesOfProgram(name))) {
+            is ProgramFiles.Read -> readLoads(world, ProgramReader(PENBOT_CALIBRATION, request.options.java), files.programs, request.options.robots)
+            is ProgramFiles.Refused -> Loading.Refused(listOf(files.reason))
+        }
+
+    private fun grade(
+        world: World,
+        loads: Map<String, List<RobotLoad>>,
+        seeds: IntRange,
+        milliseconds: Int,
+        jobs: Int,
+    ) = GradeProgress(console, isTerminal = System.getProperty(TERMINAL) == "true", total = loads.size * seeds.count()).let { progress ->
+        val grader = Grader(world, milliseconds, runBlocking { loadPhysicsEngine() }, jobs, progress::runIsDone)
+        loads.keys.zip(grader.grade(loads.values.toList(), seeds)).toMap()
+    }
+
+    /** Writes all that was asked for; the answer is what could not be written. */
+    private fun write(
+        world: World,
+        programs: List<ProgramGrades>,
+        request: GradeRequest,
+    ): List<String> =
+        listOfNotNull(
+            request.junit?.let { writeText(it, gradeJUnit(world.title, programs)) },
+            request.report?.let { writeText(it, gradeJson(request.world, world.title, programs)) },
+        )
+
+    private fun writeText(
+        name: String,
+        text: String,
+    ): String? =
+        if (name == CONSOLE) {
+            console.say(text)
+            null
+        } else {
+            writeFile(name, "$text\n".encodeToByteArray())
+        }
+
+    private fun words(
+        programs: List<ProgramGrades>,
+        seeds: IntRange,
+        run: GradedRun,
+    ): String {
+        val tables = GradeTables(seeds, run::command)
+        val single = programs.singleOrNull()
+        return if (single is ProgramGrades.Graded) tables.ofProgram(single) else tables.ofClass(programs)
+    }
+
+    private companion object {
+        const val CONSOLE = "-"
+        const val MILLISECONDS_PER_SECOND = 1000
+
+        /** Set to true by the start script if somebody sees what goes to standard error. */
+        const val TERMINAL = "robotran.terminal"
+    }
+}

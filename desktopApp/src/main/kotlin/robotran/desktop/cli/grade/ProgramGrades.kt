@@ -1,0 +1,40 @@
+package robotran.desktop.cli.grade
+
+import robotran.world.GoalProgress
+import robotran.world.GoalStatus
+import robotran.world.grade.Grade
+
+/**
+ * What came of one program.
+ *
+ * @property name its file as it was named.
+ */
+internal sealed interface ProgramGrades {
+    val name: String
+
+    /** @property grades one for each seed, in their order; never empty. */
+    data class Graded(
+        override val name: String,
+        val grades: List<Grade>,
+    ) : ProgramGrades {
+        val passed: Int get() = grades.count { it.passed }
+    }
+
+    /** It cannot run; each of [reasons] is a line for a person. */
+    data class Refused(
+        override val name: String,
+        val reasons: List<String>,
+    ) : ProgramGrades
+}
+
+/** The first goal that is not met and is not made of others; null if all are met. */
+internal fun firstUnmet(goals: List<GoalProgress>): GoalProgress? {
+    val unmet = goals.firstOrNull { it.status != GoalStatus.MET } ?: return null
+    return firstUnmet(unmet.parts) ?: unmet
+}
+
+/** How much of it is done, such as `62 %`. */
+internal fun percent(goal: GoalProgress): String = "${Math.round(goal.progress * 100)} %"
+
+/** The seeds in words, such as `seeds 1 to 20`. */
+internal fun inWords(seeds: IntRange): String = if (seeds.first == seeds.last) "seed ${seeds.first}" else "seeds ${seeds.first} to ${seeds.last}"

@@ -1,0 +1,123 @@
+package robotran.world
+
+import robotran.rom.InfraredAir
+import robotran.rom.InfraredRange
+import robotran.rom.SensorCode
+import robotran.rom.SoundEvent
+import robotran.world.explain.EnglishInfluenceMessages
+import robotran.world.explain.Influence
+import robotran.world.goal.GoalJudge
+import robotran.world.physics.PhysicsEngine
+
+/** All robots of a session with their bricks, in their world, moved on millisecond by millisecond. */
+internal class RobotsInWorld(private val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) {
+    private val simulation = Simulation(world, physics)
+    private val air = InfraredAir(::reaches)
+    private val hash = TraceHash()
+    private val judge = GoalJudge(world, physics.trigonometry)
+    private val tonesJudged = LongArray(world.robots.size)
+    private var nextToTick = 0
+    private var latest: SessionState? = null
+
+    /** In the world's order. */
+    val robots = world.robots.indices.map {
+        RobotInSession(it, world, loads.getOrElse(it) { RobotLoad(emptyList()) }, simulation, air)
+    }
+
+    /** Virtual time since the beginning. */
+    var milliseconds = 0L
+        private set
+
+    val state: SessionState get() = latest ?: snapshot().also { latest = it }
+    val traceHash: String get() = hash.text
+
+    /** One millisecond, or what is left of one; it is not over if a program has been stopped in the middle of it. */
+    fun tick() {
+        latest = null
+        if (nextToTick == 0 && (milliseconds + 1) % SensorCode.READING_MILLISECONDS == 0L) robots.forEach(RobotInSession::sense)
+        while (nextToTick < robots.size) {
+            val brick = robots[nextToTick].brick
+            brick.tick()
+            if (brick.isPaused) return
+            nextToTick++
+        }
+        nextToTick = 0
+        milliseconds++
+        move()
+        for (robot in robots) robot.addCallsTo(hash)
+        if (milliseconds % SimulationLimits.MILLISECONDS_PER_JUDGEMENT == 0L && world.goals.isNotEmpty()) judgeGoals()
+    }
+
+    /** Does something from outside. */
+    fun apply(input: SessionInput) {
+        latest = null
+        when (input) {
+            is SessionInput.Press -> robots.getOrNull(input.robot)?.brick?.press(input.button)
+            is SessionInput.Release -> robots.getOrNull(input.robot)?.brick?.release(input.button)
+            SessionInput.Stop -> robots.forEach { it.brick.stopProgram() }
+            is SessionInput.PlaceRobot -> if (input.robot in robots.indices) simulation.place(input.robot, input.pose)
+            is SessionInput.MoveLamp -> changeLamp(input.lamp) { it.copy(place = input.place) }
+            is SessionInput.SwitchLamp -> changeLamp(input.lamp) { it.copy(on = input.on) }
+            is SessionInput.ChangeAmbientLight -> simulation.light.changeAmbient(maxOf(0.0, input.light))
+            is SessionInput.ChangeTemperature -> simulation.temperature = input.celsius
+            is SessionInput.TouchSensor -> robots.getOrNull(input.robot)?.ports?.touch(input.port, input.pressed)
+        }
+    }
+
+    /** The run is over: the goals are decided. */
+    fun finish() {
+        judge.finish(state)
+        latest = latest?.copy(goals = judge.progress)
+    }
+
+    fun explain(): List<Influence> = robots.flatMap { it.influences(EnglishInfluenceMessages) }
+
+    fun close() = simulation.close()
+
+    private fun move() {
+        for (robot in robots) robot.moveMotors(milliseconds)
+        if (milliseconds % SimulationLimits.TICKS_PER_PHYSICS_STEP == 0L) {
+            simulation.step()
+            simulation.addTo(hash)
+        }
+    }
+
+    private fun judgeGoals() {
+        judge.observe(state, robots.mapIndexed(::newTones))
+        latest = latest?.copy(goals = judge.progress)
+    }
+
+    private fun newTones(number: Int, robot: RobotInSession): List<SoundEvent.Tone> {
+        val track = robot.brick.sounds
+        val new = track.since(tonesJudged[number])
+        tonesJudged[number] = track.total
+        return new.filterIsInstance<SoundEvent.Tone>()
+    }
+
+    private fun changeLamp(number: Int, change: (LampState) -> LampState) {
+        val lamp = simulation.light.lamps.getOrNull(number) ?: return
+        simulation.light.change(number, change(lamp))
+    }
+
+    /** Whether infrared light of one brick comes to another: through a room, or across a table. */
+    private fun reaches(sender: Int, receiver: Int, range: InfraredRange): Boolean {
+        if (range == InfraredRange.LONG) return true
+        val from = simulation.machines[sender].body.motion
+        val to = simulation.machines[receiver].body.motion
+        return length(to.x - from.x, to.y - from.y) <= SHORT_INFRARED_RANGE
+    }
+
+    private fun snapshot() = SessionState(
+        milliseconds = milliseconds,
+        robots = robots.map { it.snapshot },
+        blocks = simulation.blocks,
+        lamps = simulation.light.lamps,
+        ink = simulation.ink,
+        goals = judge.progress,
+    )
+
+    private companion object {
+        /** How far a brick's light comes that is to reach across a table, in centimetres. */
+        const val SHORT_INFRARED_RANGE = 100.0
+    }
+}

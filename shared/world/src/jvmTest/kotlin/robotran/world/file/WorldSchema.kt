@@ -1,0 +1,49 @@
+package robotran.world.file
+
+import io.github.optimumcode.json.schema.JsonSchema
+import io.github.optimumcode.json.schema.ValidationError
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.jsonObject
+
+/** The schema of world files, `worlds/world.schema.json`. */
+internal object WorldSchema {
+    private val definition = Json.parseToJsonElement(schemaTexts.getValue("world.schema.json"))
+    private val schema = JsonSchema.fromJsonElement(definition)
+
+    /** One that does not allow any field that it does not know. */
+    private val closedSchema = JsonSchema.fromJsonElement(closed(definition))
+
+    /** The names of all fields that it knows. */
+    val fields: Set<String> = fieldsOf(definition)
+
+    fun mistakesIn(world: JsonElement): List<String> = mistakes(schema, world)
+
+    fun unknownIn(world: JsonElement): List<String> = mistakes(closedSchema, world)
+
+    private fun mistakes(schema: JsonSchema, world: JsonElement): List<String> {
+        val mistakes = mutableListOf<ValidationError>()
+        schema.validate(world, mistakes::add)
+        return mistakes.map { "${it.objectPath}: ${it.message}" }
+    }
+
+    private fun closed(element: JsonElement): JsonElement = when (element) {
+        is JsonObject -> {
+            val inner = element.mapValues { closed(it.value) }
+            JsonObject(if (element["type"] == JsonPrimitive("object")) inner + ("unevaluatedProperties" to JsonPrimitive(false)) else inner)
+        }
+        is JsonArray -> JsonArray(element.map(::closed))
+        else -> element
+    }
+
+    private fun fieldsOf(element: JsonElement): Set<String> = when (element) {
+        is JsonObject -> element.flatMap { (name, value) ->
+            if (name == "properties") value.jsonObject.keys + value.jsonObject.values.flatMap(::fieldsOf) else fieldsOf(value)
+        }.toSet()
+        is JsonArray -> element.flatMap(::fieldsOf).toSet()
+        else -> emptySet()
+    }
+}

@@ -1,0 +1,101 @@
+package robotran.world.file
+
+import io.kotest.property.arbitrary.take
+import io.kotest.property.RandomSource
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import robotran.json.writeCompactJson
+import robotran.world.BuiltInWorlds
+import robotran.world.WorldFileResult
+import robotran.world.documentedWorlds
+import robotran.world.readWorld
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+
+/** The schema and the reader say the same about a file, as far as a schema can say it. */
+class WorldSchemaTest {
+    private val full = Json.parseToJsonElement(FULL_WORLD)
+    private val worlds = arbitraryWorlds().take(50, RandomSource.seeded(2005)).map(::elementOf).toList()
+
+    @Test
+    fun `every world that comes with Robotran follows the schema and has no field that it does not know`() {
+        for ((name, text) in BuiltInWorlds.texts + documentedWorlds) {
+            val world = Json.parseToJsonElement(text)
+            assertEquals(emptyList(), WorldSchema.mistakesIn(world), name)
+            assertEquals(emptyList(), WorldSchema.unknownIn(world), name)
+        }
+    }
+
+    @Test
+    fun `every field that is written is in the schema`() {
+        assertEquals(emptyList(), WorldSchema.unknownIn(full))
+        for (world in worlds) {
+            assertEquals(emptyList(), WorldSchema.mistakesIn(world))
+            assertEquals(emptyList(), WorldSchema.unknownIn(withoutUnknown(world)))
+        }
+    }
+
+    @Test
+    fun `every field of the schema is read`() {
+        assertEquals(WorldSchema.fields, fieldsOf(full))
+        for (changed in changes(full) { listOf(JsonObject(mapOf("strange" to JsonNull))) }) {
+            assertIs<WorldFileResult.Refused>(readWorld(writeCompactJson(changed)), writeCompactJson(changed))
+        }
+    }
+
+    @Test
+    fun `what the schema refuses is refused`() {
+        var refused = 0
+        for (world in worlds.take(3) + full) {
+            for (changed in changes(world) { others(it) }) {
+                if (WorldSchema.mistakesIn(changed).isNotEmpty()) {
+                    refused++
+                    val text = writeCompactJson(changed)
+                    assertIs<WorldFileResult.Refused>(readWorld(text), "${WorldSchema.mistakesIn(changed)}\n$text")
+                }
+            }
+        }
+        assertTrue(refused > 10_000, "$refused were refused")
+    }
+
+    /** What a value might be by mistake; null for not being there at all. */
+    private fun others(value: JsonElement): List<JsonElement?> = listOf(
+        null, JsonNull, JsonPrimitive(true), JsonPrimitive(""), JsonPrimitive(" "), JsonPrimitive("x"), JsonPrimitive("#12345g"),
+        JsonPrimitive(-1), JsonPrimitive(0), JsonPrimitive(0.05), JsonPrimitive(1.5), JsonPrimitive(19), JsonPrimitive(1e9), JsonPrimitive(-1e9),
+        JsonPrimitive(3), JsonPrimitive("e".repeat(501)), JsonArray(emptyList()), JsonObject(emptyMap()), JsonArray(listOf(value)),
+        JsonArray(listOf(value, value)), JsonArray(List(1001) { value }), (value as? JsonArray)?.let { JsonArray(it.dropLast(1)) } ?: JsonNull,
+        (value as? JsonPrimitive)?.let { JsonPrimitive(it.content) } ?: JsonNull,
+    )
+
+    /** [element] with each value in it, one after the other, put in place of by each of [others]. */
+    private fun changes(element: JsonElement, others: (JsonElement) -> List<JsonElement?>): List<JsonElement> = when (element) {
+        is JsonObject -> element.filterKeys { !it.startsWith("_") }.flatMap { (name, value) ->
+            val replaced = others(value).map { other -> JsonObject(if (other == null) element - name else element + (name to other)) }
+            replaced + changes(value, others).map { JsonObject(element + (name to it)) }
+        }
+        is JsonArray -> element.indices.flatMap { number ->
+            fun with(other: JsonElement?) = JsonArray(element.take(number) + listOfNotNull(other) + element.drop(number + 1))
+            others(element[number]).map(::with) + changes(element[number], others).map(::with)
+        }
+        else -> emptyList()
+    }
+
+    /** Arbitrary unknown fields begin with an underscore. */
+    private fun withoutUnknown(element: JsonElement): JsonElement = when (element) {
+        is JsonObject -> JsonObject(element.filterKeys { !it.startsWith("_") }.mapValues { withoutUnknown(it.value) })
+        is JsonArray -> JsonArray(element.map(::withoutUnknown))
+        else -> element
+    }
+
+    private fun fieldsOf(element: JsonElement): Set<String> = when (element) {
+        is JsonObject -> element.keys + element.values.flatMap(::fieldsOf)
+        is JsonArray -> element.flatMap(::fieldsOf).toSet()
+        else -> emptySet()
+    }
+}
