@@ -5,11 +5,18 @@ plugins {
     id("robotran.texts")
 }
 
+texts {
+    blocks("commonTest", "robotran.projects.documentedProjects", "docs", "worlds.md", "robotran")
+}
+
 kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:programs"))
             api(project(":shared:world"))
+        }
+        wasmJsMain.dependencies {
+            implementation(libs.coroutines.core)
         }
     }
 }

@@ -27,7 +27,7 @@ class ObjectBuilder internal constructor() {
 
     fun number(name: String, value: Int?, usual: Int? = null) = number(name, value?.toLong(), usual?.toLong())
 
-    fun flag(name: String, value: Boolean, usual: Boolean) {
+    fun flag(name: String, value: Boolean, usual: Boolean?) {
         if (value != usual) members[name] = JsonPrimitive(value)
     }
 

@@ -68,7 +68,10 @@ class FollowLineTest {
     @Test
     fun `cutting corners within the tolerance and weaving is following`() = runTest {
         val run = round(square)
-        run.drive(30.0 to 12.0, 45.0 to 12.0, 48.0 to 15.0, 52.0 to 30.0, 48.0 to 45.0, 44.0 to 49.0, 15.0 to 51.0, 11.0 to 45.0, 12.0 to 14.0, 16.0 to 12.0, 30.0 to 9.0)
+        run.drive(
+            30.0 to 12.0, 45.0 to 12.0, 48.0 to 15.0, 52.0 to 30.0, 48.0 to 45.0, 44.0 to 49.0, 15.0 to 51.0, 11.0 to 45.0,
+            12.0 to 14.0, 16.0 to 12.0, 30.0 to 9.0,
+        )
         assertEquals(GoalStatus.MET, run.status)
     }
 

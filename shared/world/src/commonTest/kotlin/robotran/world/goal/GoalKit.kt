@@ -69,14 +69,28 @@ internal class Run(world: World, trigonometry: Trigonometry) {
     /** Adds a stroke. */
     fun draws(vararg places: Pair<Double, Double>, robot: Int = 0) = look {
         strokes = strokes + InkStroke(places.map { Point(it.first, it.second) }, robot)
-        ink = Ink(strokes, strokes.sumOf { stroke -> stroke.points.zipWithNext { a, b -> robotran.world.length(b.x - a.x, b.y - a.y) }.sum() })
+        ink =
+            Ink(
+                strokes,
+                strokes.sumOf { stroke ->
+                    stroke.points.zipWithNext { a, b -> robotran.world.length(b.x - a.x, b.y - a.y) }.sum()
+                },
+            )
     }
 
     fun inkIs(ink: Ink) = look { this.ink = ink }
 
     fun plays(vararg hertz: Double, ofFirmware: Boolean = false, number: Int = 0) {
         milliseconds += 10
-        val tones = robots.indices.map { robot -> if (robot == number) hertz.map { SoundEvent.Tone(milliseconds, it, 100, ofFirmware) } else emptyList() }
+        val tones = robots.indices.map { robot ->
+            if (robot ==
+                number
+            ) {
+                hertz.map { SoundEvent.Tone(milliseconds, it, 100, ofFirmware) }
+            } else {
+                emptyList()
+            }
+        }
         judge.observe(state, tones)
     }
 
@@ -99,4 +113,5 @@ internal class Run(world: World, trigonometry: Trigonometry) {
     }
 }
 
-internal suspend fun run(vararg goals: Goal, world: World = sheet) = Run(world.copy(goals = goals.toList()), loadPhysicsEngine().trigonometry)
+internal suspend fun run(vararg goals: Goal, world: World = sheet): Run =
+    Run(world.copy(goals = goals.toList()), loadPhysicsEngine().trigonometry)

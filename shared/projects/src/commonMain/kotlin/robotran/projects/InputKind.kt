@@ -1,0 +1,31 @@
+package robotran.projects
+
+/** How a project file names the inputs of a session, and what it tells of each beside its time. */
+internal object InputKind {
+    const val PRESS = "press"
+    const val RELEASE = "release"
+    const val STOP = "stop"
+    const val PLACE_ROBOT = "placeRobot"
+    const val MOVE_LAMP = "moveLamp"
+    const val SWITCH_LAMP = "switchLamp"
+    const val LIGHT = "light"
+    const val TEMPERATURE = "temperature"
+    const val TOUCH = "touch"
+
+    /** The input ports of a brick. */
+    const val PORTS = 3
+
+    val COMMON = setOf("at", "kind")
+
+    val FIELDS: Map<String, Set<String>> = mapOf(
+        PRESS to setOf("button", "robot"),
+        RELEASE to setOf("button", "robot"),
+        STOP to emptySet(),
+        PLACE_ROBOT to setOf("robot", "x", "y", "heading"),
+        MOVE_LAMP to setOf("lamp", "x", "y"),
+        SWITCH_LAMP to setOf("lamp", "on"),
+        LIGHT to setOf("light"),
+        TEMPERATURE to setOf("celsius"),
+        TOUCH to setOf("robot", "port", "pressed"),
+    )
+}

@@ -1,0 +1,55 @@
+package robotran.projects
+
+import robotran.json.JsonPlace
+import robotran.json.alternatives
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.RecordedInput
+import robotran.world.SessionInput
+import robotran.world.World
+
+/** Reads what was done to a session in [world]. */
+internal class InputReader(private val world: World) {
+    fun read(place: JsonPlace): List<RecordedInput> {
+        val places = place.items(0..ProjectLimits.MAXIMUM_INPUTS)
+        val inputs = places.map { RecordedInput(it.member("at").longNumber(0..ProjectLimits.MAXIMUM_MILLISECONDS), inputIn(it)) }
+        inputs.indices.drop(1).firstOrNull { inputs[it].milliseconds < inputs[it - 1].milliseconds }?.let {
+            places[it].member("at").refuse("must not be before the input above it")
+        }
+        return inputs
+    }
+
+    private fun inputIn(place: JsonPlace): SessionInput {
+        // An input is what was done, and nothing can be added to that.
+        val kind = place.member("kind").textOrNull()
+        val fields = InputKind.FIELDS[kind] ?: place.member("kind").refuse("must be ${alternatives(InputKind.FIELDS.keys)}")
+        (place.names - fields - InputKind.COMMON).firstOrNull()?.let { place.refuse("must not have \"$it\"") }
+        return when (kind) {
+            InputKind.PRESS -> SessionInput.Press(place.member("button").choice(BUTTONS), robot(place))
+            InputKind.RELEASE -> SessionInput.Release(place.member("button").choice(BUTTONS), robot(place))
+            InputKind.STOP -> SessionInput.Stop
+            InputKind.PLACE_ROBOT -> SessionInput.PlaceRobot(robot(place), Pose(number(place, "x"), number(place, "y"), number(place, "heading")))
+            InputKind.MOVE_LAMP -> SessionInput.MoveLamp(lamp(place), Point(number(place, "x"), number(place, "y")))
+            InputKind.SWITCH_LAMP -> SessionInput.SwitchLamp(lamp(place), place.member("on").flag())
+            InputKind.LIGHT -> SessionInput.ChangeAmbientLight(number(place, "light"))
+            InputKind.TEMPERATURE -> SessionInput.ChangeTemperature(number(place, "celsius"))
+            else -> SessionInput.TouchSensor(robot(place), place.member("port").wholeNumber(1..InputKind.PORTS) - 1, place.member("pressed").flag())
+        }
+    }
+
+    private fun robot(place: JsonPlace): Int {
+        val name = place.optional("robot") ?: return 0
+        val number = world.robots.indexOfFirst { it.name == name.textOrNull() }
+        if (number < 0) name.refuse("must be the name of a robot of the world")
+        return number
+    }
+
+    private fun lamp(place: JsonPlace): Int {
+        val lamp = place.member("lamp")
+        if (world.lamps.isEmpty()) lamp.refuse("cannot be, since the world has no lamp")
+        return lamp.wholeNumber(1..world.lamps.size) - 1
+    }
+
+    private fun number(place: JsonPlace, name: String): Double =
+        place.member(name).number(-ProjectLimits.MAXIMUM_INPUT_NUMBER..ProjectLimits.MAXIMUM_INPUT_NUMBER)
+}

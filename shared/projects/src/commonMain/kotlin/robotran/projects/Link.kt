@@ -1,0 +1,99 @@
+package robotran.projects
+
+import kotlinx.serialization.json.JsonElement
+import robotran.json.JsonLimits
+import robotran.json.writeCompactJson
+import robotran.world.World
+import robotran.world.WorldFileResult
+import robotran.world.file.elementOf
+import robotran.world.readWorld
+import kotlin.io.encoding.Base64
+
+/** A link that was made. */
+sealed interface LinkMaking {
+    /** @property fragment what stands behind the page's address, such as `#w=a...`. */
+    data class Made(val fragment: String) : LinkMaking
+
+    /** There is too much for a link; [message] says so in one sentence and what to do instead. */
+    data class TooLong(val message: String) : LinkMaking
+}
+
+/** What came of opening a link. */
+sealed interface LinkResult {
+    data class OfWorld(val world: World) : LinkResult
+
+    data class OfProject(val project: Project) : LinkResult
+
+    /** The link cannot be used; [message] is one sentence that says why. */
+    data class Refused(val message: String) : LinkResult
+}
+
+/**
+ * The link to [world]: its file, deflated, in letters that every program takes for part of an address. Nothing of it is ever sent to a server, since a
+ * browser keeps to itself what is behind the `#`.
+ */
+suspend fun linkOf(world: World): LinkMaking = linkOf(LinkKind.WORLD, elementOf(world))
+
+/** The same for [project]. */
+suspend fun linkOf(project: Project): LinkMaking = linkOf(LinkKind.PROJECT, elementOf(project))
+
+/**
+ * Opens a link that [linkOf] has made.
+ *
+ * @param link a whole address with a fragment, or the fragment alone, with blanks around it or none. Whatever it is, this ends quickly and with a
+ * result.
+ */
+suspend fun openLink(link: String): LinkResult {
+    val fragment = link.trim().substringAfter('#')
+    val kind = LinkKind.entries.firstOrNull { fragment.startsWith(it.start) }
+        ?: return LinkResult.Refused("This is not a link to a world or a project of Robotran.")
+    if (link.length > ProjectLimits.MAXIMUM_LINK_CHARACTERS) {
+        return LinkResult.Refused("The link is too long: more than ${ProjectLimits.MAXIMUM_LINK_CHARACTERS} characters.")
+    }
+    val data = fragment.removePrefix(kind.start)
+    if (data.isNotEmpty() && !data.startsWith(SCHEME) && data[0] in 'b'..'z') return LinkResult.Refused("This link was made by a newer Robotran.")
+    val bytes = if (data.startsWith(SCHEME)) unpack(data.removePrefix(SCHEME)) else null
+    return when {
+        bytes == null -> LinkResult.Refused("The link is broken or not whole; perhaps a part of it was lost when it was copied.")
+        kind == LinkKind.WORLD -> resultOf(readWorld(bytes))
+        else -> resultOf(readProject(bytes))
+    }
+}
+
+/** Whether [text] looks like a link of Robotran's, or a part of one, and not like the name of a file. */
+fun isLink(text: String): Boolean = LinkKind.entries.any { "#${it.start}" in text }
+
+private enum class LinkKind(val start: String, val word: String) { WORLD("w=", "world"), PROJECT("p=", "project") }
+
+private suspend fun linkOf(kind: LinkKind, element: JsonElement): LinkMaking {
+    val bytes = writeCompactJson(element).encodeToByteArray()
+    val fragment = "#${kind.start}$SCHEME${LETTERS.encode(deflate(bytes))}"
+    if (fragment.length <= ProjectLimits.MAXIMUM_LINK_CHARACTERS) return LinkMaking.Made(fragment)
+    return LinkMaking.TooLong(
+        "This ${kind.word} is too long for a link: it would take ${fragment.length} characters, and ${ProjectLimits.MAXIMUM_LINK_CHARACTERS} are the most. " +
+            "Share its file instead.",
+    )
+}
+
+private suspend fun unpack(data: String): ByteArray? {
+    val compressed = try {
+        LETTERS.decode(data)
+    } catch (_: IllegalArgumentException) {
+        return null
+    }
+    return inflate(compressed, JsonLimits.MAXIMUM_BYTES)
+}
+
+private fun resultOf(result: WorldFileResult): LinkResult = when (result) {
+    is WorldFileResult.Loaded -> LinkResult.OfWorld(result.world)
+    is WorldFileResult.Refused -> LinkResult.Refused("What the link holds cannot be used. ${result.message}")
+}
+
+private fun resultOf(result: ProjectFileResult): LinkResult = when (result) {
+    is ProjectFileResult.Loaded -> LinkResult.OfProject(result.project)
+    is ProjectFileResult.Refused -> LinkResult.Refused("What the link holds cannot be used. ${result.message}")
+}
+
+/** Says how a link is packed: the file's shortest JSON, raw deflate, Base64 with `-` and `_` and without `=`. Another way will have another letter. */
+private const val SCHEME = "a"
+private val LETTERS = Base64.UrlSafe.withPadding(Base64.PaddingOption.ABSENT)

@@ -1,0 +1,24 @@
+package robotran.projects
+
+/** What a project may hold. The length of its file is bounded too, see [robotran.json.JsonLimits]. */
+object ProjectLimits {
+    const val MAXIMUM_FILES = 50
+
+    /** The name of a program or a file, with folders. */
+    const val MAXIMUM_NAME_CHARACTERS = 200
+
+    /** Of one file of a program. */
+    const val MAXIMUM_LINES = 50_000
+
+    /** Dragging a lamp makes one with every frame. */
+    const val MAXIMUM_INPUTS = 20_000
+
+    /** A day of virtual time. */
+    const val MAXIMUM_MILLISECONDS = 86_400_000L
+
+    /** What an input says of places, light and warmth; sessions make sense of whatever it is. */
+    const val MAXIMUM_INPUT_NUMBER = 1_000_000.0
+
+    /** Browsers take longer links, but mail and messages break them. */
+    const val MAXIMUM_LINK_CHARACTERS = 100_000
+}

@@ -1,0 +1,96 @@
+package robotran.projects
+
+import robotran.json.JsonPlace
+import robotran.json.JsonRefusal
+import robotran.programs.JavaSettings
+import robotran.programs.SourceFile
+import robotran.rom.Brick
+import robotran.world.LightFacing
+import robotran.world.UnknownFields
+import robotran.world.World
+import robotran.world.file.worldIn
+
+/**
+ * The project that is in a file.
+ *
+ * @throws JsonRefusal if there is none that can be used.
+ */
+internal fun projectIn(file: JsonPlace): Project {
+    if (file.optional("format")?.textOrNull() != PROJECT_FORMAT) {
+        throw JsonRefusal(null, "This is not a Robotran project: a project file says \"format\": \"$PROJECT_FORMAT\".")
+    }
+    val version = file.member("version").wholeNumber(1..Int.MAX_VALUE)
+    if (version > PROJECT_VERSION) {
+        throw JsonRefusal(
+            null,
+            "This project was made by a newer Robotran (it has version $version, this Robotran reads up to $PROJECT_VERSION).",
+        )
+    }
+    val world = worldIn(file.member("world"))
+    return Project(
+        world = world,
+        robots = robotsIn(file, world),
+        settings = file.optional("settings")?.let(::settingsIn) ?: ProjectSettings(),
+        inputs = file.optional("inputs")?.let { InputReader(world).read(it) }.orEmpty(),
+        unknown = unknownOf(file),
+    )
+}
+
+private fun robotsIn(file: JsonPlace, world: World): List<ProjectRobot> {
+    val places = file.optional("robots")?.items(0..world.robots.size).orEmpty()
+    val robots = places.map { robotIn(it, world) }
+    robots.indices.firstOrNull { number -> robots.take(number).any { it.name == robots[number].name } }?.let {
+        places[it].refuse("is about \"${robots[it].name}\", and one before is so already")
+    }
+    return robots
+}
+
+private fun robotIn(place: JsonPlace, world: World): ProjectRobot {
+    val name = place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
+    if (world.robots.none { it.name == name }) place.member("name").refuse("must be the name of a robot of the world")
+    val programs = place.optional("programs")?.items(0..Brick.MOST_PROGRAMS).orEmpty().map(::programIn)
+    val first = place.optional("firstProgram")?.wholeNumber(1..maxOf(1, programs.size)) ?: 1
+    val facing = place.optional("lightSensor")?.choice(FACINGS)
+    return ProjectRobot(name, programs, first - 1, facing, unknownOf(place))
+}
+
+private fun programIn(place: JsonPlace): ProjectProgram {
+    val language = place.member("language").choice(LANGUAGES)
+    val name = place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
+    val files = when (language) {
+        ProgramLanguage.ROBOLANG -> listOf(SourceFile(name, textIn(place.member(TEXT))))
+        ProgramLanguage.JAVA -> place.member("files").items(1..ProjectLimits.MAXIMUM_FILES).map(::fileIn)
+    }
+    return ProjectProgram(name, language, files, unknownOf(place))
+}
+
+private fun fileIn(place: JsonPlace): SourceFile {
+    // There is nowhere to keep anything else of a file.
+    (place.names - FILE_FIELDS).firstOrNull()?.let { place.refuse("must not have \"$it\"") }
+    return SourceFile(place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS), textIn(place.member(TEXT)))
+}
+
+/** Its lines as they are, whatever they hold and however they end. */
+private fun textIn(place: JsonPlace): String = place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
+    val text = line.textOrNull() ?: line.refuse("must be a text in quotes")
+    if ('\n' in text) line.refuse("must be one line")
+    text
+}
+
+private fun settingsIn(place: JsonPlace) = ProjectSettings(
+    seed = place.optional("seed")?.wholeNumber(0..Int.MAX_VALUE),
+    realism = place.optional("realism")?.number(0.0..1.0),
+    java = place.optional("java")?.let(::javaSettingsIn) ?: JavaSettings(),
+    unknown = unknownOf(place),
+)
+
+private fun javaSettingsIn(place: JsonPlace): JavaSettings {
+    val usual = JavaSettings()
+    return JavaSettings(place.optional("mode")?.choice(MODES) ?: usual.mode, place.optional("speed")?.choice(SPEEDS) ?: usual.speed)
+}
+
+private fun unknownOf(place: JsonPlace): UnknownFields = place.rest().let { if (it.isEmpty()) UnknownFields.NONE else UnknownFields(it) }
+
+internal val FACINGS: Map<String, LightFacing> = LightFacing.entries.associateBy { wordFor(it) }
+
+private val FILE_FIELDS = setOf("name", TEXT)

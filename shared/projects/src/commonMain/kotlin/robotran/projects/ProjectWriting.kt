@@ -1,0 +1,122 @@
+package robotran.projects
+
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import robotran.json.decimal
+import robotran.json.jsonObject
+import robotran.programs.JavaSettings
+import robotran.programs.SourceFile
+import robotran.rom.BrickButton
+import robotran.world.RecordedInput
+import robotran.world.SessionInput
+import robotran.world.World
+import robotran.world.file.elementOf
+
+internal fun elementOf(project: Project): JsonObject = jsonObject(project.unknown.members) {
+    text("format", PROJECT_FORMAT)
+    number("version", PROJECT_VERSION)
+    list("robots", project.robots, ::elementOf)
+    put("settings", elementOf(project.settings).takeIf { it.isNotEmpty() })
+    // What is done to something that is not there does nothing, and a file could not say what it is.
+    list("inputs", project.inputs.filter { isPossible(it.input, project.world) }) { elementOf(it, project.world) }
+    put("world", elementOf(project.world))
+}
+
+private fun elementOf(robot: ProjectRobot) = jsonObject(robot.unknown.members) {
+    text("name", robot.name)
+    list("programs", robot.programs, ::elementOf)
+    number("firstProgram", robot.firstProgram + 1, usual = 1)
+    text("lightSensor", robot.lightFacing?.let(::wordFor))
+}
+
+private fun elementOf(program: ProjectProgram) = jsonObject(program.unknown.members) {
+    text("name", program.name)
+    text("language", wordFor(program.language))
+    when (program.language) {
+        ProgramLanguage.ROBOLANG -> put(TEXT, linesOf(program.files.single().text))
+        ProgramLanguage.JAVA -> list("files", program.files, ::elementOf)
+    }
+}
+
+private fun elementOf(file: SourceFile) = jsonObject {
+    text("name", file.name)
+    put(TEXT, linesOf(file.text))
+}
+
+/** What a line ends with beside a line feed stays with it. */
+private fun linesOf(text: String) = JsonArray(text.split('\n').map(::JsonPrimitive))
+
+private fun elementOf(settings: ProjectSettings) = jsonObject(settings.unknown.members) {
+    number("seed", settings.seed)
+    put("realism", settings.realism?.let(::decimal))
+    put("java", elementOf(settings.java).takeIf { it.isNotEmpty() })
+}
+
+private fun elementOf(java: JavaSettings) = jsonObject {
+    text("mode", wordFor(java.mode), usual = wordFor(JavaSettings().mode))
+    text("speed", wordFor(java.speed), usual = wordFor(JavaSettings().speed))
+}
+
+private fun isPossible(input: SessionInput, world: World): Boolean = when (input) {
+    is SessionInput.Press -> input.robot in world.robots.indices
+    is SessionInput.Release -> input.robot in world.robots.indices
+    is SessionInput.PlaceRobot -> input.robot in world.robots.indices
+    is SessionInput.TouchSensor -> input.robot in world.robots.indices && input.port in 0..<InputKind.PORTS
+    is SessionInput.MoveLamp -> input.lamp in world.lamps.indices
+    is SessionInput.SwitchLamp -> input.lamp in world.lamps.indices
+    is SessionInput.Stop, is SessionInput.ChangeAmbientLight, is SessionInput.ChangeTemperature -> true
+}
+
+private fun elementOf(recorded: RecordedInput, world: World) = jsonObject {
+    fun robot(number: Int) = text("robot", world.robots[number].name, usual = world.robots.first().name)
+
+    fun button(button: BrickButton) = text("button", BUTTONS.entries.single { it.value == button }.key)
+
+    number("at", recorded.milliseconds)
+    when (val input = recorded.input) {
+        is SessionInput.Press -> {
+            text("kind", InputKind.PRESS)
+            button(input.button)
+            robot(input.robot)
+        }
+        is SessionInput.Release -> {
+            text("kind", InputKind.RELEASE)
+            button(input.button)
+            robot(input.robot)
+        }
+        is SessionInput.Stop -> text("kind", InputKind.STOP)
+        is SessionInput.PlaceRobot -> {
+            text("kind", InputKind.PLACE_ROBOT)
+            robot(input.robot)
+            number("x", input.pose.x)
+            number("y", input.pose.y)
+            number("heading", input.pose.heading)
+        }
+        is SessionInput.MoveLamp -> {
+            text("kind", InputKind.MOVE_LAMP)
+            number("lamp", input.lamp + 1)
+            number("x", input.place.x)
+            number("y", input.place.y)
+        }
+        is SessionInput.SwitchLamp -> {
+            text("kind", InputKind.SWITCH_LAMP)
+            number("lamp", input.lamp + 1)
+            flag("on", input.on, usual = null)
+        }
+        is SessionInput.ChangeAmbientLight -> {
+            text("kind", InputKind.LIGHT)
+            number("light", input.light)
+        }
+        is SessionInput.ChangeTemperature -> {
+            text("kind", InputKind.TEMPERATURE)
+            number("celsius", input.celsius)
+        }
+        is SessionInput.TouchSensor -> {
+            text("kind", InputKind.TOUCH)
+            robot(input.robot)
+            number("port", input.port + 1)
+            flag("pressed", input.pressed, usual = null)
+        }
+    }
+}

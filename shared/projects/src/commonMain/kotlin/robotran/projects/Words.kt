@@ -1,0 +1,15 @@
+package robotran.projects
+
+import robotran.rom.BrickButton
+import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.TinyVmSpeed
+
+/** How a file names what the program has as constants. */
+internal val LANGUAGES: Map<String, ProgramLanguage> = ProgramLanguage.entries.associateBy { wordFor(it) }
+internal val MODES: Map<String, TinyVmMode> = TinyVmMode.entries.associateBy { wordFor(it) }
+internal val SPEEDS: Map<String, TinyVmSpeed> = TinyVmSpeed.entries.associateBy { wordFor(it) }
+
+/** As they are called on the brick and on the command line. */
+internal val BUTTONS: Map<String, BrickButton> = BrickButton.entries.associateBy { wordFor(it).replace(' ', '-') }
+
+internal fun wordFor(constant: Enum<*>): String = constant.name.lowercase().replace('_', ' ')

@@ -1,0 +1,143 @@
+package robotran.projects
+
+import kotlinx.coroutines.test.runTest
+import robotran.programs.SourceFile
+import robotran.world.BuiltInWorlds
+import robotran.world.Mark
+import robotran.world.MarkFigure
+import robotran.world.Point
+import kotlin.io.encoding.Base64
+import kotlin.random.Random
+import kotlin.test.Test
+import kotlin.test.assertContentEquals
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertIs
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
+
+class LinkTest {
+    private suspend fun refusal(link: String): String = assertIs<LinkResult.Refused>(openLink(link)).message
+
+    private suspend fun linkTo(project: Project): String = assertIs<LinkMaking.Made>(linkOf(project)).fragment
+
+    private val broken = "The link is broken or not whole; perhaps a part of it was lost when it was copied."
+
+    @Test
+    fun `links hold worlds and projects`() = runTest {
+        val world = assertIs<LinkMaking.Made>(linkOf(BuiltInWorlds.plain)).fragment
+        assertTrue(Regex("#w=a[A-Za-z0-9_-]+").matches(world), world)
+        assertTrue(world.length < 400, "$world has ${world.length} characters")
+        assertEquals<LinkResult>(LinkResult.OfWorld(BuiltInWorlds.plain), openLink(world))
+        assertEquals<LinkResult>(LinkResult.OfProject(FULL_PROJECT), openLink(linkTo(FULL_PROJECT)))
+    }
+
+    @Test
+    fun `a link may be a whole address with blanks around it`() = runTest {
+        val link = linkTo(FULL_PROJECT)
+        listOf("https://school.example/robotran/$link", "  $link\n", link.drop(1)).forEach {
+            assertEquals<LinkResult>(LinkResult.OfProject(FULL_PROJECT), openLink(it))
+        }
+    }
+
+    @Test
+    fun `links of other platforms can be read`() = runTest {
+        for (link in RECORDED) assertEquals<LinkResult>(LinkResult.OfProject(FULL_PROJECT), openLink(link))
+    }
+
+    @Test
+    fun `what is no link is refused`() = runTest {
+        val noLink = "This is not a link to a world or a project of Robotran."
+        listOf("", "#", "square.robo", "https://school.example/#about", "#x=abc", "w").forEach { assertEquals(noLink, refusal(it)) }
+        assertEquals("This link was made by a newer Robotran.", refusal("#w=bAAAA"))
+        assertEquals(broken, refusal("#w="))
+        assertEquals(broken, refusal("#w=1AAA"))
+        assertEquals("The link is too long: more than 100000 characters.", refusal("#w=a" + "A".repeat(100_000)))
+    }
+
+    @Test
+    fun `a link that was cut off anywhere is refused`() = runTest {
+        val link = linkTo(FULL_PROJECT)
+        for (length in 4..<link.length) assertEquals(broken, refusal(link.take(length)))
+    }
+
+    @Test
+    fun `a link with anything behind it is refused`() = runTest {
+        listOf("A", "AAAA", "=", ".", " x", "ä", "%20").forEach { assertEquals(broken, refusal(linkTo(FULL_PROJECT) + it)) }
+    }
+
+    @Test
+    fun `a link with any letter changed gives a result`() = runTest {
+        val random = Random(2005)
+        val link = linkTo(FULL_PROJECT)
+        repeat(500) {
+            val place = random.nextInt(4, link.length)
+            val letter = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_".random(random)
+            when (val result = openLink(link.replaceRange(place, place + 1, letter.toString()))) {
+                is LinkResult.OfProject -> assertEquals<LinkResult>(result, openLink(linkTo(result.project)))
+                is LinkResult.OfWorld -> throw AssertionError("a project became a world")
+                is LinkResult.Refused -> assertTrue(result.message.endsWith("."), result.message)
+            }
+        }
+    }
+
+    @Test
+    fun `a link that holds something else says what is wrong with it`() = runTest {
+        val link = "#w=a" + Base64.UrlSafe.withPadding(Base64.PaddingOption.ABSENT).encode(deflate("{}".encodeToByteArray()))
+        assertEquals("What the link holds cannot be used. This is not a Robotran world: a world file says \"format\": \"robotran-world\".", refusal(link))
+        assertTrue(refusal(linkTo(FULL_PROJECT).replace("#p=", "#w=")).startsWith("What the link holds cannot be used. This is not a Robotran world"))
+    }
+
+    @Test
+    fun `a link that would grow without end is refused`() = runTest {
+        val bomb = deflate(ByteArray(50_000_000))
+        assertTrue(bomb.size < 60_000, "${bomb.size} bytes")
+        assertEquals(broken, refusal("#p=a" + Base64.UrlSafe.withPadding(Base64.PaddingOption.ABSENT).encode(bomb)))
+    }
+
+    @Test
+    fun `what is too long for a link is told so`() = runTest {
+        val random = Random(1)
+        val rows = List(500) { List(400) { "0123456789abcdef".random(random) }.joinToString("") }
+        val world = BuiltInWorlds.plain.copy(marks = listOf(Mark(MarkFigure.GreyMap(Point(0.0, 0.0), 0.1, rows))))
+        val message = assertIs<LinkMaking.TooLong>(linkOf(world)).message
+        assertTrue(Regex("This world is too long for a link: it would take \\d+ characters, and 100000 are the most\\. Share its file instead\\.").matches(message))
+    }
+
+    @Test
+    fun `any bytes are deflated and inflated again`() = runTest {
+        val random = Random(2005)
+        listOf(0, 1, 100, 8192, 8193, 100_000).forEach { length ->
+            listOf(random.nextBytes(length), ByteArray(length) { (it % 7).toByte() }).forEach { bytes ->
+                val compressed = deflate(bytes)
+                assertContentEquals(bytes, inflate(compressed, bytes.size))
+                if (length > 0) assertNull(inflate(compressed, bytes.size - 1))
+            }
+        }
+        repeat(200) { inflate(random.nextBytes(random.nextInt(50)), 1000) }
+    }
+
+    @Test
+    fun `arguments that are links can be told from files`() {
+        assertTrue(isLink("#w=aAAAA"))
+        assertTrue(isLink("https://school.example/#p=aAAAA"))
+        assertFalse(isLink("square.robo"))
+        assertFalse(isLink("w=1.robo"))
+    }
+
+    @Test
+    fun `a project of many programs survives a link`() = runTest {
+        val random = Random(2005)
+        repeat(50) {
+            val text = List(random.nextInt(200)) { " \nabcdefghij\"\\\t\r{}äß語🤖".random(random) }.joinToString("").filterNot { it.isSurrogate() }
+            val program = ProjectProgram("p", ProgramLanguage.ROBOLANG, listOf(SourceFile("p", text)))
+            val project = FULL_PROJECT.copy(robots = listOf(ProjectRobot("ann", List(random.nextInt(1, 6)) { program })))
+            assertEquals<LinkResult>(LinkResult.OfProject(project), openLink(linkTo(project)))
+        }
+    }
+
+    private companion object {
+        /** The full project as a JVM with zlib and as Node have linked to it. */
+        val RECORDED = listOf<String>()
+    }
+}

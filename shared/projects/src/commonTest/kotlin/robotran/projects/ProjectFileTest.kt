@@ -1,0 +1,122 @@
+package robotran.projects
+
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.world.SessionInput
+import kotlin.random.Random
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
+
+class ProjectFileTest {
+    @Test
+    fun `a project is read as it was written`() {
+        assertEquals(FULL_PROJECT, loaded(writeProject(FULL_PROJECT)))
+        val least = Project(FULL_PROJECT.world)
+        assertEquals(least, loaded(writeProject(least)))
+    }
+
+    @Test
+    fun `the example of the page on projects can be read and is written as it stands there`() {
+        val text = documentedProjects.values.single()
+        val project = loaded(text)
+        assertEquals(listOf("square.robo", "Main.java"), project.robots.single().programs.map { it.name })
+        assertEquals(project, loaded(writeProject(project)))
+        assertTrue(text.substringBefore("  \"world\"") in writeProject(project), writeProject(project))
+    }
+
+    @Test
+    fun `programs are told as their reader takes them`() {
+        val a = ProgramSource.Robolang("a.robo", "beep\r\n\tbuzz // ñ🤖\u0000\n")
+        val b = ProgramSource.Java("B", listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", "")))
+        assertEquals(mapOf("bob" to listOf(a, b), "ann" to emptyList()), FULL_PROJECT.programs)
+        assertEquals(FULL_PROJECT.robots.first().programs, listOf(a, b).map { ProjectProgram.of(it) })
+        assertNull(ProjectProgram.of(ProgramSource.ClassFiles("C", emptyMap())))
+    }
+
+    @Test
+    fun `settings take the place of what the world says`() {
+        assertEquals(5, FULL_PROJECT.worldToRun.seed)
+        assertEquals(0.25, FULL_PROJECT.worldToRun.realism)
+        assertEquals(FULL_PROJECT.world, Project(FULL_PROJECT.world).worldToRun)
+    }
+
+    @Test
+    fun `what is done to something that is not there is left out`() {
+        val inputs = FULL_PROJECT.inputs.map { it.copy(input = SessionInput.SwitchLamp(2, true)) }
+        assertEquals(FULL_PROJECT.copy(inputs = emptyList()), loaded(writeProject(FULL_PROJECT.copy(inputs = inputs))))
+    }
+
+    @Test
+    fun `unknown fields are kept`() {
+        val text = writeProject(FULL_PROJECT)
+            .replaceFirst("\"seed\": 5", "\"seed\": 5, \"luck\": 1.0")
+            .replaceFirst("\"speed\": ", "\"heap\": 4, \"speed\": ")
+            .replaceFirst("\"firstProgram\"", "\"hat\": null, \"firstProgram\"")
+            .replaceFirst("\"language\"", "\"read\": true, \"language\"")
+            .replaceFirst("\"world\": {", "\"by\": \"me\", \"world\": { \"of\": \"me\", ")
+        val written = writeProject(loaded(text))
+        assertEquals(loaded(text), loaded(written))
+        listOf("\"luck\": 1.0", "\"heap\": 4", "\"hat\": null", "\"read\": true", "\"by\": \"me\"", "\"of\": \"me\"").forEach {
+            assertTrue(it in written, "$it is in\n$written")
+        }
+    }
+
+    @Test
+    fun `what is no project is refused`() {
+        val refusal = { text: String -> assertIs<ProjectFileResult.Refused>(readProject(text)).message }
+        assertEquals("This is not a Robotran project: a project file says \"format\": \"robotran-project\".", refusal("{}"))
+        assertEquals("Line 1: version is missing.", refusal("{\"format\": \"robotran-project\"}"))
+        assertEquals(
+            "This project was made by a newer Robotran (it has version 2, this Robotran reads up to 1).",
+            refusal("{\"format\": \"robotran-project\", \"version\": 2}"),
+        )
+        assertEquals("The file is not a text in UTF-8; an editor can save it as one.", assertIs<ProjectFileResult.Refused>(readProject(ByteArray(9) { -1 })).message)
+    }
+
+    @Test
+    fun `a refusal tells path and line, also in the world`() {
+        val text = writeProject(FULL_PROJECT).replaceFirst("\"thickness\": 1 ", "\"thickness\": 0 ")
+        val line = text.substringBefore("\"thickness\": 0").count { it == '\n' } + 1
+        assertEquals(
+            ProjectFileResult.Refused("Line $line: world.walls[0].thickness must be from 0.1 to 100.", line, "world.walls[0].thickness"),
+            readProject(text),
+        )
+    }
+
+    @Test
+    fun `values that are not allowed are refused with their place`() {
+        assertEquals("robots[0].name must be the name of a robot of the world.", refusalWith("\"bob\"", "\"bo\""))
+        assertEquals("robots[1] is about \"bob\", and one before is so already.", refusalWith("\"ann\"", "\"bob\""))
+        assertEquals("robots[0].firstProgram must be a whole number from 1 to 2.", refusalWith("\"firstProgram\": 2", "\"firstProgram\": 3"))
+        assertEquals("robots[0].programs[1].language must be \"robolang\" or \"java\".", refusalWith("\"java\"", "\"basic\""))
+        assertEquals("robots[0].programs[1].files[1] must not have \"size\".", refusalWith("\"name\": \"C.java\"", "\"size\": 5, \"name\": \"C.java\""))
+        assertEquals("robots[0].programs[0].text[2] must be a text in quotes.", refusalWith("\\u0000\",\n            \"\"", "\\u0000\",\n            7"))
+        assertEquals("settings.realism must be from 0 to 1.", refusalWith("\"realism\": 0.25", "\"realism\": 2"))
+        assertEquals("settings.java.mode must be \"brick\" or \"forgiving\".", refusalWith("\"forgiving\"", "\"kind\""))
+        assertEquals("inputs[1].at must not be before the input above it.", refusalWith("\"at\": 0,", "\"at\": 11,"))
+        assertEquals("inputs[0].button must be \"on-off\", \"view\", \"prgm\" or \"run\".", refusalWith("\"on-off\"", "\"off\""))
+        assertEquals("inputs[3].robot must be the name of a robot of the world.", refusalWith("\"placeRobot\", \"robot\": \"bob\"", "\"placeRobot\", \"robot\": 1"))
+        assertEquals("inputs[4].lamp must be a whole number from 1 to 2.", refusalWith("\"lamp\": 2", "\"lamp\": 3"))
+        assertEquals("inputs[8].port must be a whole number from 1 to 3.", refusalWith("\"port\": 3", "\"port\": 4"))
+        assertEquals("inputs[2] must not have \"x\".", refusalWith("\"stop\"", "\"stop\", \"x\": 1"))
+        assertTrue(refusalWith("\"stop\"", "\"halt\"").startsWith("inputs[2].kind must be \"press\", \"release\""))
+    }
+
+    @Test
+    fun `a project with any byte changed or cut off anywhere gives a result that holds`() {
+        val random = Random(2005)
+        val file = writeProject(FULL_PROJECT).encodeToByteArray()
+        repeat(2000) {
+            val changed = file.copyOf()
+            repeat(random.nextInt(1, 4)) { changed[random.nextInt(changed.size)] = random.nextInt(256).toByte() }
+            when (val result = readProject(changed)) {
+                is ProjectFileResult.Loaded -> assertEquals<ProjectFileResult>(result, readProject(writeProject(result.project)))
+                is ProjectFileResult.Refused -> assertTrue(result.message.endsWith("."), result.message)
+            }
+        }
+        for (length in 0..<file.indexOfLast { it == '}'.code.toByte() }) assertIs<ProjectFileResult.Refused>(readProject(file.copyOf(length)))
+    }
+}

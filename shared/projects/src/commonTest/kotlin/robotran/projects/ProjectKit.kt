@@ -1,0 +1,62 @@
+package robotran.projects
+
+import robotran.programs.JavaSettings
+import robotran.programs.SourceFile
+import robotran.rom.BrickButton
+import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.TinyVmSpeed
+import robotran.world.BuiltInWorlds
+import robotran.world.Lamp
+import robotran.world.LightFacing
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.RecordedInput
+import robotran.world.RobotColour
+import robotran.world.RobotPlace
+import robotran.world.SessionInput
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+
+/** A project with something of everything that a file can hold. */
+internal val FULL_PROJECT = Project(
+    world = BuiltInWorlds.plain.copy(
+        robots = listOf(RobotPlace(Pose(20.0, 20.0, 0.0), "ann"), RobotPlace(Pose(60.0, 20.0, 0.0), "bob", RobotColour.BLUE)),
+        lamps = listOf(Lamp(Point(1.0, 2.0)), Lamp(Point(3.0, 4.0))),
+    ),
+    robots = listOf(
+        ProjectRobot(
+            "bob",
+            listOf(
+                ProjectProgram("a.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("a.robo", "beep\r\n\tbuzz // ñ🤖\u0000\n"))),
+                ProjectProgram("B", ProgramLanguage.JAVA, listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", ""))),
+            ),
+            firstProgram = 1,
+            lightFacing = LightFacing.FORWARD,
+        ),
+        ProjectRobot("ann"),
+    ),
+    settings = ProjectSettings(seed = 5, realism = 0.25, java = JavaSettings(TinyVmMode.FORGIVING, TinyVmSpeed.UNLIMITED)),
+    inputs = listOf(
+        RecordedInput(0, SessionInput.Press(BrickButton.ON_OFF)),
+        RecordedInput(10, SessionInput.Release(BrickButton.ON_OFF, 1)),
+        RecordedInput(10, SessionInput.Stop),
+        RecordedInput(20, SessionInput.PlaceRobot(1, Pose(-5.5, 6.0, 270.0))),
+        RecordedInput(30, SessionInput.MoveLamp(1, Point(0.125, 9.0))),
+        RecordedInput(40, SessionInput.SwitchLamp(0, false)),
+        RecordedInput(50, SessionInput.ChangeAmbientLight(-0.5)),
+        RecordedInput(60, SessionInput.ChangeTemperature(30.0)),
+        RecordedInput(5_000_000, SessionInput.TouchSensor(1, 2, true)),
+    ),
+)
+
+internal fun loaded(text: String): Project = when (val result = readProject(text)) {
+    is ProjectFileResult.Loaded -> result.project
+    is ProjectFileResult.Refused -> throw AssertionError(result.message)
+}
+
+/** What is said about the full project with [new] in place of the first [old]. */
+internal fun refusalWith(old: String, new: String): String {
+    val text = writeProject(FULL_PROJECT)
+    assertTrue(old in text, "$old is in\n$text")
+    return assertIs<ProjectFileResult.Refused>(readProject(text.replaceFirst(old, new))).message.substringAfter(": ")
+}
