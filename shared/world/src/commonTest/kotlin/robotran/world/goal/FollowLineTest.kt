@@ -6,6 +6,7 @@ import robotran.world.GoalStatus
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Point
+import robotran.world.length
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -28,7 +29,7 @@ class FollowLineTest {
 
     /** Drives the sensor through these places, half a centimetre at a time. */
     private fun Run.drive(vararg places: Pair<Double, Double>) = places.toList().zipWithNext { from, to ->
-        val steps = (2 * robotran.world.length(to.first - from.first, to.second - from.second)).toInt() + 1
+        val steps = (2 * length(to.first - from.first, to.second - from.second)).toInt() + 1
         for (step in 0..steps) {
             val share = step.toDouble() / steps
             sensorAt(from.first + share * (to.first - from.first), from.second + share * (to.second - from.second))

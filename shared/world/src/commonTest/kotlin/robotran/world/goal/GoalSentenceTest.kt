@@ -78,9 +78,12 @@ class GoalSentenceTest {
 
     @Test
     fun `a region is told by the ninth of the paper that it is in`() = runTest {
-        val words =
-            listOf("at the bottom left", "at the bottom", "at the bottom right", "on the left", "in the middle", "on the right", "at the top left", "at the top", "at the top right")
-        words.forEachIndexed { number, word ->
+        val rows = listOf(
+            listOf("at the bottom left", "at the bottom", "at the bottom right"),
+            listOf("on the left", "in the middle", "on the right"),
+            listOf("at the top left", "at the top", "at the top right"),
+        )
+        rows.flatten().forEachIndexed { number, word ->
             val region = Shape.Circle(Point(17.0 + 33 * (number % 3), 13.0 + 27 * (number / 3)), 5.0)
             assertEquals("Keep your robot in the marked area $word.", sentence(Goal.StayIn(region)))
         }
