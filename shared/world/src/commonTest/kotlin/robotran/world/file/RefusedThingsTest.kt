@@ -135,7 +135,13 @@ class RefusedThingsTest {
 
     @Test
     fun `goals lie in one another four deep at most`() {
-        fun nested(depth: Int): String = if (depth == 1) "{ \"kind\": \"drawTemplate\" }" else "{ \"kind\": \"all\", \"goals\": [${nested(depth - 1)}] }"
+        fun nested(depth: Int): String = if (depth ==
+            1
+        ) {
+            "{ \"kind\": \"drawTemplate\" }"
+        } else {
+            "{ \"kind\": \"all\", \"goals\": [${nested(depth - 1)}] }"
+        }
         loaded(FULL_WORLD.replaceFirst("\"goals\": [\n", "\"goals\": [\n${nested(4)},"))
         assertEquals(
             "goals[0].goals[0].goals[0].goals[0].goals",

@@ -7,8 +7,9 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class WorldCountsTest {
-    private val start = "\"format\": \"robotran-world\", \"version\": 2, \"title\": \"T\", \"paper\": {\"width\": 1000, \"height\": 1000}, " +
-        "\"robots\": [{\"start\": {\"x\": 900, \"y\": 900, \"heading\": 0}}]"
+    private val start =
+        "\"format\": \"robotran-world\", \"version\": 2, \"title\": \"T\", \"paper\": {\"width\": 1000, \"height\": 1000}, " +
+            "\"robots\": [{\"start\": {\"x\": 900, \"y\": 900, \"heading\": 0}}]"
 
     private fun refused(fields: String): String = assertIs<WorldFileResult.Refused>(readWorld("{$start, $fields}")).message
 
