@@ -2,10 +2,12 @@ package robotran.desktop.cli.grade
 
 import com.github.ajalt.mordant.rendering.AnsiLevel
 import com.github.ajalt.mordant.rendering.BorderType
+import com.github.ajalt.mordant.rendering.OverflowWrap
 import com.github.ajalt.mordant.rendering.TextAlign
 import com.github.ajalt.mordant.rendering.Whitespace
 import com.github.ajalt.mordant.table.table
 import com.github.ajalt.mordant.terminal.Terminal
+import robotran.desktop.files.nameOf
 import robotran.world.GoalProgress
 import robotran.world.GoalStatus
 import robotran.world.grade.Grade
@@ -22,14 +24,17 @@ internal class GradeTables(
     /** One program in full: goal by goal, then the seeds that failed. */
     fun ofProgram(program: ProgramGrades.Graded): String {
         val rows = goalRows(program.grades.map { it.goals }, "")
-        val table = render(listOf("goal", "met with", "least done"), rows)
+        val table = render(listOf("goal", "seeds met", "least done"), rows)
         val failed = program.grades.filterNot { it.passed }
         return (listOf(table, sentence(program)) + failed.take(MOST_TOLD).flatMap { failure(program.name, it) } + rest(failed)).joinToString("\n")
     }
 
     /** Several programs, a row for each, and for each that failed the first seed that it did with. */
     fun ofClass(programs: List<ProgramGrades>): String {
-        val table = render(listOf("program", "passed with", "first goal that was missed"), programs.map(::classRow))
+        val names = programs.map { nameOf(it.name) }
+        val areUnique = names.toSet().size == names.size
+        val rows = programs.zip(names) { program, name -> listOf(if (areUnique) name else program.name) + classRow(program) }
+        val table = render(listOf("program", "seeds passed", "first goal that was missed"), rows)
         val failures = programs.filterIsInstance<ProgramGrades.Graded>().mapNotNull { program ->
             program.grades.firstOrNull { !it.passed }?.let { "${program.name}: ${commandFor(program.name, it.seed)}" }
         }
@@ -40,11 +45,11 @@ internal class GradeTables(
         when (program) {
             is ProgramGrades.Graded -> {
                 val missed = program.grades.firstNotNullOfOrNull { firstUnmet(it.goals) }
-                listOf(program.name, "${program.passed} of ${program.grades.size}", missed?.sentence.orEmpty())
+                listOf("${program.passed} of ${program.grades.size}", missed?.sentence.orEmpty())
             }
 
             is ProgramGrades.Refused -> {
-                listOf(program.name, "-", "It cannot run: it has mistakes.")
+                listOf("-", "It cannot run: it has mistakes.")
             }
         }
 
@@ -86,6 +91,7 @@ internal class GradeTables(
         val widget = table {
             borderType = BorderType.ASCII
             whitespace = Whitespace.PRE_WRAP
+            overflowWrap = OverflowWrap.BREAK_WORD
             header { rowFrom(header) }
             column(1) { align = TextAlign.RIGHT }
             body { rows.forEach(::rowFrom) }

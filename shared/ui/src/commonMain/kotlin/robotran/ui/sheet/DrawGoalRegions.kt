@@ -1,6 +1,7 @@
 package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Path
@@ -12,7 +13,14 @@ import androidx.compose.ui.text.TextMeasurer
 import robotran.world.GoalProgress
 import kotlin.math.max
 
-internal class RegionDrawing(val region: GoalRegion, val path: Path)
+internal class RegionDrawing(val region: GoalRegion, transform: SheetTransform) {
+    val path = pathOf(region.shape, transform)
+
+    /** Where its flag is put, with so much room around it. */
+    val flag: Rect = roomiestPlace(region.shape).let { (place, room) ->
+        Rect(transform.toPixels(place.x, place.y), (room * transform.pixelsPerCentimetre).toFloat())
+    }
+}
 
 /** To be reached: green with a flag, fuller once it is reached. Not to be entered: red dashes. Not to be left: long blue-grey dashes. */
 internal fun DrawScope.drawRegion(drawing: RegionDrawing, goals: List<GoalProgress>, transform: SheetTransform, labels: TextMeasurer?) {
@@ -43,7 +51,7 @@ private fun DrawScope.drawDashes(path: Path, colour: Color, width: Float, dash: 
 
 /** A chequered flag in the middle of the region, and which one it is if there are several in an order. */
 private fun DrawScope.drawFlag(drawing: RegionDrawing, transform: SheetTransform, labels: TextMeasurer?) {
-    val bounds = drawing.path.getBounds()
+    val bounds = drawing.flag
     val size = minOf(bounds.minDimension * FLAG_PART, MOST_FLAG_CENTIMETRES * transform.pixelsPerCentimetre)
     val number = drawing.region.number
     val middle = if (number != null && labels != null) bounds.center - Offset(size * 0.25f, 0f) else bounds.center

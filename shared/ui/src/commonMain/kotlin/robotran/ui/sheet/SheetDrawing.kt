@@ -14,7 +14,7 @@ class SheetDrawing(
 ) {
     internal val marks: List<MarkDrawing> = world.marks.map { markDrawing(it, transform) }
     internal val template: Path? = world.template?.let { templatePath(it, transform) }
-    internal val regions: List<RegionDrawing> = goalRegions(world.goals).map { RegionDrawing(it, pathOf(it.shape, transform)) }
+    internal val regions: List<RegionDrawing> = goalRegions(world.goals).map { RegionDrawing(it, transform) }
     internal val solids = SolidsDrawing(world, transform)
     internal val blocks: List<BlockDrawing> = world.blocks.map { BlockDrawing(it.shape, transform) }
     internal val glow = GlowDrawing(world, transform)

@@ -193,6 +193,14 @@ class SheetThingsTest {
         assertEquals(listOf(listOf(0), listOf(1, 0), listOf(1, 2)), regions.map { it.where })
     }
 
+    @Test
+    fun `the flag of a dented region is put where there is room for it`() {
+        val hook = listOf(0.0 to 0.0, 40.0 to 0.0, 40.0 to 4.0, 12.0 to 4.0, 12.0 to 40.0, 0.0 to 40.0).map { (x, y) -> Point(x, y) }
+        val (place, room) = roomiestPlace(Shape.Polygon(hook))
+        assertTrue(place.x in 4.0..8.0 && place.y in 4.0..36.0, place.toString())
+        assertTrue(room in 4.0..6.5, room.toString())
+    }
+
     private fun area(shape: Shape, shade: Shade) = Mark(MarkFigure.Area(shape), shade)
 
     private fun box(x: Double, y: Double, side: Double = 2.0) = Shape.Rectangle(Point(x, y), side, side)

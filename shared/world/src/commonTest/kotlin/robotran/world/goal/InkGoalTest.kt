@@ -6,7 +6,9 @@ import robotran.world.GoalStatus
 import robotran.world.Ink
 import robotran.world.InkStroke
 import robotran.world.InkWriter
+import robotran.world.Paper
 import robotran.world.Point
+import robotran.world.SimulationLimits
 import robotran.world.Template
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -100,6 +102,23 @@ class InkGoalTest {
         assertEquals(late.excess, watching.excess)
         assertTrue(late.coverage in 0.5..0.75, "${late.coverage}")
         assertTrue(late.excess in 0.1..0.3, "${late.excess}")
+    }
+
+    @Test
+    fun `the largest drawing over the largest template is judged while it grows`() {
+        val paper = Paper(1000.0, 1000.0)
+        val template = Template(List(200) { row -> List(100) { Point(it * 10.0, row * 5.0 + if (it % 2 == 0) 0.0 else 4.0) } })
+        val tracing = Tracing(template, tolerance = 1.0)
+        val writer = InkWriter(paper, robots = 1)
+        val corners = SimulationLimits.MAXIMUM_INK_POINTS
+        for (number in 0..<corners) {
+            val row = number / 1000
+            writer.move(0, if (row % 2 == 0) number % 1000.0 else 999.0 - number % 1000, row * 5.0 + number % 2, down = true)
+            tracing.follow(writer.ink)
+        }
+        assertTrue(writer.ink.strokes.single().points.size > corners / 2)
+        assertTrue(tracing.coverage in 0.1..0.9, "${tracing.coverage}")
+        assertTrue(tracing.excess in 0.1..2.0, "${tracing.excess}")
     }
 
     @Test
