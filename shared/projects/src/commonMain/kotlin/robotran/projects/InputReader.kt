@@ -28,12 +28,18 @@ internal class InputReader(private val world: World) {
             InputKind.PRESS -> SessionInput.Press(place.member("button").choice(BUTTONS), robot(place))
             InputKind.RELEASE -> SessionInput.Release(place.member("button").choice(BUTTONS), robot(place))
             InputKind.STOP -> SessionInput.Stop
-            InputKind.PLACE_ROBOT -> SessionInput.PlaceRobot(robot(place), Pose(number(place, "x"), number(place, "y"), number(place, "heading")))
+            InputKind.PLACE_ROBOT -> {
+                val pose = Pose(number(place, "x"), number(place, "y"), number(place, "heading"))
+                SessionInput.PlaceRobot(robot(place), pose)
+            }
             InputKind.MOVE_LAMP -> SessionInput.MoveLamp(lamp(place), Point(number(place, "x"), number(place, "y")))
             InputKind.SWITCH_LAMP -> SessionInput.SwitchLamp(lamp(place), place.member("on").flag())
             InputKind.LIGHT -> SessionInput.ChangeAmbientLight(number(place, "light"))
             InputKind.TEMPERATURE -> SessionInput.ChangeTemperature(number(place, "celsius"))
-            else -> SessionInput.TouchSensor(robot(place), place.member("port").wholeNumber(1..InputKind.PORTS) - 1, place.member("pressed").flag())
+            else -> {
+                val port = place.member("port").wholeNumber(1..InputKind.PORTS) - 1
+                SessionInput.TouchSensor(robot(place), port, place.member("pressed").flag())
+            }
         }
     }
 

@@ -87,7 +87,10 @@ internal fun complaint(old: String, new: String, line: Int = FULL_WORLD.substrin
 /** Checks what is true of whatever is read: a world is written and read as the same one, a refusal has a sentence and places that fit. */
 internal fun holds(result: WorldFileResult) {
     when (result) {
-        is WorldFileResult.Loaded -> assertEquals<WorldFileResult>(result, readWorld(writeWorld(result.world)))
+        is WorldFileResult.Loaded -> {
+            assertEquals<WorldFileResult>(result, readWorld(writeWorld(result.world)))
+        }
+
         is WorldFileResult.Refused -> {
             assertTrue(result.message.endsWith("."), result.message)
             assertTrue(result.path.isEmpty() || result.line != null, result.message)

@@ -35,15 +35,23 @@ internal object WorldSchema {
             val inner = element.mapValues { closed(it.value) }
             JsonObject(if (element["type"] == JsonPrimitive("object")) inner + ("unevaluatedProperties" to JsonPrimitive(false)) else inner)
         }
-        is JsonArray -> JsonArray(element.map(::closed))
-        else -> element
+
+        is JsonArray -> {
+            JsonArray(element.map(::closed))
+        }
+
+        else -> {
+            element
+        }
     }
 
     private fun fieldsOf(element: JsonElement): Set<String> = when (element) {
         is JsonObject -> element.flatMap { (name, value) ->
             if (name == "properties") value.jsonObject.keys + value.jsonObject.values.flatMap(::fieldsOf) else fieldsOf(value)
         }.toSet()
+
         is JsonArray -> element.flatMap(::fieldsOf).toSet()
+
         else -> emptySet()
     }
 }

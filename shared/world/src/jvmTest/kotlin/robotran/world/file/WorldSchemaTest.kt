@@ -1,7 +1,7 @@
 package robotran.world.file
 
-import io.kotest.property.arbitrary.take
 import io.kotest.property.RandomSource
+import io.kotest.property.arbitrary.take
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
@@ -67,9 +67,11 @@ class WorldSchemaTest {
     /** What a value might be by mistake; null for not being there at all. */
     private fun others(value: JsonElement): List<JsonElement?> = listOf(
         null, JsonNull, JsonPrimitive(true), JsonPrimitive(""), JsonPrimitive(" "), JsonPrimitive("x"), JsonPrimitive("#12345g"),
-        JsonPrimitive(-1), JsonPrimitive(0), JsonPrimitive(0.05), JsonPrimitive(1.5), JsonPrimitive(19), JsonPrimitive(1e9), JsonPrimitive(-1e9),
+        JsonPrimitive(-1), JsonPrimitive(0), JsonPrimitive(0.05), JsonPrimitive(1.5), JsonPrimitive(19),
+        JsonPrimitive(1e9), JsonPrimitive(-1e9),
         JsonPrimitive(3), JsonPrimitive("e".repeat(501)), JsonArray(emptyList()), JsonObject(emptyMap()), JsonArray(listOf(value)),
-        JsonArray(listOf(value, value)), JsonArray(List(1001) { value }), (value as? JsonArray)?.let { JsonArray(it.dropLast(1)) } ?: JsonNull,
+        JsonArray(listOf(value, value)), JsonArray(List(1001) { value }),
+        (value as? JsonArray)?.let { JsonArray(it.dropLast(1)) } ?: JsonNull,
         (value as? JsonPrimitive)?.let { JsonPrimitive(it.content) } ?: JsonNull,
     )
 
@@ -79,10 +81,12 @@ class WorldSchemaTest {
             val replaced = others(value).map { other -> JsonObject(if (other == null) element - name else element + (name to other)) }
             replaced + changes(value, others).map { JsonObject(element + (name to it)) }
         }
+
         is JsonArray -> element.indices.flatMap { number ->
             fun with(other: JsonElement?) = JsonArray(element.take(number) + listOfNotNull(other) + element.drop(number + 1))
             others(element[number]).map(::with) + changes(element[number], others).map(::with)
         }
+
         else -> emptyList()
     }
 
