@@ -126,9 +126,13 @@ internal class ProgramRunner(
             }
 
             // As it is graded, so that goals come out the same.
-            session.world.goals.isNotEmpty() -> session.runForGoals(milliseconds, endsWhenDecided = false)
+            session.world.goals.isNotEmpty() -> {
+                session.runForGoals(milliseconds, endsWhenDecided = false)
+            }
 
-            else -> session.runUnattended(milliseconds)
+            else -> {
+                session.runUnattended(milliseconds)
+            }
         }
     }
 

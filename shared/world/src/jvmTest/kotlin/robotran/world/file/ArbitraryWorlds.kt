@@ -107,13 +107,18 @@ private class ArbitraryWorld(private val random: Random) {
             6 -> if (lines.isEmpty()) goal(depth) else followLine()
             7 -> Goal.EndWithin(seconds(), any(robots), maybe(::text), unknown())
             8 -> Goal.ShowOnDisplay("HELLO".take(random.nextInt(1, 6)), any(robots), maybe(::text), unknown())
-            9 -> Goal.PlaySound(random.nextInt(1, 1001), maybe { random.nextInt(31, 440) }, maybe { 440 }, any(robots), maybe(::text), unknown())
+            9 -> playSound()
             10 -> Goal.InOrder(goals(depth), maybe(::text), unknown())
             11 -> Goal.All(goals(depth), maybe(::text), unknown())
             else -> Goal.AnyOf(goals(depth), maybe(::text), unknown())
         }
 
         private fun touchKinds() = TouchKind.entries.shuffled(random).take(random.nextInt(1, 5)).toSet()
+
+        private fun playSound(): Goal.PlaySound {
+            val lowest = maybe { random.nextInt(31, 440) }
+            return Goal.PlaySound(random.nextInt(1, 1001), lowest, maybe { 440 }, any(robots), maybe(::text), unknown())
+        }
 
         private fun drawTemplate() = Goal.DrawTemplate(number(0.1, 100.0), number(0.0, 1.0), number(0.0, 100.0), maybe(::text), unknown())
 
