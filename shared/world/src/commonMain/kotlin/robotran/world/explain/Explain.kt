@@ -47,7 +47,7 @@ internal class Explanation(
 
     private fun slip() = (left.slip + right.slip).let { told(Cause.SLIP, it, LEAST_LENGTH) { messages.slip(text(it)) } }
 
-    private fun spin() = (left.spin + right.spin).let { told(Cause.SPIN, it, LEAST_LENGTH) { messages.spin(text(it)) } }
+    private fun spin() = (left.spin + right.spin).let { told(Cause.SPIN, it, LEAST_SPIN) { messages.spin(text(it)) } }
 
     private fun battery() = ((abs(left.battery) + abs(right.battery)) / 2).let {
         told(Cause.BATTERY, it, LEAST_LENGTH) { messages.battery(text(machine.battery.volts), text(it)) }
@@ -73,6 +73,9 @@ internal class Explanation(
     private companion object {
         const val LEAST_LENGTH = 0.05
         const val LEAST_ANGLE = 0.05
+
+        /** In each change from driving to turning the tyres slip by a hair, which is part of the calibration. */
+        const val LEAST_SPIN = 1.0
         const val LEAST_RAW = 0.5
         const val PER_CENT = 100.0
         const val TENTH = 100L
