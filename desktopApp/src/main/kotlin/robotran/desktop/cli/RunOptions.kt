@@ -1,11 +1,11 @@
 package robotran.desktop.cli
 
 import com.github.ajalt.clikt.core.ParameterHolder
+import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
-import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import robotran.programs.JavaSettings
 import robotran.tinyvm.TinyVmMode
 import robotran.tinyvm.TinyVmSpeed

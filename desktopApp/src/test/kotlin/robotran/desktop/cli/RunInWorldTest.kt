@@ -24,7 +24,8 @@ class RunInWorldTest : CommandTest() {
         return console.said.single()
     }
 
-    private fun traceHash(vararg arguments: String) = run(*arguments, "--report", "-").substringAfter("\"traceHash\": \"").substringBefore('"')
+    private fun traceHash(vararg arguments: String) =
+        run(*arguments, "--report", "-").substringAfter("\"traceHash\": \"").substringBefore('"')
 
     @Test
     fun `seed and realism of the world can be changed`() {
@@ -36,7 +37,8 @@ class RunInWorldTest : CommandTest() {
 
     @Test
     fun `a seed or a realism that makes no sense is refused`() {
-        for (option in listOf("--seed=-1", "--seed=x", "--seed=2147483648", "--realism=1.5", "--realism=much", "--robot=red", "--robot==$forward")) {
+        val seeds = listOf("--seed=-1", "--seed=x", "--seed=2147483648")
+        for (option in seeds + listOf("--realism=1.5", "--realism=much", "--robot=red", "--robot==$forward")) {
             console.complaints.clear()
             assertEquals(2, commandLine.execute(listOf("run", forward, "--world", world, option)), option)
             assertContains(console.complaints.single(), option.substringAfter('='))

@@ -80,7 +80,8 @@ class RealismTest {
         val told = session.explain().associateBy { it.cause }
         assertTrue(Cause.START_HEADING in told && Cause.BATTERY in told && Cause.SLIP in told && Cause.LIGHT_BIAS in told, told.toString())
         assertTrue(told.values.all { it.robot == "yellow" && it.sentence.endsWith(".") })
-        val turn = told.getValue(Cause.RIGHT_STRENGTH).amount - told.getValue(Cause.LEFT_STRENGTH).amount - (told[Cause.FLUTTER]?.amount ?: 0.0)
+        val turn =
+            told.getValue(Cause.RIGHT_STRENGTH).amount - told.getValue(Cause.LEFT_STRENGTH).amount - (told[Cause.FLUTTER]?.amount ?: 0.0)
         val expected = told.getValue(Cause.START_HEADING).amount + turn / Penbot.WHEEL_TRACK / RADIANS_PER_DEGREE
         assertEquals(expected, session.state.robot.pose.heading, 4.0)
     }

@@ -58,7 +58,13 @@ class RunReportTest {
     @Test
     fun `goals are told with their parts`() = runTest {
         val goals = listOf(Goal.All(listOf(Goal.InkLength(2.0, null, says = "Draw."), Goal.NeverTouch(says = "Touch nothing."))))
-        val session = runToEnd(ScriptedProgram { penDown(); forward(3.0) }, BuiltInWorlds.plain.copy(goals = goals))
+        val session = runToEnd(
+            ScriptedProgram {
+                penDown()
+                forward(3.0)
+            },
+            BuiltInWorlds.plain.copy(goals = goals),
+        )
         val expected = listOf("met" to "pending", "met" to "met")
         for ((draws, touches) in expected) {
             val all = Json.parseToJsonElement(session.report().toJson()).jsonObject.getValue("goals").jsonArray.single().jsonObject

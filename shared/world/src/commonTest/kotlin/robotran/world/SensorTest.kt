@@ -139,6 +139,7 @@ class SensorTest {
     @Test
     fun `something close ahead sends the sensor's own light back`() = runTest {
         val ahead = sheet.with(LightFacing.FORWARD)
+
         fun at(distance: Double) = listOf(Barrier(Shape.Rectangle(Point(50.0 + Penbot.LIGHT_SENSOR_PLACE + distance + 2, 40.0), 4.0, 20.0)))
         val near = light(ahead.copy(barriers = at(5.0)))
         val far = light(ahead.copy(barriers = at(15.0)))
@@ -168,7 +169,11 @@ class SensorTest {
             activate(port = 0)
             forward(Penbot.WHEEL_CIRCUMFERENCE + 0.5)
         }
-        val world = sheet.copy(robots = sheet.robots.map { it.copy(ports = listOf(listOf(PortSensor.LEFT_ROTATION), emptyList(), emptyList())) })
+        val world = sheet.copy(
+            robots = sheet.robots.map {
+                it.copy(ports = listOf(listOf(PortSensor.LEFT_ROTATION), emptyList(), emptyList()))
+            },
+        )
         val session = startRun(program, world)
         val seen = mutableListOf<Int>()
         repeat(1_000) {
@@ -182,7 +187,8 @@ class SensorTest {
     @Test
     fun `two sensors on a port give the lower value, a finger presses a touch sensor, and warmth is measured`() = runTest {
         val ports = listOf(listOf(PortSensor.TOUCH, PortSensor.LIGHT), listOf(PortSensor.TEMPERATURE), emptyList())
-        val session = startRun(ScriptedProgram { pause(9_000) }, sheet.copy(robots = sheet.robots.map { it.copy(ports = ports) }, temperature = 25.0))
+        val session =
+            startRun(ScriptedProgram { pause(9_000) }, sheet.copy(robots = sheet.robots.map { it.copy(ports = ports) }, temperature = 25.0))
         session.advance(10)
         val light = session.raw(1)
         session.apply(SessionInput.TouchSensor(robot = 0, port = 0, pressed = true))

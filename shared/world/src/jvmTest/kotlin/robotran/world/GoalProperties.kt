@@ -37,10 +37,12 @@ class GoalProperties : StringSpec({
     val coordinate = Arb.double(0.0, 80.0, includeNaNs = false)
     val shape: Arb<Shape> = arbitrary {
         val centre = Point(coordinate.bind(), coordinate.bind())
-        if (Arb.boolean().bind()) Shape.Circle(centre, Arb.double(1.0, 30.0).bind()) else Shape.Rectangle(centre, 20.0, 30.0, coordinate.bind())
+        val isRound = Arb.boolean().bind()
+        if (isRound) Shape.Circle(centre, Arb.double(1.0, 30.0).bind()) else Shape.Rectangle(centre, 20.0, 30.0, coordinate.bind())
     }
     val who = Arb.element("red", "ball", "nobody", "yellow").orNull(0.4)
     val seconds = Arb.int(0..4).orNull(0.5)
+    val lines = Arb.element("loop", "road", "none")
 
     val single: Arb<Goal> = arbitrary {
         val region = shape.bind()
@@ -52,7 +54,7 @@ class GoalProperties : StringSpec({
             4 -> Goal.NeverTouch(Arb.list(Arb.element(TouchKind.entries), 1..4).bind().toSet(), name)
             5 -> Goal.DrawTemplate(Arb.double(0.1, 9.0).bind(), Arb.double(0.0, 1.0).bind(), Arb.double(0.0, 2.0).bind())
             6 -> Goal.InkLength(coordinate.orNull().bind(), coordinate.orNull().bind())
-            7 -> Goal.FollowLine(Arb.element("loop", "road", "none").bind(), Arb.double(0.1, 3.0).bind(), Arb.double(0.1, 9.0).bind(), name, seconds.bind())
+            7 -> Goal.FollowLine(lines.bind(), Arb.double(0.1, 3.0).bind(), Arb.double(0.1, 9.0).bind(), name, seconds.bind())
             8 -> Goal.EndWithin(Arb.int(1..4).bind(), name)
             else -> Goal.PlaySound(Arb.int(1..5).bind(), Arb.element(300, 500).orNull().bind(), null, name)
         }
@@ -71,13 +73,12 @@ class GoalProperties : StringSpec({
         }
     }
 
-    data class Moment(val x: Double, val y: Double, val heading: Double, val touches: TouchKind?, val tones: Int, val down: Boolean, val ends: Boolean)
+    data class Moment(val pose: Pose, val touches: TouchKind?, val tones: Int, val down: Boolean, val ends: Boolean)
 
     val moment: Arb<Moment> = arbitrary {
-        Moment(
-            coordinate.bind(), coordinate.bind(), Arb.double(-180.0, 180.0).bind(), Arb.element(TouchKind.entries).orNull(0.9).bind(),
-            Arb.int(0..1).bind(), Arb.boolean().bind(), Arb.int(0..9).bind() == 0,
-        )
+        val pose = Pose(coordinate.bind(), coordinate.bind(), Arb.double(-180.0, 180.0).bind())
+        val touches = Arb.element(TouchKind.entries).orNull(0.9).bind()
+        Moment(pose, touches, Arb.int(0..1).bind(), Arb.boolean().bind(), Arb.int(0..9).bind() == 0)
     }
 
     /** Lets a judge of [goals] see the [moments], one each 100 ms, and calls after each of them. */
@@ -89,12 +90,12 @@ class GoalProperties : StringSpec({
         lateinit var last: SessionState
         moments.forEachIndexed { number, moment ->
             touched = touched + setOfNotNull(moment.touches)
-            ink.move(0, moment.x, moment.y, moment.down)
-            val pose = Pose(moment.x, moment.y, moment.heading)
+            val pose = moment.pose
+            ink.move(0, pose.x, pose.y, moment.down)
             val robot = RobotState(pose, 0.0, 0.0, moment.down, false, false, setOfNotNull(moment.touches), touched)
             val run = if (moment.ends) RunState.Ended(stopped = false) else RunState.Running(1)
             val snapshot = RobotSnapshot(brick.copy(run = run), robot, 0, emptyList(), 0)
-            val block = Pose(moment.y / 4, moment.x / 4, moment.heading)
+            val block = Pose(pose.y / 4, pose.x / 4, pose.heading)
             last = SessionState(number * 100L, List(2) { snapshot }, listOf(block), emptyList(), ink.ink, judge.progress)
             judge.observe(last, List(2) { List(moment.tones) { SoundEvent.Tone(last.milliseconds, 440.0, 100) } })
             look(judge.progress)

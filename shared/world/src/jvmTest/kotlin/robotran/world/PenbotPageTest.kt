@@ -14,7 +14,12 @@ class PenbotPageTest {
         .associate { it.groupValues[1] to it.groupValues[2].toDouble() }
 
     private val constants = listOf(Penbot::class.java, Light::class.java, Realism::class.java)
-        .flatMap { holder -> holder.declaredFields.filter { it.isFigure() }.map { "${holder.simpleName}.${it.name}" to (it.get(null) as Number).toDouble() } }
+        .flatMap { holder ->
+            holder.declaredFields.filter { it.isFigure() }.map {
+                "${holder.simpleName}.${it.name}" to
+                    (it.get(null) as Number).toDouble()
+            }
+        }
         .toMap()
 
     @Test

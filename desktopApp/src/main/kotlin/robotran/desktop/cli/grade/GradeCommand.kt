@@ -21,11 +21,18 @@ internal class GradeCommand(
     private val world by argument("WORLD", help = "a world with goals (.world.json)")
     private val programs by argument(
         "PROGRAM",
-        help = "a program, graded by itself: a file in Robolang (.robo) or leJOS Java (.java), a jar, or a folder with the files of one Java program",
+        help = "a program, graded by itself: a file in Robolang (.robo) or leJOS Java (.java), a jar, or a folder with the files of one " +
+            "Java program",
     ).multipleArguments(required = true)
-    private val seeds by option("--seeds", metavar = "A..B", help = "runs once with each of these seeds; only with the world's own if not given")
-        .convert { text -> readSeeds(text) ?: fail("$text is not two whole numbers such as 1..20, from 0 on and $MOST_SEEDS seeds at most") }
-    private val jobs by option("--jobs", metavar = "N", help = "how many runs at the same time; as many as there are processors if not given")
+    private val seeds by option("--seeds", metavar = "A..B", help = "runs once with each of these seeds; with the world's own if not given")
+        .convert { text ->
+            readSeeds(text) ?: fail("$text is not two whole numbers such as 1..20, from 0 on and $MOST_SEEDS seeds at most")
+        }
+    private val jobs by option(
+        "--jobs",
+        metavar = "N",
+        help = "how many runs at the same time; as many as there are processors if not given",
+    )
         .convert { text -> text.toIntOrNull()?.takeIf { it in 1..MOST_JOBS } ?: fail("$text is not a whole number from 1 to $MOST_JOBS") }
         .default(Runtime.getRuntime().availableProcessors().coerceIn(1, MOST_JOBS))
     private val junit by option("--junit", metavar = "FILE|-", help = "writes the grades as JUnit's XML")
@@ -35,7 +42,8 @@ internal class GradeCommand(
     override fun help(context: Context) = "Grades programs by the goals of a world."
 
     override fun helpEpilog(context: Context) =
-        "Exit status: 0 if every program met all goals with every seed; 1 if not; 2 if something given cannot be used, or a program has mistakes."
+        "Exit status: 0 if every program met all goals with every seed; 1 if not; 2 if something given cannot be used, or a program has " +
+            "mistakes."
 
     override fun run() {
         val request = GradeRequest(world, programs, seeds, jobs, options, junit, report)

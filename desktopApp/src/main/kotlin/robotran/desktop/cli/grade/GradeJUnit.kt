@@ -65,7 +65,9 @@ private fun XMLStreamWriter.case(
 ) = element("testcase", "classname" to worldTitle, "name" to name, "time" to seconds, content = content)
 
 private fun unmetLines(goals: List<GoalProgress>): List<String> =
-    goals.filter { it.status != GoalStatus.MET }.flatMap { listOf("${it.sentence} (${percent(it)})") + unmetLines(it.parts).map { line -> "  $line" } }
+    goals.filter { it.status != GoalStatus.MET }.flatMap { goal ->
+        listOf("${goal.sentence} (${percent(goal)})") + unmetLines(goal.parts).map { "  $it" }
+    }
 
 private fun XMLStreamWriter.element(
     name: String,

@@ -26,7 +26,8 @@ internal class GradeTables(
         val rows = goalRows(program.grades.map { it.goals }, "")
         val table = render(listOf("goal", "seeds met", "least done"), rows)
         val failed = program.grades.filterNot { it.passed }
-        return (listOf(table, sentence(program)) + failed.take(MOST_TOLD).flatMap { failure(program.name, it) } + rest(failed)).joinToString("\n")
+        val told = failed.take(MOST_TOLD).flatMap { failure(program.name, it) }
+        return (listOf(table, sentence(program)) + told + rest(failed)).joinToString("\n")
     }
 
     /** Several programs, a row for each, and for each that failed the first seed that it did with. */
@@ -81,8 +82,10 @@ internal class GradeTables(
         return listOf("Seed ${grade.seed}: $missed$error", "  ${commandFor(program, grade.seed)}")
     }
 
-    private fun rest(failed: List<Grade>): List<String> =
-        if (failed.size <= MOST_TOLD) emptyList() else listOf("And ${failed.size - MOST_TOLD} more: seeds ${failed.drop(MOST_TOLD).joinToString { "${it.seed}" }}.")
+    private fun rest(failed: List<Grade>): List<String> {
+        val others = failed.drop(MOST_TOLD)
+        return if (others.isEmpty()) emptyList() else listOf("And ${others.size} more: seeds ${others.joinToString { "${it.seed}" }}.")
+    }
 
     private fun render(
         header: List<String>,

@@ -22,7 +22,9 @@ internal class ProgramGrader(
     private val console: Console,
 ) {
     fun run(request: GradeRequest): ExitCode {
-        val world = readWorldFile(request.world, console)?.let { WorldChanges(realism = request.options.realism).of(it) } ?: return ExitCode.BAD_INPUT
+        val world =
+            readWorldFile(request.world, console)?.let { WorldChanges(realism = request.options.realism).of(it) }
+                ?: return ExitCode.BAD_INPUT
         if (world.goals.isEmpty()) {
             console.complain("The world ${request.world} has no goals, so there is nothing to grade.")
             return ExitCode.BAD_INPUT
@@ -60,8 +62,14 @@ internal class ProgramGrader(
         request: GradeRequest,
     ): Loading =
         when (val files = readProgramFiles(filesOfProgram(name))) {
-            is ProgramFiles.Read -> readLoads(world, ProgramReader(PENBOT_CALIBRATION, request.options.java), files.programs, request.options.robots)
-            is ProgramFiles.Refused -> Loading.Refused(listOf(files.reason))
+            is ProgramFiles.Read -> {
+                val reader = ProgramReader(PENBOT_CALIBRATION, request.options.java)
+                readLoads(world, reader, files.programs, request.options.robots)
+            }
+
+            is ProgramFiles.Refused -> {
+                Loading.Refused(listOf(files.reason))
+            }
         }
 
     private fun grade(

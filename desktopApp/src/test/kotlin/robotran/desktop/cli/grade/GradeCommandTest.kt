@@ -58,7 +58,9 @@ class GradeCommandTest : CommandTest() {
         return DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(file.toFile()).documentElement
     }
 
-    private fun Element.all(name: String): List<Element> = getElementsByTagName(name).let { found -> List(found.length) { found.item(it) as Element } }
+    private fun Element.all(name: String): List<Element> = getElementsByTagName(name).let { found ->
+        List(found.length) { found.item(it) as Element }
+    }
 
     @Test
     fun `a program that meets all goals with all seeds is told so`() {
@@ -75,7 +77,8 @@ class GradeCommandTest : CommandTest() {
         assertEquals(1, grade(world, empty))
         val said = console.said.single()
         assertContains(said, "$empty meets all goals with 0 of 1 seeds (seed 1).")
-        assertContains(said, "Seed 1: \"Drive your robot to the marked area on the right, and let it be there at the end.\" was not met (0 %)")
+        val goal = "Drive your robot to the marked area on the right, and let it be there at the end."
+        assertContains(said, "Seed 1: \"$goal\" was not met (0 %)")
         val command = said.lines().last().trim()
         assertEquals("./robotran run $empty --world $world --seed 1 --for 8 --picture empty-1.png", command)
         val picture = folder.resolve("shown.png")
@@ -153,7 +156,8 @@ class GradeCommandTest : CommandTest() {
         assertEquals("The world $withoutGoals has no goals, so there is nothing to grade.", console.complaints.single())
         assertEquals(2, grade(world, program("hop\n", "mistaken.robo")))
         assertContains(console.complaints.single(), "mistaken.robo:1:1: ")
-        for ((argument, value) in listOf("--seeds" to "5..1", "--seeds" to "a", "--seeds" to "1..2..3", "--seeds" to "0..10000", "--seeds" to "-1..2", "--jobs" to "0", "--realism" to "2", "--robot" to "red")) {
+        val seeds = listOf("5..1", "a", "1..2..3", "0..10000", "-1..2").map { "--seeds" to it }
+        for ((argument, value) in seeds + listOf("--jobs" to "0", "--realism" to "2", "--robot" to "red")) {
             assertEquals(2, grade(world, good, "$argument=$value"), "$argument $value")
             assertContains(console.complaints.single(), value)
         }
@@ -197,10 +201,12 @@ class GradeCommandTest : CommandTest() {
     @Test
     fun `a folder of Java sources is one program`() {
         val project = folder.resolve("pupil one").createDirectory()
-        project.resolve("Ahead.java").writeText("public class Ahead {\n    public static void main(String[] args) throws Exception {\n        new Car().go();\n    }\n}\n")
+        project.resolve("Ahead.java").writeText(
+            "public class Ahead {\n    public static void main(String[] args) throws Exception {\n        new Car().go();\n    }\n}\n",
+        )
         project.resolve("Car.java").writeText(
-            "import josx.platform.rcx.*;\n\npublic class Car {\n    void go() throws Exception {\n        Motor.A.forward();\n        Motor.C.forward();\n" +
-                "        Thread.sleep(500);\n        Motor.A.stop();\n        Motor.C.stop();\n    }\n}\n",
+            "import josx.platform.rcx.*;\n\npublic class Car {\n    void go() throws Exception {\n" +
+                "        Motor.A.forward();\n        Motor.C.forward();\n        Thread.sleep(500);\n        Motor.A.stop();\n        Motor.C.stop();\n    }\n}\n",
         )
         assertEquals(1, grade(world, "$project"), console.complaints.joinToString())
         assertContains(console.said.single(), "./robotran run '$project/Ahead.java' '$project/Car.java' --world")

@@ -6,7 +6,10 @@ import robotran.world.GoalStatus
 
 /** Whether nothing that may still happen in the run changes how [goal] stands, which is [progress]. */
 internal fun isDecided(goal: Goal, progress: GoalProgress): Boolean = when (goal) {
-    is Goal.AnyOf -> partsOf(goal.goals, progress).run { any { isMetForGood(it.first, it.second) } || all { isDecided(it.first, it.second) } }
+    is Goal.AnyOf -> partsOf(goal.goals, progress).run {
+        any { isMetForGood(it.first, it.second) } || all { isDecided(it.first, it.second) }
+    }
+
     else -> progress.status == GoalStatus.FAILED || isMetForGood(goal, progress)
 }
 

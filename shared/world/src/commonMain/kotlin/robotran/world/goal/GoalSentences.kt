@@ -62,7 +62,8 @@ internal class GoalSentences(
 
     private fun lineName(goal: Goal.FollowLine): String? = goal.line.takeIf { lines().size != 1 }
 
-    private fun isClosed(goal: Goal.FollowLine) = lines().find { it.name == goal.line }?.let { (it.figure as MarkFigure.Line).closed } == true
+    private fun isClosed(goal: Goal.FollowLine) =
+        lines().find { it.name == goal.line }?.let { (it.figure as MarkFigure.Line).closed } == true
 
     private fun lines(): List<Mark> = world.marks.filter { it.figure is MarkFigure.Line }
 

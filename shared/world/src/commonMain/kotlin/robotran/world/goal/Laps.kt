@@ -55,7 +55,8 @@ internal class Rounds(private val length: Double, goal: Goal.FollowLine) : Laps(
 /** From one end of an open line to the other, and back again. */
 internal class EndToEnd(length: Double, private val goal: Goal.FollowLine) : Laps() {
     /** The robot may begin with its pen at the end, and it leaves the line when its sensor comes beyond the other. */
-    private val wanted = length - minOf(Penbot.LIGHT_SENSOR_PLACE + goal.tolerance, length / LEAST_PARTS) - minOf(goal.tolerance, length / LEAST_PARTS)
+    private val wanted =
+        length - minOf(Penbot.LIGHT_SENSOR_PLACE + goal.tolerance, length / LEAST_PARTS) - minOf(goal.tolerance, length / LEAST_PARTS)
     private var legs = 0
     private var advance = Advance()
     private var mayGoUp = true

@@ -33,9 +33,13 @@ internal class ShowOnDisplayJudgement(
         val brick = scene.robot(actor)?.brick ?: return
         val glass = brick.glass
         when {
-            brick.run !is RunState.Running || brick.explanation != null -> leftByFirmware = charactersOf(glass)
+            brick.run !is RunState.Running || brick.explanation != null -> {
+                leftByFirmware = charactersOf(glass)
+            }
 
-            leftByFirmware == charactersOf(glass) -> return
+            leftByFirmware == charactersOf(glass) -> {
+                return
+            }
 
             else -> {
                 leftByFirmware = null

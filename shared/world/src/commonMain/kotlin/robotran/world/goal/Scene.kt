@@ -93,6 +93,7 @@ internal class Places(private val world: World, private val trigonometry: Trigon
         val centre = blockCentre(number, moved)
         return when (val outline = block.outline) {
             is Outline.Round -> Outline.Round(centre, outline.radius)
+
             is Outline.Angular -> Outline.Angular(
                 outline.corners.map { ahead(Pose(centre.x, centre.y, moved.heading), it.x - block.centre.x, it.y - block.centre.y) },
             )

@@ -36,7 +36,10 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
     /** Whether the whole spot is on bare paper. */
     private fun isPlain(x: Double, y: Double): Boolean =
         paper.contains(x - SPOT, y - SPOT) && paper.contains(x + SPOT, y + SPOT) &&
-            (prepared.isEmpty() || (isBare(x - SPOT, y - SPOT) && isBare(x + SPOT, y - SPOT) && isBare(x - SPOT, y + SPOT) && isBare(x + SPOT, y + SPOT)))
+            (
+                prepared.isEmpty() ||
+                    (isBare(x - SPOT, y - SPOT) && isBare(x + SPOT, y - SPOT) && isBare(x - SPOT, y + SPOT) && isBare(x + SPOT, y + SPOT))
+            )
 
     private fun isBare(x: Double, y: Double) = layersAt(x, y).isEmpty()
 

@@ -6,6 +6,7 @@ import robotran.world.normalHeading
 /** Where a robot really stands that was to be put down at [planned]: nobody does that to the millimetre. */
 internal fun putDown(planned: Pose, streams: NoiseStreams, realism: Double): Pose {
     if (realism == 0.0) return planned
+
     fun error(name: String, deviation: Double) =
         realism * deviation * streams.named("start: $name").normal().coerceIn(-MOST_DEVIATIONS, MOST_DEVIATIONS)
     return Pose(

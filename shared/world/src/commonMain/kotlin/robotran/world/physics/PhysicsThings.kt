@@ -47,6 +47,7 @@ private fun PhysicsWorld.addShape(kind: TouchKind, outline: Outline, centre: Poi
     val body = addBody(kind.ordinal, centre.x, centre.y, 0.0)
     when (outline) {
         is Outline.Round -> addCircle(body, 0.0, 0.0, outline.radius, Penbot.SHELL_FRICTION)
+
         is Outline.Angular -> addPolygon(
             body, outline.corners.flatMap { listOf(it.x - centre.x, it.y - centre.y) }.toDoubleArray(), Penbot.SHELL_FRICTION,
         )

@@ -6,6 +6,7 @@ import robotran.world.GoalStatus
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Point
+import robotran.world.length
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -28,7 +29,7 @@ class FollowLineTest {
 
     /** Drives the sensor through these places, half a centimetre at a time. */
     private fun Run.drive(vararg places: Pair<Double, Double>) = places.toList().zipWithNext { from, to ->
-        val steps = (2 * robotran.world.length(to.first - from.first, to.second - from.second)).toInt() + 1
+        val steps = (2 * length(to.first - from.first, to.second - from.second)).toInt() + 1
         for (step in 0..steps) {
             val share = step.toDouble() / steps
             sensorAt(from.first + share * (to.first - from.first), from.second + share * (to.second - from.second))
@@ -68,7 +69,10 @@ class FollowLineTest {
     @Test
     fun `cutting corners within the tolerance and weaving is following`() = runTest {
         val run = round(square)
-        run.drive(30.0 to 12.0, 45.0 to 12.0, 48.0 to 15.0, 52.0 to 30.0, 48.0 to 45.0, 44.0 to 49.0, 15.0 to 51.0, 11.0 to 45.0, 12.0 to 14.0, 16.0 to 12.0, 30.0 to 9.0)
+        run.drive(
+            30.0 to 12.0, 45.0 to 12.0, 48.0 to 15.0, 52.0 to 30.0, 48.0 to 45.0, 44.0 to 49.0, 15.0 to 51.0, 11.0 to 45.0,
+            12.0 to 14.0, 16.0 to 12.0, 30.0 to 9.0,
+        )
         assertEquals(GoalStatus.MET, run.status)
     }
 

@@ -12,6 +12,7 @@ import robotran.world.GoalStatus
 import robotran.world.Ink
 import robotran.world.InkStroke
 import robotran.world.Paper
+import robotran.world.Penbot
 import robotran.world.Point
 import robotran.world.Pose
 import robotran.world.RobotPlace
@@ -21,6 +22,7 @@ import robotran.world.SessionState
 import robotran.world.Shape
 import robotran.world.TouchKind
 import robotran.world.World
+import robotran.world.length
 import robotran.world.physics.Trigonometry
 import robotran.world.physics.loadPhysicsEngine
 
@@ -50,7 +52,7 @@ internal class Run(world: World, trigonometry: Trigonometry) {
         look { change(number) { copy(robot = robot.copy(pose = Pose(x, y, heading))) } }
 
     /** Puts the light sensor of the first robot there; it looks along x. */
-    fun sensorAt(x: Double, y: Double) = robotAt(x - robotran.world.Penbot.LIGHT_SENSOR_PLACE, y)
+    fun sensorAt(x: Double, y: Double) = robotAt(x - Penbot.LIGHT_SENSOR_PLACE, y)
 
     fun blockAt(x: Double, y: Double, heading: Double = 0.0, number: Int = 0) =
         look { blocks = blocks.mapIndexed { index, pose -> if (index == number) Pose(x, y, heading) else pose } }
@@ -69,15 +71,15 @@ internal class Run(world: World, trigonometry: Trigonometry) {
     /** Adds a stroke. */
     fun draws(vararg places: Pair<Double, Double>, robot: Int = 0) = look {
         strokes = strokes + InkStroke(places.map { Point(it.first, it.second) }, robot)
-        ink = Ink(strokes, strokes.sumOf { stroke -> stroke.points.zipWithNext { a, b -> robotran.world.length(b.x - a.x, b.y - a.y) }.sum() })
+        ink = Ink(strokes, strokes.sumOf(::lengthOf))
     }
 
     fun inkIs(ink: Ink) = look { this.ink = ink }
 
     fun plays(vararg hertz: Double, ofFirmware: Boolean = false, number: Int = 0) {
         milliseconds += 10
-        val tones = robots.indices.map { robot -> if (robot == number) hertz.map { SoundEvent.Tone(milliseconds, it, 100, ofFirmware) } else emptyList() }
-        judge.observe(state, tones)
+        val tones = hertz.map { SoundEvent.Tone(milliseconds, it, 100, ofFirmware) }
+        judge.observe(state, robots.indices.map { if (it == number) tones else emptyList() })
     }
 
     /** Lets time pass up to a second. */
@@ -87,6 +89,8 @@ internal class Run(world: World, trigonometry: Trigonometry) {
     }
 
     fun finish() = judge.finish(state)
+
+    private fun lengthOf(stroke: InkStroke) = stroke.points.zipWithNext { from, to -> length(to.x - from.x, to.y - from.y) }.sum()
 
     private fun look(change: () -> Unit) {
         change()
@@ -99,4 +103,5 @@ internal class Run(world: World, trigonometry: Trigonometry) {
     }
 }
 
-internal suspend fun run(vararg goals: Goal, world: World = sheet) = Run(world.copy(goals = goals.toList()), loadPhysicsEngine().trigonometry)
+internal suspend fun run(vararg goals: Goal, world: World = sheet): Run =
+    Run(world.copy(goals = goals.toList()), loadPhysicsEngine().trigonometry)

@@ -32,14 +32,16 @@ class GoalSentenceTest {
     fun `every goal is said from its figures`() = runTest {
         val sentences = mapOf(
             Goal.Reach(garage) to "Drive your robot to the marked area at the top right.",
-            Goal.Reach(home, who = "yellow", whole = true, within = 30) to "Drive all of your robot into the area \"home\" within 30 seconds.",
+            Goal.Reach(home, who = "yellow", whole = true, within = 30) to
+                "Drive all of your robot into the area \"home\" within 30 seconds.",
             Goal.Reach(garage, who = "box", stays = true) to
                 "Push the block \"box\" to the marked area at the top right, and let it be there at the end.",
             Goal.Reach(home, who = "red") to "Drive the robot \"red\" to the area \"home\".",
             Goal.StayOut(garage) to "Keep your robot out of the marked area at the top right.",
             Goal.StayIn(home, whole = true) to "Keep every part of your robot in the area \"home\".",
             Goal.NeverTouch() to "Never touch anything.",
-            Goal.NeverTouch(setOf(TouchKind.ROBOTS, TouchKind.WALLS, TouchKind.BARRIERS)) to "Never touch a wall, a barrier or another robot.",
+            Goal.NeverTouch(setOf(TouchKind.ROBOTS, TouchKind.WALLS, TouchKind.BARRIERS)) to
+                "Never touch a wall, a barrier or another robot.",
             Goal.NeverTouch(setOf(TouchKind.BLOCKS), who = "red") to "Let the robot \"red\" never touch a block.",
             Goal.DrawTemplate(tolerance = 1.5) to "Draw over the template: 90 % of it, and not more than 1.5 cm beside it.",
             Goal.InkLength(20.0, null) to "Draw 20 cm or more.",
@@ -48,7 +50,8 @@ class GoalSentenceTest {
             Goal.FollowLine("loop") to "Follow the line \"loop\" once round.",
             Goal.FollowLine("loop", laps = 3.0, within = 60) to "Follow the line \"loop\" 3 times round within 60 seconds.",
             Goal.FollowLine("road") to "Follow the line \"road\" from one end to the other.",
-            Goal.FollowLine("road", laps = 2.0, who = "red") to "Let the robot \"red\" follow the line \"road\" from one end to the other, 2 times.",
+            Goal.FollowLine("road", laps = 2.0, who = "red") to
+                "Let the robot \"red\" follow the line \"road\" from one end to the other, 2 times.",
             Goal.EndWithin(1) to "Your program must come to its end within 1 second.",
             Goal.EndWithin(20, who = "red") to "The program of the robot \"red\" must come to its end within 20 seconds.",
             Goal.ShowOnDisplay(" HELLO") to "Show \"HELLO\" on the display.",
@@ -75,8 +78,12 @@ class GoalSentenceTest {
 
     @Test
     fun `a region is told by the ninth of the paper that it is in`() = runTest {
-        val words = listOf("at the bottom left", "at the bottom", "at the bottom right", "on the left", "in the middle", "on the right", "at the top left", "at the top", "at the top right")
-        words.forEachIndexed { number, word ->
+        val rows = listOf(
+            listOf("at the bottom left", "at the bottom", "at the bottom right"),
+            listOf("on the left", "in the middle", "on the right"),
+            listOf("at the top left", "at the top", "at the top right"),
+        )
+        rows.flatten().forEachIndexed { number, word ->
             val region = Shape.Circle(Point(17.0 + 33 * (number % 3), 13.0 + 27 * (number / 3)), 5.0)
             assertEquals("Keep your robot in the marked area $word.", sentence(Goal.StayIn(region)))
         }

@@ -106,8 +106,8 @@ class GroupGoalTest {
 
     @Test
     fun `groups lie in groups four deep`() = runTest {
-        val goal = Goal.InOrder(listOf(Goal.AnyOf(listOf(Goal.All(listOf(left)), right)), Goal.All(listOf(Goal.AnyOf(listOf(Goal.PlaySound()))))))
-        val run = run(goal)
+        val somewhere = Goal.AnyOf(listOf(Goal.All(listOf(left)), right))
+        val run = run(Goal.InOrder(listOf(somewhere, Goal.All(listOf(Goal.AnyOf(listOf(Goal.PlaySound())))))))
         run.plays(440.0)
         assertEquals(PENDING, run.goal.parts[1].status)
         run.robotAt(95.0, 40.0)

@@ -56,9 +56,8 @@ class PlaceGoalTest {
 
     @Test
     fun `a dented region does not hold what lies over its dent`() = runTest {
-        val dented = Shape.Polygon(
-            listOf(Point(0.0, 0.0), Point(60.0, 0.0), Point(60.0, 60.0), Point(31.0, 60.0), Point(30.0, 20.0), Point(29.0, 60.0), Point(0.0, 60.0)),
-        )
+        val corners = listOf(0.0 to 0.0, 60.0 to 0.0, 60.0 to 60.0, 31.0 to 60.0, 30.0 to 20.0, 29.0 to 60.0, 0.0 to 60.0)
+        val dented = Shape.Polygon(corners.map { Point(it.first, it.second) })
         val run = run(Goal.Reach(dented, whole = true))
         run.robotAt(28.0, 40.0)
         assertEquals(GoalStatus.PENDING, run.status)

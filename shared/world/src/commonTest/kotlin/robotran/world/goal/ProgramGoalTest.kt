@@ -14,7 +14,8 @@ class ProgramGoalTest {
 
     @Test
     fun `whoever has touched something forbidden has failed`() = runTest {
-        val run = run(Goal.NeverTouch(), Goal.NeverTouch(setOf(TouchKind.WALLS)), Goal.NeverTouch(setOf(TouchKind.ROBOTS, TouchKind.BLOCKS)))
+        val run =
+            run(Goal.NeverTouch(), Goal.NeverTouch(setOf(TouchKind.WALLS)), Goal.NeverTouch(setOf(TouchKind.ROBOTS, TouchKind.BLOCKS)))
         run.touching(TouchKind.BLOCKS)
         assertEquals(listOf(GoalStatus.FAILED, GoalStatus.PENDING, GoalStatus.FAILED), run.goals.map { it.status })
         run.touching()
@@ -56,7 +57,8 @@ class ProgramGoalTest {
 
     @Test
     fun `tones of the program count, within half a semitone of what is wanted`() = runTest {
-        val run = run(Goal.PlaySound(), Goal.PlaySound(times = 3), Goal.PlaySound(lowest = 440, highest = 440), Goal.PlaySound(highest = 400))
+        val run =
+            run(Goal.PlaySound(), Goal.PlaySound(times = 3), Goal.PlaySound(lowest = 440, highest = 440), Goal.PlaySound(highest = 400))
         run.plays(440.0, 1000.0, ofFirmware = true)
         assertEquals(List(4) { 0.0 }, run.goals.map { it.progress })
         run.plays(450.0, 500.0)

@@ -85,7 +85,8 @@ class RunForGoalsTest {
     @Test
     fun `a drawing is graded by its ink`() = runTest {
         val corners = listOf(50.0 to 40.0, 70.0 to 40.0, 70.0 to 60.0, 50.0 to 60.0, 50.0 to 40.0).map { Point(it.first, it.second) }
-        val world = world(Goal.DrawTemplate(tolerance = 0.5, coverage = 0.95), Goal.InkLength(79.0, 81.0)).copy(template = Template(listOf(corners)), timeLimit = 30)
+        val goals = arrayOf(Goal.DrawTemplate(tolerance = 0.5, coverage = 0.95), Goal.InkLength(79.0, 81.0))
+        val world = world(*goals).copy(template = Template(listOf(corners)), timeLimit = 30)
         assertTrue(grade(world, ScriptedProgram.square).passed)
         assertEquals(listOf(0.0, 0.0), grade(world, nothing).goals.map { it.progress })
     }
