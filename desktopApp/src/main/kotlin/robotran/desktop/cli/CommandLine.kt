@@ -27,6 +27,7 @@ class CommandLine(
                 CheckCommand(console),
                 TranslateCommand(console),
                 FormatCommand(console),
+                LinkCommand(console),
             )
         return try {
             command.parse(arguments)

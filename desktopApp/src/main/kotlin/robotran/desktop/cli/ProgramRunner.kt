@@ -7,9 +7,12 @@ import robotran.desktop.files.ProgramFiles
 import robotran.desktop.files.readProgramFiles
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramReader
+import robotran.projects.RobotLoads
+import robotran.projects.readRobotLoads
 import robotran.rom.RunState
 import robotran.ui.workshop.PENBOT_CALIBRATION
 import robotran.world.BuiltInWorlds
+import robotran.world.RecordedInput
 import robotran.world.RobotLoad
 import robotran.world.Session
 import robotran.world.World
@@ -20,7 +23,7 @@ import robotran.world.runUnattended
 /**
  * What to run.
  *
- * @property programs the programs' files for the first robot, see [readProgramFiles].
+ * @property programs the programs' files for the first robot, see [readProgramFiles]; or one project, see [isProject].
  * @property robots programs for other robots.
  * @property java how Java programs are to run.
  * @property world the world's file; the plain sheet if null.
@@ -45,6 +48,7 @@ internal class ProgramRunner(
         request: RunRequest,
         outputs: RunOutputs,
     ): ExitCode {
+        request.programs.singleOrNull()?.takeIf(::isProject)?.let { return runProject(it, request, outputs) }
         val programs = readPrograms(request.programs)
         val world = if (request.world == null) BuiltInWorlds.plain else readWorldFile(request.world, console)
         if (programs == null || world == null) return ExitCode.BAD_INPUT
@@ -52,15 +56,45 @@ internal class ProgramRunner(
         return run(request.changes.of(world), loads, request, outputs)
     }
 
+    /** What is said on the command line counts more than what the project says; its inputs are not repeated if buttons are pressed. */
+    private fun runProject(
+        name: String,
+        request: RunRequest,
+        outputs: RunOutputs,
+    ): ExitCode {
+        if (request.world != null || request.robots.isNotEmpty()) {
+            console.complain("A project has a world and programs of its own: --world and --robot do not go with it.")
+            return ExitCode.BAD_INPUT
+        }
+        val project = readProjectFile(name, console) ?: return ExitCode.BAD_INPUT
+        val usual = JavaSettings()
+        val java =
+            JavaSettings(
+                if (request.java.mode == usual.mode) project.settings.java.mode else request.java.mode,
+                if (request.java.speed == usual.speed) project.settings.java.speed else request.java.speed,
+            )
+        return when (val result = runBlocking { readRobotLoads(project, ProgramReader(PENBOT_CALIBRATION, java)) }) {
+            is RobotLoads.Ready -> {
+                run(request.changes.of(project.worldToRun), result.loads, request, outputs, project.inputs)
+            }
+
+            is RobotLoads.Mistaken -> {
+                result.mistakes.forEach { console.complain(if (it.file.isEmpty()) it.message else lineOf(it.file, it)) }
+                ExitCode.BAD_INPUT
+            }
+        }
+    }
+
     private fun run(
         world: World,
         loads: List<RobotLoad>,
         request: RunRequest,
         outputs: RunOutputs,
+        inputs: List<RecordedInput> = emptyList(),
     ): ExitCode {
         val session = runBlocking { Session(world, loads, loadPhysicsEngine()) }
         try {
-            letRun(session, request)
+            letRun(session, request, inputs)
             val problems = RunResults(session, console).write(outputs)
             problems.forEach(console::complain)
             val run = session.state.brick.run
@@ -77,11 +111,17 @@ internal class ProgramRunner(
     private fun letRun(
         session: Session,
         request: RunRequest,
+        inputs: List<RecordedInput>,
     ) {
         val milliseconds = request.milliseconds ?: (session.world.timeLimit * 1000)
         when {
             request.presses.isNotEmpty() -> {
                 session.runWithPresses(request.presses, milliseconds)
+                session.finish()
+            }
+
+            inputs.isNotEmpty() -> {
+                session.runWithInputs(inputs, milliseconds)
                 session.finish()
             }
 

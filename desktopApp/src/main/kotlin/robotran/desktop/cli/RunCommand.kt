@@ -20,7 +20,8 @@ internal class RunCommand(
 ) : CoreCliktCommand("run") {
     private val programs by argument(
         "FILE",
-        help = "a program: in Robolang (.robo), in leJOS Java (one or more .java), or compiled (.class, .jar, a folder); five at most",
+        help = "a program: in Robolang (.robo), in leJOS Java (one or more .java), or compiled (.class, .jar, a folder); five at most. " +
+            "Or a project (.robotran), or a link that holds one",
     ).multipleArguments(required = true)
     private val world by option("--world", metavar = "FILE", help = "the world to run in (.world.json); a plain sheet if not given")
     private val seed by option("--seed", metavar = "N", help = "what is left to chance is drawn from this, instead of the world's seed")

@@ -12,9 +12,15 @@ import robotran.world.SessionInput
 internal fun Session.runWithPresses(
     presses: List<ButtonPress>,
     milliseconds: Int,
+) = runWithInputs(inputsOf(presses), milliseconds)
+
+/** The same with all that can be done to a session, in the order of time. */
+internal fun Session.runWithInputs(
+    inputs: List<RecordedInput>,
+    milliseconds: Int,
 ) {
     var quiet = 0
-    val waiting = ArrayDeque(inputsOf(presses))
+    val waiting = ArrayDeque(inputs)
     while (state.milliseconds < milliseconds && (waiting.isNotEmpty() || quiet < QUIET_MILLISECONDS)) {
         while (waiting.isNotEmpty() && waiting.first().milliseconds <= state.milliseconds) {
             apply(waiting.removeFirst().input)

@@ -50,6 +50,18 @@ suspend fun readRobotLoads(world: World, reader: ProgramReader, given: Map<Strin
     return RobotLoads.Ready(loads, warnings)
 }
 
+/** The same for [project], in its [Project.worldToRun], with what else its robots have been given. */
+suspend fun readRobotLoads(project: Project, reader: ProgramReader): RobotLoads =
+    when (val result = readRobotLoads(project.world, reader, project.programs)) {
+        is RobotLoads.Mistaken -> result
+        is RobotLoads.Ready -> result.copy(
+            loads = project.world.robots.zip(result.loads) { place, load ->
+                val robot = project.robots.firstOrNull { it.name == place.name }
+                load.copy(firstSlot = robot?.firstProgram ?: 0, lightFacing = robot?.lightFacing)
+            },
+        )
+    }
+
 /** These programs for the pupil's own robot, to be given to [readRobotLoads]. */
 fun World.forFirstRobot(programs: List<ProgramSource>): Map<String, List<ProgramSource>> = mapOf(robots.first().name to programs)
 

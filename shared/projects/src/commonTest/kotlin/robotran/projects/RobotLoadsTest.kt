@@ -5,6 +5,7 @@ import robotran.programs.ProgramReader
 import robotran.programs.ProgramSource
 import robotran.robolang.Calibration
 import robotran.world.BuiltInWorlds
+import robotran.world.LightFacing
 import robotran.world.Penbot
 import robotran.world.Pose
 import robotran.world.RobotPlace
@@ -53,6 +54,19 @@ class RobotLoadsTest {
     fun `a program for a robot that is not there is a mistake`() = runTest {
         val mistaken = assertIs<RobotLoads.Mistaken>(readRobotLoads(world, reader, mapOf("dora" to emptyList())))
         assertEquals("No robot in this world is called dora. There are ann, bob and carl.", mistaken.mistakes.single().message)
+    }
+
+    @Test
+    fun `a project gives its robots more than programs`() = runTest {
+        fun program(name: String) = checkNotNull(ProjectProgram.of(ProgramSource.Robolang(name, "beep")))
+        val robots = listOf(
+            ProjectRobot("carl", listOf(program("a.robo"), program("b.robo")), firstProgram = 1),
+            ProjectRobot("ann", lightFacing = LightFacing.FORWARD),
+        )
+        val loads = assertIs<RobotLoads.Ready>(readRobotLoads(Project(world, robots), reader)).loads
+        assertEquals(listOf(0, 1, 2), loads.map { it.programs.size })
+        assertEquals(listOf(0, 0, 1), loads.map { it.firstSlot })
+        assertEquals(listOf(LightFacing.FORWARD, null, null), loads.map { it.lightFacing })
     }
 
     @Test

@@ -21,8 +21,11 @@ private fun roomiestPlace(shape: Shape.Polygon): Pair<Point, Double> {
     val bottom = shape.corners.minOf { it.y }
     val width = shape.corners.maxOf { it.x } - left
     val height = shape.corners.maxOf { it.y } - bottom
-    val places = (1 until GRID).flatMap { row -> (1 until GRID).map { Point(left + width * it / GRID, bottom + height * row / GRID) } } + centre
-    val best = places.filter { shape.surrounds(it) }.maxByOrNull { shape.distanceToEdge(it) - LITTLE * distance(it, centre) } ?: return centre to 0.0
+    val places =
+        (1 until GRID).flatMap { row -> (1 until GRID).map { Point(left + width * it / GRID, bottom + height * row / GRID) } } + centre
+    val best =
+        places.filter { shape.surrounds(it) }.maxByOrNull { shape.distanceToEdge(it) - LITTLE * distance(it, centre) }
+            ?: return centre to 0.0
     return best to shape.distanceToEdge(best)
 }
 

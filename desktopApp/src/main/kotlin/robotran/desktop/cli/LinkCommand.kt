@@ -1,0 +1,95 @@
+package robotran.desktop.cli
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.multiple
+import com.github.ajalt.clikt.parameters.options.option
+import kotlinx.coroutines.runBlocking
+import robotran.desktop.ExitCode
+import robotran.desktop.files.NamedProgram
+import robotran.desktop.files.ProgramFiles
+import robotran.desktop.files.nameOf
+import robotran.desktop.files.readProgramFiles
+import robotran.programs.ProgramSource
+import robotran.projects.LinkMaking
+import robotran.projects.Project
+import robotran.projects.ProjectProgram
+import robotran.projects.ProjectRobot
+import robotran.projects.linkOf
+import robotran.world.BuiltInWorlds
+
+/** `robotran link FILE..`: prints what to paste behind the address of the page, so that it opens with a world or a project. */
+internal class LinkCommand(
+    private val console: Console,
+) : CoreCliktCommand("link") {
+    private val files by argument("FILE", help = "a world (.world.json), a project (.robotran), or programs (.robo, .java) for one robot")
+        .multiple(required = true)
+    private val world by option("--world", metavar = "FILE", help = "the world that programs run in (.world.json); a plain sheet if not given")
+
+    override fun help(context: Context) = "Prints a world, a project or programs as a link, to be pasted behind the address of Robotran's page."
+
+    override fun run() {
+        val single = files.singleOrNull()
+        val isWhole = single != null && (single.endsWith(WORLD) || isProject(single))
+        if (isWhole && world != null) throw UsageError("--world goes with programs only")
+        val made =
+            when {
+                !isWhole -> readPrograms()?.let { runBlocking { linkOf(it) } }
+                single.orEmpty().endsWith(WORLD) -> readWorldFile(single.orEmpty(), console)?.let { runBlocking { linkOf(it) } }
+                else -> readProjectFile(single.orEmpty(), console)?.let { runBlocking { linkOf(it) } }
+            }
+        throw ProgramResult(tell(made).status)
+    }
+
+    private fun tell(made: LinkMaking?): ExitCode =
+        when (made) {
+            null -> {
+                ExitCode.BAD_INPUT
+            }
+
+            is LinkMaking.Made -> {
+                console.say(made.fragment)
+                ExitCode.DONE
+            }
+
+            is LinkMaking.TooLong -> {
+                console.complain(made.message)
+                ExitCode.BAD_INPUT
+            }
+        }
+
+    /** The programs as a project, right or not: a link may ask for help with a mistake. */
+    private fun readPrograms(): Project? {
+        val programs =
+            when (val read = readProgramFiles(files)) {
+                is ProgramFiles.Read -> {
+                    read.programs.map { it to programOf(it) }
+                }
+
+                is ProgramFiles.Refused -> {
+                    console.complain(read.reason)
+                    return null
+                }
+            }
+        programs.firstOrNull { it.second == null }?.let { (program, _) ->
+            console.complain("${program.path} is compiled: a link takes programs as they were written, .robo or .java.")
+            return null
+        }
+        val place = world?.let { readWorldFile(it, console) ?: return null } ?: BuiltInWorlds.plain
+        return Project(place, listOf(ProjectRobot(place.robots.first().name, programs.mapNotNull { it.second })))
+    }
+
+    /** Without the folders of this machine. */
+    private fun programOf(program: NamedProgram): ProjectProgram? =
+        when (val source = program.source) {
+            is ProgramSource.Java -> ProjectProgram.of(source.copy(files = source.files.map { it.copy(name = nameOf(it.name)) }))
+            else -> ProjectProgram.of(source)
+        }
+
+    private companion object {
+        const val WORLD = ".world.json"
+    }
+}

@@ -1,0 +1,68 @@
+package robotran.desktop.worlds
+
+import kotlinx.coroutines.runBlocking
+import robotran.ui.sheet.sheetPng
+import robotran.world.Session
+import robotran.world.World
+import robotran.world.grade.Grade
+import robotran.world.grade.runForGoals
+import robotran.world.physics.loadPhysicsEngine
+import java.io.File
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** The worlds that come with Robotran, with pictures in `build/pictures/worlds`. `robotran grade` runs them over as many seeds as one likes. */
+class ShippedWorldsTest {
+    private val pictures = File("build/pictures/worlds").apply { mkdirs() }
+    private val physics = runBlocking { loadPhysicsEngine() }
+
+    @Test
+    fun `there are enough of them, each with a title and a task in two sentences`() {
+        assertTrue(ShippedWorlds.withGoals.size >= 15, "only ${ShippedWorlds.withGoals.keys}")
+        assertEquals(ShippedWorlds.all.size, ShippedWorlds.all.values.map { it.title }.toSet().size)
+        for ((name, world) in ShippedWorlds.withGoals) {
+            assertEquals(2, Regex("""[.?](?= |$)""").findAll(world.task).count(), "$name: ${world.task}")
+        }
+    }
+
+    @Test
+    fun `the solution of every world reaches all goals with several seeds`() {
+        for ((name, world) in ShippedWorlds.withGoals) {
+            val solution = ShippedWorlds.solutionOf(name)
+            for (seed in SEEDS) {
+                val grade = grade(world.copy(seed = seed), solution, picture = name.takeIf { seed == SEEDS.first })
+                assertTrue(grade.passed, "$name with seed $seed: ${grade.unmet}")
+            }
+        }
+    }
+
+    @Test
+    fun `an empty program reaches the goals of no world`() {
+        for ((name, world) in ShippedWorlds.withGoals) {
+            assertTrue(!grade(world, null).passed, name)
+        }
+    }
+
+    @Test
+    fun `every solution belongs to a world`() {
+        assertEquals(ShippedWorlds.solutionFiles.toSet(), ShippedWorlds.withGoals.keys.map(ShippedWorlds::solutionOf).toSet())
+    }
+
+    private fun grade(world: World, program: File?, picture: String? = null): Grade {
+        val session = Session(world, ShippedWorlds.loads(world, program), physics)
+        try {
+            if (picture != null) pictures.resolve("$picture-start.png").writeBytes(sheetPng(world, session.state, PICTURE_WIDTH))
+            return session.runForGoals().also {
+                if (picture != null) pictures.resolve("$picture-end.png").writeBytes(sheetPng(world, session.state, PICTURE_WIDTH))
+            }
+        } finally {
+            session.close()
+        }
+    }
+
+    private companion object {
+        val SEEDS = 1..3
+        const val PICTURE_WIDTH = 900
+    }
+}
