@@ -5,6 +5,7 @@ import com.github.ajalt.mordant.rendering.BorderType
 import com.github.ajalt.mordant.rendering.OverflowWrap
 import com.github.ajalt.mordant.rendering.TextAlign
 import com.github.ajalt.mordant.rendering.Whitespace
+import com.github.ajalt.mordant.table.Borders
 import com.github.ajalt.mordant.table.table
 import com.github.ajalt.mordant.terminal.Terminal
 import robotran.desktop.files.nameOf
@@ -24,7 +25,7 @@ internal class GradeTables(
     /** One program in full: goal by goal, then the seeds that failed. */
     fun ofProgram(program: ProgramGrades.Graded): String {
         val rows = goalRows(program.grades.map { it.goals }, "")
-        val table = render(listOf("goal", "seeds met", "least done"), rows)
+        val table = render(listOf("goal", "seeds met", "worst"), rows)
         val failed = program.grades.filterNot { it.passed }
         val told = failed.take(MOST_TOLD).flatMap { failure(program.name, it) }
         return (listOf(table, sentence(program)) + told + rest(failed)).joinToString("\n")
@@ -97,7 +98,11 @@ internal class GradeTables(
             overflowWrap = OverflowWrap.BREAK_WORD
             header { rowFrom(header) }
             column(1) { align = TextAlign.RIGHT }
-            body { rows.forEach(::rowFrom) }
+            tableBorders = Borders.ALL
+            body {
+                cellBorders = Borders.LEFT_RIGHT
+                rows.forEach(::rowFrom)
+            }
         }
         return terminal.render(widget).lines().joinToString("\n") { it.trimEnd() }.trimEnd()
     }

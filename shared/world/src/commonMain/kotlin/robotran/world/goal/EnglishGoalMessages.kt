@@ -30,14 +30,15 @@ object EnglishGoalMessages : GoalMessages {
         else -> "Draw $atLeast to $atMost cm."
     }
 
-    override fun followLine(who: Mover, line: String?, closed: Boolean, laps: String, within: Int?): String {
+    override fun followLine(who: Mover, line: String?, closed: Boolean, laps: Double, within: Int?): String {
         val name = if (line == null) "the line" else "the line \"$line\""
         val begin = if (who == Mover.OwnRobot) "Follow $name" else "Let ${name(who)} follow $name"
         val way = when {
-            closed && laps == "1" -> " once round"
-            closed -> " $laps times round"
-            laps == "1" -> " from one end to the other"
-            else -> " from one end to the other, $laps times"
+            laps < 1.0 -> " for ${number(laps * HUNDRED)} % of its length"
+            closed && laps == 1.0 -> " once round"
+            closed -> " ${number(laps)} times round"
+            laps == 1.0 -> " from one end to the other"
+            else -> " from one end to the other, ${number(laps)} times"
         }
         return "$begin$way${within(within)}."
     }
@@ -104,4 +105,6 @@ object EnglishGoalMessages : GoalMessages {
     private fun within(seconds: Int?) = if (seconds == null) "" else " within ${seconds(seconds)}"
 
     private fun seconds(seconds: Int) = if (seconds == 1) "1 second" else "$seconds seconds"
+
+    private const val HUNDRED = 100
 }

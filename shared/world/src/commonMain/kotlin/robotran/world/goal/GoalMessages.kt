@@ -25,9 +25,9 @@ interface GoalMessages {
 
     /**
      * @param line the line's name; null if there is only one.
-     * @param laps written as a number.
+     * @param laps above 0; less than 1 for a part of the line.
      */
-    fun followLine(who: Mover, line: String?, closed: Boolean, laps: String, within: Int?): String
+    fun followLine(who: Mover, line: String?, closed: Boolean, laps: Double, within: Int?): String
 
     fun endWithin(who: Mover, seconds: Int): String
 

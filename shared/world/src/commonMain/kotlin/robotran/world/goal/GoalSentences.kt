@@ -23,7 +23,7 @@ internal class GoalSentences(
         is Goal.NeverTouch -> messages.neverTouch(mover(goal.who), goal.what.sorted())
         is Goal.DrawTemplate -> messages.drawTemplate(number(goal.tolerance), percent(goal.coverage))
         is Goal.InkLength -> inkLength(goal)
-        is Goal.FollowLine -> messages.followLine(mover(goal.who), lineName(goal), isClosed(goal), number(goal.laps), goal.within)
+        is Goal.FollowLine -> messages.followLine(mover(goal.who), lineName(goal), isClosed(goal), goal.laps, goal.within)
         is Goal.EndWithin -> messages.endWithin(mover(goal.who), goal.seconds)
         is Goal.ShowOnDisplay -> messages.showOnDisplay(mover(goal.who), goal.text.trim())
         is Goal.PlaySound -> messages.playSound(mover(goal.who), goal.times, goal.lowest, goal.highest)
@@ -67,11 +67,12 @@ internal class GoalSentences(
 
     private fun lines(): List<Mark> = world.marks.filter { it.figure is MarkFigure.Line }
 
-    private fun number(value: Double) = writeThousandths(value).removeSuffix(".0")
-
     private fun percent(share: Double) = (share * 100 + 0.5).toInt()
 
     private companion object {
         const val THIRDS = 3
     }
 }
+
+/** As a person writes it, such as `1.5` or `20`. */
+internal fun number(value: Double): String = writeThousandths(value).removeSuffix(".0")

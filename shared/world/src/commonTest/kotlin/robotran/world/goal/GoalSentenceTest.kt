@@ -52,6 +52,7 @@ class GoalSentenceTest {
             Goal.FollowLine("road") to "Follow the line \"road\" from one end to the other.",
             Goal.FollowLine("road", laps = 2.0, who = "red") to
                 "Let the robot \"red\" follow the line \"road\" from one end to the other, 2 times.",
+            Goal.FollowLine("road", laps = 0.8) to "Follow the line \"road\" for 80 % of its length.",
             Goal.EndWithin(1) to "Your program must come to its end within 1 second.",
             Goal.EndWithin(20, who = "red") to "The program of the robot \"red\" must come to its end within 20 seconds.",
             Goal.ShowOnDisplay(" HELLO") to "Show \"HELLO\" on the display.",
