@@ -6,6 +6,7 @@ kotlin {
     sourceSets {
         wasmJsMain.dependencies {
             implementation(project(":shared:ui"))
+            implementation(project(":shared:projects"))
             implementation(libs.coroutines.core)
         }
     }

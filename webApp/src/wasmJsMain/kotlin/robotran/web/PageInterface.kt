@@ -9,6 +9,11 @@ import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.projects.Project
+import robotran.projects.ProjectFileResult
+import robotran.projects.RobotLoads
+import robotran.projects.readProject
+import robotran.projects.readRobotLoads
 import robotran.ui.workshop.PENBOT_CALIBRATION
 import robotran.ui.workshop.Workshop
 import robotran.world.BuiltInWorlds
@@ -23,10 +28,12 @@ import kotlin.js.Promise
  * - `report()` is the report of the workshop's run up to now, as JSON;
  * - `run(program, milliseconds, name)` promises `{ report, romLog }` of an unattended run of a program's text on the plain sheet, as
  *   `robotran run` makes it; it is refused with the first mistake of the text. A name that ends in `.java` makes it a Java program, any other or
- *   none one in Robolang.
+ *   none one in Robolang;
+ * - `runProject(project, milliseconds)` promises `{ report }` of the run of a project file's text with all that was done to it from outside; it is refused with
+ *   what is wrong with the project.
  */
 internal fun openPageInterface(workshop: Workshop) =
-    publish(report = { workshop.report().toJson() }, run = ::promiseRun)
+    publish(report = { workshop.report().toJson() }, run = ::promiseRun, runProject = ::promiseProjectRun)
 
 @OptIn(DelicateCoroutinesApi::class)
 private fun promiseRun(
@@ -51,6 +58,35 @@ private fun promiseRun(
         }
     }
 
+@OptIn(DelicateCoroutinesApi::class)
+private fun promiseProjectRun(
+    text: String,
+    milliseconds: Int,
+): Promise<JsAny?> =
+    GlobalScope.promise {
+        when (val file = readProject(text)) {
+            is ProjectFileResult.Refused -> refusal(file.message)
+            is ProjectFileResult.Loaded -> runOf(file.project, milliseconds)
+        }
+    }
+
+private suspend fun runOf(
+    project: Project,
+    milliseconds: Int,
+): JsAny =
+    when (val robots = readRobotLoads(project, ProgramReader(PENBOT_CALIBRATION, project.settings.java))) {
+        is RobotLoads.Mistaken -> {
+            refusal(robots.mistakes.first().message)
+        }
+
+        is RobotLoads.Ready -> {
+            val session = Session.replay(project.worldToRun, robots.loads, loadPhysicsEngine(), project.inputs, milliseconds.toLong())
+            session.finish()
+            session.close()
+            runResult(session.report().toJson(), romLog = "")
+        }
+    }
+
 /** A promise that is broken with an error that scripts can read; one that Kotlin throws is only an object to them. */
 private fun refusal(words: String): JsAny = js("Promise.reject(new Error(words))")
 
@@ -62,8 +98,9 @@ private fun runResult(
 private fun publish(
     report: () -> String,
     run: (String, Int, String) -> Promise<JsAny?>,
+    runProject: (String, Int) -> Promise<JsAny?>,
 ): Unit =
-    js("{ globalThis.robotran = { report, run: (program, milliseconds, name = 'program') => run(program, milliseconds, name) }; }")
+    js("{ globalThis.robotran = { report, run: (program, milliseconds, name = 'program') => run(program, milliseconds, name), runProject }; }")
 
 /** One for all runs, so that the compiler for Java is loaded once. */
 private val reader = ProgramReader(PENBOT_CALIBRATION)

@@ -27,9 +27,9 @@ internal class LinkCommand(
 ) : CoreCliktCommand("link") {
     private val files by argument("FILE", help = "a world (.world.json), a project (.robotran), or programs (.robo, .java) for one robot")
         .multiple(required = true)
-    private val world by option("--world", metavar = "FILE", help = "the world that programs run in (.world.json); a plain sheet if not given")
+    private val world by option("--world", metavar = "FILE", help = "the world of the programs (.world.json); a plain sheet if not given")
 
-    override fun help(context: Context) = "Prints a world, a project or programs as a link, to be pasted behind the address of Robotran's page."
+    override fun help(context: Context) = "Prints a world, a project or programs as a link, to be pasted behind the page's address."
 
     override fun run() {
         val single = files.singleOrNull()

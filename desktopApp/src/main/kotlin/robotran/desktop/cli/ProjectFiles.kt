@@ -13,7 +13,10 @@ import robotran.projects.readProject
 /** Whether [name] is a project file or a link, and not a program. */
 internal fun isProject(name: String): Boolean = name.endsWith(PROJECT) || isLink(name)
 
-/** Reads a project file or a link; a link to a world is a project in which nobody has a program but from the world. Null if it cannot be used, and why is told. */
+/**
+ * Reads a project file or a link; a link to a world is a project in which nobody has a program but from the world. Null if it cannot be used,
+ * and why is told.
+ */
 internal fun readProjectFile(
     name: String,
     console: Console,

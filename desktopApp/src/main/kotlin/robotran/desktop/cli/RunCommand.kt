@@ -8,6 +8,7 @@ import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.rom.RomGroup
@@ -48,6 +49,7 @@ internal class RunCommand(
     }.default(RomGroup.entries.toSet())
     private val report by option("--report", metavar = "FILE|-", help = "writes the report as JSON")
     private val brickReport by option("--brick-report", metavar = "FILE|-", help = "writes display, sounds and state of the brick as JSON")
+    private val explain by option("--explain", help = "says what has made the robots stray").flag()
     private val memory by option("--memory", metavar = "FILE|-", help = "writes what is in the brick's memory at the end")
     private val options by RunOptions()
 
@@ -55,7 +57,7 @@ internal class RunCommand(
 
     override fun run() {
         conflictIn(presses, options.milliseconds ?: USUAL_RUN_MILLISECONDS)?.let { throw UsageError(it) }
-        val outputs = RunOutputs(picture, romLog, romLogOnly, report, brickReport, memory)
+        val outputs = RunOutputs(picture, romLog, romLogOnly, report, brickReport, memory, explain)
         val request = RunRequest(
             programs, options.robots, options.java, world, WorldChanges(seed, options.realism), options.milliseconds, presses,
         )
@@ -73,6 +75,7 @@ internal class RunCommand(
  * Where a run's results are to go: names of files, - for the console, null for nowhere.
  *
  * @property romLogGroups what of the ROM log is wanted.
+ * @property explains whether to say on the console what has made the robots stray.
  */
 internal class RunOutputs(
     val picture: String?,
@@ -81,4 +84,5 @@ internal class RunOutputs(
     val report: String?,
     val brickReport: String?,
     val memory: String?,
+    val explains: Boolean,
 )

@@ -34,8 +34,20 @@ internal class RunResults(
         if (outputs.romLog != null && forgotten > 0) {
             console.complain("The ROM log lacks the first $forgotten calls: it keeps only the newest.")
         }
+        if (outputs.explains) explain()
         if (CONSOLE !in listOf(outputs.romLog, outputs.report, outputs.brickReport, outputs.memory)) console.say(summary(report))
         return problems
+    }
+
+    /** Says for each robot what has made it stray. */
+    private fun explain() {
+        val influences = session.explain()
+        if (influences.isEmpty()) console.say("Nothing has made the robot stray.")
+        val several = session.world.robots.size > 1
+        for ((robot, told) in influences.groupBy { it.robot }) {
+            if (several) console.say("$robot:")
+            told.forEach { console.say(it.sentence) }
+        }
     }
 
     private fun romLogText(outputs: RunOutputs): String {

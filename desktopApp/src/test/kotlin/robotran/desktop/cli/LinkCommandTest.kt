@@ -48,7 +48,12 @@ class LinkCommandTest : CommandTest() {
     @Test
     fun `a Java program leaves the folders of this machine behind`() {
         assertEquals(0, link(tree.resolve("examples/lejos/Square.java").toString()))
-        assertEquals(listOf("Square.java"), assertIs<LinkResult.OfProject>(opened()).project.robots.single().programs.single().files.map { it.name })
+        assertEquals(
+            listOf("Square.java"),
+            assertIs<LinkResult.OfProject>(opened()).project.robots.single().programs.single().files.map {
+                it.name
+            },
+        )
     }
 
     @Test

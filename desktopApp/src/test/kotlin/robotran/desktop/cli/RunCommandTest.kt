@@ -53,6 +53,15 @@ class RunCommandTest : CommandTest() {
     }
 
     @Test
+    fun `what has made the robot stray is said`() {
+        assertEquals(0, run(square, "--explain"))
+        assertEquals("Nothing has made the robot stray.", console.said.first())
+        console.said.clear()
+        assertEquals(0, run(square, "--explain", "--realism", "1", "--seed", "3"))
+        assertTrue(console.said.any { it.startsWith("The left motor is ") }, console.said.toString())
+    }
+
+    @Test
     fun `time that is up is no failure`() {
         assertEquals(0, run(square, "--for", "1.5", "--report", "-"))
         assertContains(console.said.single(), "\"status\": \"running\"")

@@ -49,6 +49,11 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedJavaRuns: DirectoryProperty
 
+        /** Projects that the page runs, each with the report that it must leave. */
+        @get:InputDirectory
+        @get:PathSensitive(PathSensitivity.RELATIVE)
+        abstract val expectedProjectRuns: DirectoryProperty
+
         /** A script that prints the path of a Chromium. */
         @get:InputFile
         @get:PathSensitive(PathSensitivity.NONE)
@@ -87,6 +92,7 @@ abstract class BrowserTest
                 exec.environment("EXAMPLES", examples.files.joinToString(File.pathSeparator) { it.path })
                 exec.environment("EXPECTED_RUNS", expectedRuns.get().asFile.path)
                 exec.environment("EXPECTED_JAVA_RUNS", expectedJavaRuns.get().asFile.path)
+                exec.environment("EXPECTED_PROJECT_RUNS", expectedProjectRuns.get().asFile.path)
                 exec.environment("PICTURES", pictures.get().asFile.path)
             }
         }

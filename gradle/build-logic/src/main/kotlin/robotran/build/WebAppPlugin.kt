@@ -35,6 +35,7 @@ class WebAppPlugin : Plugin<Project> {
                 )
                 task.tests.from(project.fileTree("src/browserTest"))
                 task.examples.from(project.rootProject.fileTree("examples"))
+                task.expectedProjectRuns.set(project.rootProject.file("shared/projects/src/commonTest/resources/runs"))
                 task.expectedRuns.set(project.rootProject.file("shared/world/src/commonTest/resources/runs"))
                 task.expectedJavaRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/runs"))
                 task.browserFinder.set(project.rootProject.file(Chromium.SCRIPT))

@@ -79,8 +79,11 @@ private class JsonWriter(private val out: StringBuilder, private val tall: Set<S
 
     /** All that is around a list of objects or a tall one breaks with it. */
     private fun mustBreak(element: JsonElement, indent: Int): Boolean = when (element) {
-        is JsonObject -> element.isNotEmpty() && (indent == 0 || element.any { (name, value) -> isTall(name, value) || mustBreak(value, INDENT) })
+        is JsonObject -> element.isNotEmpty() &&
+            (indent == 0 || element.any { (name, value) -> isTall(name, value) || mustBreak(value, INDENT) })
+
         is JsonArray -> element.any { it is JsonObject || mustBreak(it, INDENT) }
+
         is JsonPrimitive -> false
     }
 

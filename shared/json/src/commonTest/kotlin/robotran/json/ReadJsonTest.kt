@@ -61,12 +61,19 @@ class ReadJsonTest {
         assertEquals(1200, read("1.2e3") { it.wholeNumber(0..2000) })
         assertEquals(5_000_000_000, read("5000000000") { it.longNumber(0..9_000_000_000) })
         assertEquals("Line 1: the file must be a whole number from 0 to 20.", refusal("1e30") { it.wholeNumber(0..20) }.message)
-        assertEquals("Line 1: the file must be a whole number from 0 to 9000000000.", refusal("-1e30") { it.longNumber(0..9_000_000_000) }.message)
+        assertEquals(
+            "Line 1: the file must be a whole number from 0 to 9000000000.",
+            refusal("-1e30") {
+                it.longNumber(0..9_000_000_000)
+            }.message,
+        )
     }
 
     @Test
     fun `what the parser lets pass is refused all the same`() {
         listOf("nan", "[01]", "{\"a\": tru}", "+1", "'a'", "[1.]", "{\"a\": {\"b\": [0, .5]}}").forEach { refusal(it) { } }
-        listOf("{a: 1}", "[1,]", "{\"a\":1,}", "[1 2]", "// a\n1", "1 1", "\"a\nb\"", "\"\\x\"", "\"\\u12\"", "\"\\", "\"").forEach { refusal(it) { } }
+        listOf("{a: 1}", "[1,]", "{\"a\":1,}", "[1 2]", "// a\n1", "1 1", "\"a\nb\"", "\"\\x\"", "\"\\u12\"", "\"\\", "\"").forEach {
+            refusal(it) { }
+        }
     }
 }

@@ -10,7 +10,8 @@ class WriteDecimalTest {
     @Test
     fun `numbers are written as short as they can be read`() {
         val numbers = mapOf(
-            0.0 to "0", -0.0 to "0", 1.0 to "1", -1.0 to "-1", 0.1 to "0.1", 100.5 to "100.5", -0.125 to "-0.125", 33.3333333333333 to "33.3333333333333",
+            0.0 to "0", -0.0 to "0", 1.0 to "1", -1.0 to "-1", 0.1 to "0.1", 100.5 to "100.5", -0.125 to "-0.125",
+            33.3333333333333 to "33.3333333333333",
             1e-7 to "0.0000001", 123456789012345.0 to "123456789012345", 2e9 to "2000000000", 999999999999999.0 to "999999999999999",
             1e15 to "1000000000000000", 1.5e21 to "1500000000000000000000",
         )
@@ -49,6 +50,8 @@ class WriteDecimalTest {
 
     @Test
     fun `there is no text for what is not finite`() {
-        listOf(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY).forEach { assertFailsWith<IllegalArgumentException> { writeDecimal(it) } }
+        listOf(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY).forEach {
+            assertFailsWith<IllegalArgumentException> { writeDecimal(it) }
+        }
     }
 }

@@ -28,12 +28,12 @@ internal class InputReader(private val world: World) {
             InputKind.PRESS -> SessionInput.Press(place.member("button").choice(BUTTONS), robot(place))
             InputKind.RELEASE -> SessionInput.Release(place.member("button").choice(BUTTONS), robot(place))
             InputKind.STOP -> SessionInput.Stop
-            InputKind.PLACE_ROBOT -> SessionInput.PlaceRobot(robot(place), Pose(number(place, "x"), number(place, "y"), number(place, "heading")))
+            InputKind.PLACE_ROBOT -> SessionInput.PlaceRobot(robot(place), pose(place))
             InputKind.MOVE_LAMP -> SessionInput.MoveLamp(lamp(place), Point(number(place, "x"), number(place, "y")))
             InputKind.SWITCH_LAMP -> SessionInput.SwitchLamp(lamp(place), place.member("on").flag())
             InputKind.LIGHT -> SessionInput.ChangeAmbientLight(number(place, "light"))
             InputKind.TEMPERATURE -> SessionInput.ChangeTemperature(number(place, "celsius"))
-            else -> SessionInput.TouchSensor(robot(place), place.member("port").wholeNumber(1..InputKind.PORTS) - 1, place.member("pressed").flag())
+            else -> SessionInput.TouchSensor(robot(place), port(place), place.member("pressed").flag())
         }
     }
 
@@ -49,6 +49,10 @@ internal class InputReader(private val world: World) {
         if (world.lamps.isEmpty()) lamp.refuse("cannot be, since the world has no lamp")
         return lamp.wholeNumber(1..world.lamps.size) - 1
     }
+
+    private fun pose(place: JsonPlace) = Pose(number(place, "x"), number(place, "y"), number(place, "heading"))
+
+    private fun port(place: JsonPlace): Int = place.member("port").wholeNumber(1..InputKind.PORTS) - 1
 
     private fun number(place: JsonPlace, name: String): Double =
         place.member(name).number(-ProjectLimits.MAXIMUM_INPUT_NUMBER..ProjectLimits.MAXIMUM_INPUT_NUMBER)

@@ -51,7 +51,11 @@ suspend fun openLink(link: String): LinkResult {
         return LinkResult.Refused("The link is too long: more than ${ProjectLimits.MAXIMUM_LINK_CHARACTERS} characters.")
     }
     val data = fragment.removePrefix(kind.start)
-    if (data.isNotEmpty() && !data.startsWith(SCHEME) && data[0] in 'b'..'z') return LinkResult.Refused("This link was made by a newer Robotran.")
+    if (data.isNotEmpty() && !data.startsWith(SCHEME) &&
+        data[0] in 'b'..'z'
+    ) {
+        return LinkResult.Refused("This link was made by a newer Robotran.")
+    }
     val bytes = if (data.startsWith(SCHEME)) unpack(data.removePrefix(SCHEME)) else null
     return when {
         bytes == null -> LinkResult.Refused("The link is broken or not whole; perhaps a part of it was lost when it was copied.")
@@ -70,8 +74,8 @@ private suspend fun linkOf(kind: LinkKind, element: JsonElement): LinkMaking {
     val fragment = "#${kind.start}$SCHEME${LETTERS.encode(deflate(bytes))}"
     if (fragment.length <= ProjectLimits.MAXIMUM_LINK_CHARACTERS) return LinkMaking.Made(fragment)
     return LinkMaking.TooLong(
-        "This ${kind.word} is too long for a link: it would take ${fragment.length} characters, and ${ProjectLimits.MAXIMUM_LINK_CHARACTERS} are the most. " +
-            "Share its file instead.",
+        "This ${kind.word} is too long for a link: it would take ${fragment.length} characters, " +
+            "and ${ProjectLimits.MAXIMUM_LINK_CHARACTERS} are the most. Share its file instead.",
     )
 }
 

@@ -80,12 +80,17 @@ private fun elementOf(recorded: RecordedInput, world: World) = jsonObject {
             button(input.button)
             robot(input.robot)
         }
+
         is SessionInput.Release -> {
             text("kind", InputKind.RELEASE)
             button(input.button)
             robot(input.robot)
         }
-        is SessionInput.Stop -> text("kind", InputKind.STOP)
+
+        is SessionInput.Stop -> {
+            text("kind", InputKind.STOP)
+        }
+
         is SessionInput.PlaceRobot -> {
             text("kind", InputKind.PLACE_ROBOT)
             robot(input.robot)
@@ -93,25 +98,30 @@ private fun elementOf(recorded: RecordedInput, world: World) = jsonObject {
             number("y", input.pose.y)
             number("heading", input.pose.heading)
         }
+
         is SessionInput.MoveLamp -> {
             text("kind", InputKind.MOVE_LAMP)
             number("lamp", input.lamp + 1)
             number("x", input.place.x)
             number("y", input.place.y)
         }
+
         is SessionInput.SwitchLamp -> {
             text("kind", InputKind.SWITCH_LAMP)
             number("lamp", input.lamp + 1)
             flag("on", input.on, usual = null)
         }
+
         is SessionInput.ChangeAmbientLight -> {
             text("kind", InputKind.LIGHT)
             number("light", input.light)
         }
+
         is SessionInput.ChangeTemperature -> {
             text("kind", InputKind.TEMPERATURE)
             number("celsius", input.celsius)
         }
+
         is SessionInput.TouchSensor -> {
             text("kind", InputKind.TOUCH)
             robot(input.robot)

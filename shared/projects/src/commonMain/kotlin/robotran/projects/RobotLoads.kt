@@ -54,6 +54,7 @@ suspend fun readRobotLoads(world: World, reader: ProgramReader, given: Map<Strin
 suspend fun readRobotLoads(project: Project, reader: ProgramReader): RobotLoads =
     when (val result = readRobotLoads(project.world, reader, project.programs)) {
         is RobotLoads.Mistaken -> result
+
         is RobotLoads.Ready -> result.copy(
             loads = project.world.robots.zip(result.loads) { place, load ->
                 val robot = project.robots.firstOrNull { it.name == place.name }

@@ -73,7 +73,16 @@ class ProjectFileTest {
             "This project was made by a newer Robotran (it has version 2, this Robotran reads up to 1).",
             refusal("{\"format\": \"robotran-project\", \"version\": 2}"),
         )
-        assertEquals("The file is not a text in UTF-8; an editor can save it as one.", assertIs<ProjectFileResult.Refused>(readProject(ByteArray(9) { -1 })).message)
+        assertEquals(
+            "The file is not a text in UTF-8; an editor can save it as one.",
+            assertIs<ProjectFileResult.Refused>(
+                readProject(
+                    ByteArray(9) {
+                        -1
+                    },
+                ),
+            ).message,
+        )
     }
 
     @Test
@@ -90,15 +99,27 @@ class ProjectFileTest {
     fun `values that are not allowed are refused with their place`() {
         assertEquals("robots[0].name must be the name of a robot of the world.", refusalWith("\"bob\"", "\"bo\""))
         assertEquals("robots[1] is about \"bob\", and one before is so already.", refusalWith("\"ann\"", "\"bob\""))
-        assertEquals("robots[0].firstProgram must be a whole number from 1 to 2.", refusalWith("\"firstProgram\": 2", "\"firstProgram\": 3"))
+        assertEquals(
+            "robots[0].firstProgram must be a whole number from 1 to 2.",
+            refusalWith("\"firstProgram\": 2", "\"firstProgram\": 3"),
+        )
         assertEquals("robots[0].programs[1].language must be \"robolang\" or \"java\".", refusalWith("\"java\"", "\"basic\""))
-        assertEquals("robots[0].programs[1].files[1] must not have \"size\".", refusalWith("\"name\": \"C.java\"", "\"size\": 5, \"name\": \"C.java\""))
-        assertEquals("robots[0].programs[0].text[2] must be a text in quotes.", refusalWith("\\u0000\",\n            \"\"", "\\u0000\",\n            7"))
+        assertEquals(
+            "robots[0].programs[1].files[1] must not have \"size\".",
+            refusalWith("\"name\": \"C.java\"", "\"size\": 5, \"name\": \"C.java\""),
+        )
+        assertEquals(
+            "robots[0].programs[0].text[2] must be a text in quotes.",
+            refusalWith("\\u0000\",\n            \"\"", "\\u0000\",\n            7"),
+        )
         assertEquals("settings.realism must be from 0 to 1.", refusalWith("\"realism\": 0.25", "\"realism\": 2"))
         assertEquals("settings.java.mode must be \"brick\" or \"forgiving\".", refusalWith("\"forgiving\"", "\"kind\""))
         assertEquals("inputs[1].at must not be before the input above it.", refusalWith("\"at\": 0,", "\"at\": 11,"))
         assertEquals("inputs[0].button must be \"on-off\", \"view\", \"prgm\" or \"run\".", refusalWith("\"on-off\"", "\"off\""))
-        assertEquals("inputs[3].robot must be the name of a robot of the world.", refusalWith("\"placeRobot\", \"robot\": \"bob\"", "\"placeRobot\", \"robot\": 1"))
+        assertEquals(
+            "inputs[3].robot must be the name of a robot of the world.",
+            refusalWith("\"placeRobot\", \"robot\": \"bob\"", "\"placeRobot\", \"robot\": 1"),
+        )
         assertEquals("inputs[4].lamp must be a whole number from 1 to 2.", refusalWith("\"lamp\": 2", "\"lamp\": 3"))
         assertEquals("inputs[8].port must be a whole number from 1 to 3.", refusalWith("\"port\": 3", "\"port\": 4"))
         assertEquals("inputs[2] must not have \"x\".", refusalWith("\"stop\"", "\"stop\", \"x\": 1"))
@@ -117,6 +138,10 @@ class ProjectFileTest {
                 is ProjectFileResult.Refused -> assertTrue(result.message.endsWith("."), result.message)
             }
         }
-        for (length in 0..<file.indexOfLast { it == '}'.code.toByte() }) assertIs<ProjectFileResult.Refused>(readProject(file.copyOf(length)))
+        for (length in 0..<file.indexOfLast {
+            it == '}'.code.toByte()
+        }) {
+            assertIs<ProjectFileResult.Refused>(readProject(file.copyOf(length)))
+        }
     }
 }

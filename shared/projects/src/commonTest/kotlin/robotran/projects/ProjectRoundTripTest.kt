@@ -48,7 +48,13 @@ class ProjectRoundTripTest {
 
     private fun robot(name: String): ProjectRobot {
         val programs = List(random.nextInt(6)) { program() }
-        return ProjectRobot(name, programs, random.nextInt(maxOf(1, programs.size)), maybe { LightFacing.entries.random(random) }, unknown())
+        return ProjectRobot(
+            name, programs, random.nextInt(maxOf(1, programs.size)),
+            maybe {
+                LightFacing.entries.random(random)
+            },
+            unknown(),
+        )
     }
 
     private fun program(): ProjectProgram {
@@ -89,9 +95,20 @@ class ProjectRoundTripTest {
 
     private fun visible() = List(random.nextInt(8)) { listOf("a", "é", "\"", "\\", "/", "🤖", "語").random(random) }.joinToString("")
 
-    private fun text() = List(random.nextInt(40)) { listOf("a", "\n", "\r\n", "\t", "\u0000", "\uD83E", "🤖", "\"", "end").random(random) }.joinToString("")
+    private fun text() = List(random.nextInt(40)) {
+        listOf("a", "\n", "\r\n", "\t", "\u0000", "\uD83E", "🤖", "\"", "end").random(random)
+    }.joinToString("")
 
-    private fun unknown() = if (random.nextBoolean()) UnknownFields.NONE else UnknownFields(mapOf("_" to JsonPrimitive(text()), "?" to JsonNull))
+    private fun unknown() = if (random.nextBoolean()) {
+        UnknownFields.NONE
+    } else {
+        UnknownFields(
+            mapOf(
+                "_" to JsonPrimitive(text()),
+                "?" to JsonNull,
+            ),
+        )
+    }
 
     private fun <T : Any> maybe(make: () -> T): T? = if (random.nextBoolean()) make() else null
 }

@@ -17,25 +17,35 @@ internal fun elementOf(goal: Goal): JsonObject = jsonObject(goal.unknown.members
             number("within", goal.within)
             flag("stays", goal.stays, usual = false)
         }
-        is Goal.StayOut -> place("stayOut", goal.region, goal.who, goal.whole)
-        is Goal.StayIn -> place("stayIn", goal.region, goal.who, goal.whole)
+
+        is Goal.StayOut -> {
+            place("stayOut", goal.region, goal.who, goal.whole)
+        }
+
+        is Goal.StayIn -> {
+            place("stayIn", goal.region, goal.who, goal.whole)
+        }
+
         is Goal.NeverTouch -> {
             text("kind", "neverTouch")
             val words = TouchKind.entries.filter { it in goal.what }.map { JsonPrimitive(wordFor(it)) }
             if (words.size < TouchKind.entries.size) put("what", JsonArray(words))
             text("who", goal.who)
         }
+
         is Goal.DrawTemplate -> {
             text("kind", "drawTemplate")
             number("tolerance", goal.tolerance, GoalReader.USUAL_DRAWING.tolerance)
             number("coverage", goal.coverage, GoalReader.USUAL_DRAWING.coverage)
             number("excess", goal.excess, GoalReader.USUAL_DRAWING.excess)
         }
+
         is Goal.InkLength -> {
             text("kind", "inkLength")
             put("atLeast", goal.atLeast?.let(::decimal))
             put("atMost", goal.atMost?.let(::decimal))
         }
+
         is Goal.FollowLine -> {
             text("kind", "followLine")
             text("line", goal.line)
@@ -44,16 +54,19 @@ internal fun elementOf(goal: Goal): JsonObject = jsonObject(goal.unknown.members
             text("who", goal.who)
             number("within", goal.within)
         }
+
         is Goal.EndWithin -> {
             text("kind", "endWithin")
             number("seconds", goal.seconds)
             text("who", goal.who)
         }
+
         is Goal.ShowOnDisplay -> {
             text("kind", "showOnDisplay")
             text("text", goal.text)
             text("who", goal.who)
         }
+
         is Goal.PlaySound -> {
             text("kind", "playSound")
             number("times", goal.times, usual = 1)
@@ -61,9 +74,18 @@ internal fun elementOf(goal: Goal): JsonObject = jsonObject(goal.unknown.members
             number("highest", goal.highest)
             text("who", goal.who)
         }
-        is Goal.InOrder -> group("inOrder", goal.goals)
-        is Goal.All -> group("all", goal.goals)
-        is Goal.AnyOf -> group("anyOf", goal.goals)
+
+        is Goal.InOrder -> {
+            group("inOrder", goal.goals)
+        }
+
+        is Goal.All -> {
+            group("all", goal.goals)
+        }
+
+        is Goal.AnyOf -> {
+            group("anyOf", goal.goals)
+        }
     }
     text("says", goal.says)
 }

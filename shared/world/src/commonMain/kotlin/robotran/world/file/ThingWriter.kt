@@ -56,6 +56,7 @@ internal fun elementOf(lamp: Lamp) = jsonObject(lamp.unknown.members) {
 
 internal fun ObjectBuilder.shape(shape: Shape) = when (shape) {
     is Shape.Polygon -> put("polygon", points(shape.corners))
+
     is Shape.Circle -> put(
         "circle",
         jsonObject {
@@ -63,6 +64,7 @@ internal fun ObjectBuilder.shape(shape: Shape) = when (shape) {
             number("radius", shape.radius)
         },
     )
+
     is Shape.Rectangle -> put(
         "rectangle",
         jsonObject {

@@ -40,7 +40,9 @@ fun elementOf(world: World): JsonObject = jsonObject(world.unknown.members) {
     number("temperature", world.temperature, usual = World.ROOM_TEMPERATURE)
     put(
         "template",
-        world.template?.let { template -> jsonObject(template.unknown.members) { put("strokes", JsonArray(template.strokes.map(::points))) } },
+        world.template?.let { template ->
+            jsonObject(template.unknown.members) { put("strokes", JsonArray(template.strokes.map(::points))) }
+        },
     )
     list("goals", world.goals, ::elementOf)
     number("timeLimit", world.timeLimit, usual = World.DEFAULT_TIME_LIMIT)

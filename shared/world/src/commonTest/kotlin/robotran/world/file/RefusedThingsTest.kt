@@ -47,8 +47,14 @@ class RefusedThingsTest {
                 "\"temperature\".",
             complaint("\"left bumper\"", "\"bumper\""),
         )
-        assertEquals("robots[0].ports must not have \"4\": a brick has the ports \"1\", \"2\" and \"3\".", complaint("\"3\": []", "\"4\": []"))
-        assertEquals("robots[0].ports.2 must not have the same sensor twice.", complaint("[\"light\", \"touch\"]", "[\"light\", \"light\"]"))
+        assertEquals(
+            "robots[0].ports must not have \"4\": a brick has the ports \"1\", \"2\" and \"3\".",
+            complaint("\"3\": []", "\"4\": []"),
+        )
+        assertEquals(
+            "robots[0].ports.2 must not have the same sensor twice.",
+            complaint("[\"light\", \"touch\"]", "[\"light\", \"light\"]"),
+        )
         assertEquals("marks[1].colour must be a colour such as \"#1133aa\".", complaint("#1133AA", "#1133AG"))
         assertEquals("goals[3].what[0] must be \"walls\", \"barriers\", \"blocks\" or \"robots\".", complaint("[\"walls\"", "[\"floor\""))
     }
@@ -60,7 +66,10 @@ class RefusedThingsTest {
             "barriers[1] must have only one of \"circle\" and \"polygon\".",
             complaint("\"radius\": 3 }", "\"radius\": 3 }, \"polygon\": []"),
         )
-        assertEquals("marks[1] must have only one of \"grey\" and \"colour\".", complaint("\"colour\": \"#", "\"grey\": 1, \"colour\": \"#"))
+        assertEquals(
+            "marks[1] must have only one of \"grey\" and \"colour\".",
+            complaint("\"colour\": \"#", "\"grey\": 1, \"colour\": \"#"),
+        )
     }
 
     @Test
@@ -121,15 +130,24 @@ class RefusedThingsTest {
         val already = "barriers[0] must not be called \"ann\", since robots[0] is called so already."
         assertEquals(already, complaint("\"name\": \"box\"", "\"name\": \"ann\""))
         assertEquals("goals[0].who must be the name of a robot or a block.", complaint("\"who\": \"brick\"", "\"who\": \"box\""))
-        assertEquals("goals[3].who must be the name of a robot.", complaint("\"robots\"], \"who\": \"bob\"", "\"robots\"], \"who\": \"brick\""))
-        assertEquals("goals[5].goals[1].line must be the name of a mark that is a line.", complaint("\"line\": \"loop\"", "\"line\": \"box\""))
+        assertEquals(
+            "goals[3].who must be the name of a robot.",
+            complaint("\"robots\"], \"who\": \"bob\"", "\"robots\"], \"who\": \"brick\""),
+        )
+        assertEquals(
+            "goals[5].goals[1].line must be the name of a mark that is a line.",
+            complaint("\"line\": \"loop\"", "\"line\": \"box\""),
+        )
         assertEquals("goals[4] needs a template, and this world has none.", complaint("\"template\"", "\"pattern\"", line = 36))
     }
 
     @Test
     fun `bounds of goals must leave room`() {
         assertEquals("goals[5].goals[0] must not have \"atLeast\" above \"atMost\".", complaint("\"atLeast\": 10", "\"atLeast\": 30"))
-        assertEquals("goals[5].goals[0] must have \"atLeast\" or \"atMost\" or both.", complaint("\"atLeast\": 10, \"atMost\": 20", "\"about\": 20"))
+        assertEquals(
+            "goals[5].goals[0] must have \"atLeast\" or \"atMost\" or both.",
+            complaint("\"atLeast\": 10, \"atMost\": 20", "\"about\": 20"),
+        )
         assertEquals("goals[7].goals[1] must not have \"lowest\" above \"highest\".", complaint("\"lowest\": 400", "\"lowest\": 600"))
     }
 

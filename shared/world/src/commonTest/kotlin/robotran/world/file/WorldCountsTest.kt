@@ -45,7 +45,10 @@ class WorldCountsTest {
         val stroke = List(2000) { "[$it, ${it % 2}]" }.joinToString(",", "[", "]")
         val strokes = { count: Int -> list("strokes", stroke, count).let { "\"template\": {$it}" } }
         loaded("{$start, ${strokes(10)}}")
-        assertEquals("Line 1: template.strokes[10][0] goes beyond the 20000 points that a world may have all together.", refused(strokes(11)))
+        assertEquals(
+            "Line 1: template.strokes[10][0] goes beyond the 20000 points that a world may have all together.",
+            refused(strokes(11)),
+        )
 
         val map = "{\"greyMap\": {\"x\": 0, \"y\": 0, \"cell\": 1, ${list("rows", "\"${"f".repeat(500)}\"", 250)}}}"
         loaded("{$start, ${list("marks", map, 2)}}")

@@ -97,45 +97,30 @@ private class ArbitraryWorld(private val random: Random) {
         private val movable = robots + blocks
         private val lines = marks.filter { it.figure is MarkFigure.Line }.mapNotNull { it.name }
 
-        fun goal(depth: Int): Goal = when (random.nextInt(13)) {
+        fun goal(depth: Int): Goal = when (random.nextInt(if (depth == 3) SIMPLE_KINDS else KINDS)) {
             0 -> Goal.Reach(shape(), any(movable), flag(), maybe(::seconds), flag(), maybe(::text), unknown())
-
             1 -> Goal.StayOut(shape(), any(movable), flag(), maybe(::text), unknown())
-
             2 -> Goal.StayIn(shape(), any(movable), flag(), maybe(::text), unknown())
-
-            3 -> Goal.NeverTouch(TouchKind.entries.shuffled(random).take(random.nextInt(1, 5)).toSet(), any(robots), maybe(::text), unknown())
-
-            4 -> if (template ==
-                null
-            ) {
-                goal(depth)
-            } else {
-                Goal.DrawTemplate(number(0.1, 100.0), number(0.0, 1.0), number(0.0, 100.0), maybe(::text), unknown())
-            }
-
+            3 -> Goal.NeverTouch(touchKinds(), any(robots), maybe(::text), unknown())
+            4 -> if (template == null) goal(depth) else drawTemplate()
             5 -> Goal.InkLength(number(0.0, 50.0), maybe { number(50.0, 1e5) }, maybe(::text), unknown())
-
             6 -> if (lines.isEmpty()) goal(depth) else followLine()
-
             7 -> Goal.EndWithin(seconds(), any(robots), maybe(::text), unknown())
-
             8 -> Goal.ShowOnDisplay("HELLO".take(random.nextInt(1, 6)), any(robots), maybe(::text), unknown())
-
-            9 -> Goal.PlaySound(
-                random.nextInt(1, 1001),
-                maybe {
-                    random.nextInt(31, 440)
-                },
-                maybe { 440 }, any(robots), maybe(::text), unknown(),
-            )
-
-            10 -> if (depth == 3) goal(depth) else Goal.InOrder(goals(depth), maybe(::text), unknown())
-
-            11 -> if (depth == 3) goal(depth) else Goal.All(goals(depth), maybe(::text), unknown())
-
-            else -> if (depth == 3) goal(depth) else Goal.AnyOf(goals(depth), maybe(::text), unknown())
+            9 -> playSound()
+            10 -> Goal.InOrder(goals(depth), maybe(::text), unknown())
+            11 -> Goal.All(goals(depth), maybe(::text), unknown())
+            else -> Goal.AnyOf(goals(depth), maybe(::text), unknown())
         }
+
+        private fun touchKinds() = TouchKind.entries.shuffled(random).take(random.nextInt(1, 5)).toSet()
+
+        private fun playSound(): Goal.PlaySound {
+            val lowest = maybe { random.nextInt(31, 440) }
+            return Goal.PlaySound(random.nextInt(1, 1001), lowest, maybe { 440 }, any(robots), maybe(::text), unknown())
+        }
+
+        private fun drawTemplate() = Goal.DrawTemplate(number(0.1, 100.0), number(0.0, 1.0), number(0.0, 100.0), maybe(::text), unknown())
 
         private fun goals(depth: Int) = List(random.nextInt(1, 3)) { goal(depth + 1) }
 
@@ -201,6 +186,10 @@ private class ArbitraryWorld(private val random: Random) {
     private fun <T> some(most: Int, make: () -> T): List<T> = List(random.nextInt(most + 1)) { make() }
 
     private companion object {
+        const val KINDS = 13
+
+        /** Those that are not made of others. */
+        const val SIMPLE_KINDS = 10
         val CHARACTERS = listOf("a", "B", "ñ", "\"", "\\", "/", "语", "\uD83E\uDD16", "x", "{", "]", ",", "7")
     }
 }

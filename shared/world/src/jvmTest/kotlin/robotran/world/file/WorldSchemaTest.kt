@@ -67,7 +67,8 @@ class WorldSchemaTest {
     /** What a value might be by mistake; null for not being there at all. */
     private fun others(value: JsonElement): List<JsonElement?> = listOf(
         null, JsonNull, JsonPrimitive(true), JsonPrimitive(""), JsonPrimitive(" "), JsonPrimitive("x"), JsonPrimitive("#12345g"),
-        JsonPrimitive(-1), JsonPrimitive(0), JsonPrimitive(0.05), JsonPrimitive(1.5), JsonPrimitive(19), JsonPrimitive(1e9), JsonPrimitive(-1e9),
+        JsonPrimitive(-1), JsonPrimitive(0), JsonPrimitive(0.05), JsonPrimitive(1.5), JsonPrimitive(19),
+        JsonPrimitive(1e9), JsonPrimitive(-1e9),
         JsonPrimitive(3), JsonPrimitive("e".repeat(501)), JsonArray(emptyList()), JsonObject(emptyMap()), JsonArray(listOf(value)),
         JsonArray(listOf(value, value)), JsonArray(List(1001) { value }),
         (value as? JsonArray)?.let { JsonArray(it.dropLast(1)) } ?: JsonNull,
