@@ -6,7 +6,6 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
-import androidx.compose.ui.graphics.drawscope.clipPath
 import androidx.compose.ui.graphics.drawscope.withTransform
 import robotran.world.Pose
 import robotran.world.Shape
@@ -18,6 +17,7 @@ import kotlin.math.max
  * @property grain the rings of a log, or the grain of a board.
  */
 internal class BlockDrawing(shape: Shape, transform: SheetTransform) {
+    private val corners = shape.corners().map { transform.toPixels(it.x, it.y) }
     val centre = transform.toPixels(shape.centre.x, shape.centre.y)
     val path = pathOf(shape, transform)
     val grain = Path()
@@ -26,8 +26,8 @@ internal class BlockDrawing(shape: Shape, transform: SheetTransform) {
     init {
         when (shape) {
             is Shape.Circle -> addRings(shape.radius.toFloat() * transform.pixelsPerCentimetre)
-            is Shape.Rectangle -> addBoards(shape, transform)
-            is Shape.Polygon -> addGrain(max(GRAIN_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_GRAIN_PIXELS))
+            is Shape.Rectangle -> addBoards(lengthwise = shape.width >= shape.height)
+            is Shape.Polygon -> if (transform.pixelsPerCentimetre > 0) addGrain(transform)
         }
     }
 
@@ -36,25 +36,18 @@ internal class BlockDrawing(shape: Shape, transform: SheetTransform) {
     }
 
     /** Along its longer side. */
-    private fun addBoards(shape: Shape.Rectangle, transform: SheetTransform) {
-        val (first, second, third, fourth) = shape.corners().map { transform.toPixels(it.x, it.y) }
-        val lengthwise = shape.width >= shape.height
+    private fun addBoards(lengthwise: Boolean) {
+        val (first, second, third, fourth) = corners
         for (part in BOARDS) {
             val from = if (lengthwise) first.part(fourth, part) else first.part(second, part)
             val to = if (lengthwise) second.part(third, part) else fourth.part(third, part)
-            grain.moveTo(from.x, from.y)
-            grain.lineTo(to.x, to.y)
+            grain.addLine(listOf(from, to))
         }
     }
 
-    private fun addGrain(step: Float) {
-        val bounds = path.getBounds()
-        var y = bounds.top + step / 2
-        while (y < bounds.bottom) {
-            grain.moveTo(bounds.left, y)
-            grain.lineTo(bounds.right, y)
-            y += step
-        }
+    private fun addGrain(transform: SheetTransform) {
+        val step = max(GRAIN_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_GRAIN_PIXELS)
+        for (ends in hatching(corners, step, Offset(0f, 1f), lineWidth).chunked(2)) grain.addLine(ends)
     }
 
     private fun Offset.part(other: Offset, part: Float) = this + (other - this) * part
@@ -68,7 +61,7 @@ internal fun DrawScope.drawBlock(block: BlockDrawing, moved: Pose, transform: Sh
         rotate(-moved.heading.toFloat(), block.centre)
     }) {
         drawPath(block.path, SheetColours.BLOCK)
-        clipPath(block.path) { drawPath(block.grain, SheetColours.BLOCK_GRAIN, style = Stroke(block.lineWidth, cap = StrokeCap.Round)) }
+        drawPath(block.grain, SheetColours.BLOCK_GRAIN, style = Stroke(block.lineWidth, cap = StrokeCap.Round))
         drawPath(block.path, SheetColours.BLOCK_EDGE, style = Stroke(block.lineWidth * 2))
     }
 }

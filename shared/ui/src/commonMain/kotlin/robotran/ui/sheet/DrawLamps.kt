@@ -8,8 +8,8 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.world.Lamp
-import robotran.world.LampState
 import robotran.world.Point
+import robotran.world.Pose
 import robotran.world.SessionState
 import robotran.world.World
 import kotlin.math.PI
@@ -18,15 +18,15 @@ import kotlin.math.max
 import kotlin.math.sin
 import kotlin.math.sqrt
 
-/** What the lamps shine on; remembers it for as long as a lamp is not moved. */
+/** What the lamps shine on; remembers it for as long as neither a lamp nor a block is moved. */
 internal class GlowDrawing(private val world: World, private val transform: SheetTransform) {
     private val obstacles: List<List<Point>> = world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() }
-    private val latest = arrayOfNulls<Pair<Point, Path>>(world.lamps.size)
+    private val latest = arrayOfNulls<LitByLamp>(world.lamps.size)
 
     /** The lamps that shine, each with what it shines on. */
-    fun lit(lamps: List<LampState>): List<Glow> =
-        world.lamps.zip(lamps).mapIndexedNotNull { number, (lamp, now) ->
-            if (now.on && lamp.brightness > 0) Glow(now.place, reachOf(lamp.brightness), area(number, lamp, now.place)) else null
+    fun lit(state: SessionState): List<Glow> =
+        world.lamps.zip(state.lamps).mapIndexedNotNull { number, (lamp, now) ->
+            if (now.on && lamp.brightness > 0) Glow(now.place, reachOf(lamp.brightness), area(number, lamp, now.place, state.blocks)) else null
         }
 
     /** The lights on top of robots, which shine all round, and too low for shadows to matter. */
@@ -39,21 +39,27 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
 
     fun toPixels(length: Double): Float = (length * transform.pixelsPerCentimetre).toFloat()
 
-    private fun area(number: Int, lamp: Lamp, place: Point): Path {
-        latest[number]?.let { (before, path) -> if (before == place) return path }
-        val corners = litArea(place, lamp.direction, lamp.cone, reachOf(lamp.brightness), obstacles)
-        return Path().apply { addLine(corners.map(::toPixels), closed = true) }.also { latest[number] = place to it }
+    private fun area(number: Int, lamp: Lamp, place: Point, blocks: List<Pose>): Path {
+        latest[number]?.let { if (it.place == place && it.blocks == blocks) return it.path }
+        val inTheWay = obstacles + world.blocks.zip(blocks) { block, moved -> block.shape.movedCorners(moved) }
+        val corners = litArea(place, lamp.direction, lamp.cone, reachOf(lamp.brightness), inTheWay)
+        val path = Path().apply { addLine(corners.map(::toPixels), closed = true) }
+        latest[number] = LitByLamp(place, blocks, path)
+        return path
     }
 
     /** Where the light has become too weak to be seen. */
     private fun reachOf(brightness: Double) = REACH_CENTIMETRES * sqrt(brightness)
 }
 
+/** What a lamp at [place] shone on while the blocks were there. */
+private class LitByLamp(val place: Point, val blocks: List<Pose>, val path: Path)
+
 /** @property area null for all around. */
 internal class Glow(val place: Point, val reach: Double, val area: Path?)
 
 internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) {
-    for (glow in drawing.lit(state.lamps) + drawing.beacons(state)) {
+    for (glow in drawing.lit(state) + drawing.beacons(state)) {
         val centre = drawing.toPixels(glow.place)
         val radius = drawing.toPixels(glow.reach)
         if (radius <= 0f) continue

@@ -14,12 +14,14 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.StrokeJoin
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
-import androidx.compose.ui.graphics.drawscope.clipPath
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.IntSize
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Shade
+import robotran.world.Shape
+import kotlin.math.ceil
+import kotlin.math.floor
 import kotlin.math.max
 import kotlin.math.roundToInt
 
@@ -43,7 +45,7 @@ internal sealed interface MarkDrawing {
 }
 
 internal fun markDrawing(mark: Mark, transform: SheetTransform): MarkDrawing = when (val figure = mark.figure) {
-    is MarkFigure.Area -> area(pathOf(figure.shape, transform), mark.shade, transform)
+    is MarkFigure.Area -> area(figure.shape, mark.shade, transform)
     is MarkFigure.Line -> line(figure, mark.shade, transform)
     is MarkFigure.GreyMap -> picture(figure, transform)
 }
@@ -62,24 +64,18 @@ internal fun DrawScope.drawMark(mark: MarkDrawing) {
 }
 
 private fun DrawScope.drawPainted(mark: MarkDrawing.Painted) {
-    val dotColour = SheetColours.MARK_DOTS
     if (mark.width != null) {
         drawPath(mark.path, mark.colour, style = Stroke(mark.width, cap = StrokeCap.Round, join = StrokeJoin.Round))
-        drawPoints(mark.dots, PointMode.Points, dotColour, mark.dotSize, StrokeCap.Round)
     } else {
         drawPath(mark.path, mark.colour)
-        if (mark.dots.isNotEmpty()) {
-            clipPath(mark.path) {
-                drawPoints(mark.dots, PointMode.Points, dotColour, mark.dotSize, StrokeCap.Round)
-            }
-        }
     }
+    if (mark.dots.isNotEmpty()) drawPoints(mark.dots, PointMode.Points, SheetColours.MARK_DOTS, mark.dotSize, StrokeCap.Round)
 }
 
-private fun area(path: Path, shade: Shade, transform: SheetTransform): MarkDrawing {
+private fun area(shape: Shape, shade: Shade, transform: SheetTransform): MarkDrawing {
     val step = dotStep(transform)
-    val dots = if (shade.isBlue) gridWithin(path.getBounds(), step) else emptyList()
-    return MarkDrawing.Painted(path, shade.colour, null, dots, step * DOT_PART)
+    val dots = if (shade.isBlue) dotsWithin(shape.corners().map { transform.toPixels(it.x, it.y) }, step) else emptyList()
+    return MarkDrawing.Painted(pathOf(shape, transform), shade.colour, null, dots, step * DOT_PART)
 }
 
 private fun line(line: MarkFigure.Line, shade: Shade, transform: SheetTransform): MarkDrawing {
@@ -126,20 +122,13 @@ private fun greyColour(reflectance: Double): Color = reflectance.toFloat().coerc
 
 private fun dotStep(transform: SheetTransform) = max(DOT_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_DOT_STEP)
 
-/** Every other row begins half a step further to the right. */
-private fun gridWithin(bounds: Rect, step: Float): List<Offset> = buildList {
-    var y = bounds.top + step / 2
-    var odd = false
-    while (y < bounds.bottom) {
-        var x = bounds.left + if (odd) step else step / 2
-        while (x < bounds.right) {
-            add(Offset(x, y))
-            x += step
-        }
-        odd = !odd
-        y += step
+/** In rows, and none at the edge. */
+private fun dotsWithin(corners: List<Offset>, step: Float): List<Offset> =
+    hatching(corners, step, Offset(0f, 1f), step * DOT_PART).chunked(2).flatMap { (one, other) ->
+        val from = minOf(one.x, other.x)
+        val to = maxOf(one.x, other.x)
+        (ceil(from / step).toInt()..floor(to / step).toInt()).map { Offset(it * step, one.y) }
     }
-}
 
 /** Places every [step] pixels along a line through [points]. */
 internal fun placesAlong(points: List<Offset>, step: Float): List<Offset> = buildList {

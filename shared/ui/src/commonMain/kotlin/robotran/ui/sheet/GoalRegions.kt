@@ -53,9 +53,10 @@ private fun regions(goal: Goal, where: List<Int>, number: Int?): List<GoalRegion
 }
 
 private fun inOrder(goals: List<Goal>, where: List<Int>): List<GoalRegion> {
+    val several = goals.count { it is Goal.Reach } > 1
     var reached = 0
     return goals.flatMapIndexed { part, inner ->
         if (inner is Goal.Reach) reached++
-        regions(inner, where + part, reached.takeIf { inner is Goal.Reach })
+        regions(inner, where + part, reached.takeIf { several && inner is Goal.Reach })
     }
 }

@@ -4,6 +4,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
 import robotran.world.Point
+import robotran.world.Pose
 import robotran.world.Shape
 import robotran.world.Wall
 import kotlin.math.PI
@@ -22,9 +23,6 @@ internal fun pathOf(shape: Shape, transform: SheetTransform): Path = Path().appl
     }
 }
 
-internal fun pathOf(wall: Wall, transform: SheetTransform): Path =
-    Path().apply { addLine(wall.corners().map { transform.toPixels(it.x, it.y) }, closed = true) }
-
 /** Lines from each of [points] to the next. */
 internal fun Path.addLine(points: List<Offset>, closed: Boolean = false) {
     val first = points.firstOrNull() ?: return
@@ -38,6 +36,18 @@ internal fun Shape.corners(): List<Point> = when (this) {
     is Shape.Circle -> (0 until CIRCLE_CORNERS).map { centre.towards(it * 2 * PI / CIRCLE_CORNERS, radius) }
     is Shape.Rectangle -> rectangle(centre, angle * RADIANS_PER_DEGREE, width / 2, height / 2)
     is Shape.Polygon -> if (twiceTheArea(corners) < 0) corners.reversed() else corners
+}
+
+/** The corners of a block that was moved so far and turned about its centre. */
+internal fun Shape.movedCorners(moved: Pose): List<Point> {
+    val middle = centre
+    val cosine = cos(moved.heading * RADIANS_PER_DEGREE)
+    val sine = sin(moved.heading * RADIANS_PER_DEGREE)
+    return corners().map {
+        val x = it.x - middle.x
+        val y = it.y - middle.y
+        Point(middle.x + moved.x + x * cosine - y * sine, middle.y + moved.y + x * sine + y * cosine)
+    }
 }
 
 /** The four corners of a wall, whose ends reach half its thickness beyond its line. */

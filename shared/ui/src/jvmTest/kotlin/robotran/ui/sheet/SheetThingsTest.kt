@@ -114,6 +114,14 @@ class SheetThingsTest {
     }
 
     @Test
+    fun `the shadow of a block goes where the block is pushed`() {
+        val world = with { copy(lamps = listOf(Lamp(Point(40.0, 30.0))), blocks = listOf(Block(Shape.Rectangle(Point(50.0, 10.0), 6.0, 6.0)))) }
+        val pushed = SheetScenes.state(world, blocks = listOf(Pose(0.0, 20.0, 0.0)))
+        assertNotEquals(paper, closeUp(world).at(60.0, 30.0))
+        assertEquals(paper, closeUp(world, pushed).at(60.0, 30.0))
+    }
+
+    @Test
     fun `a lamp that has been moved shines where it is now`() {
         val world = with { copy(lamps = listOf(Lamp(Point(30.0, 30.0)))) }
         val moved = closeUp(world, SheetScenes.state(world, lamps = listOf(LampState(Point(80.0, 30.0), on = true))))
@@ -191,6 +199,7 @@ class SheetThingsTest {
         val regions = goalRegions(listOf(out, Goal.InOrder(listOf(one, out, two)), one))
         assertEquals(listOf(null, 1, 2), regions.map { it.number })
         assertEquals(listOf(listOf(0), listOf(1, 0), listOf(1, 2)), regions.map { it.where })
+        assertEquals(listOf(null), goalRegions(listOf(Goal.InOrder(listOf(one, Goal.PlaySound())))).map { it.number })
     }
 
     @Test
