@@ -27,7 +27,7 @@ internal class BlockDrawing(shape: Shape, transform: SheetTransform) {
         when (shape) {
             is Shape.Circle -> addRings(shape.radius.toFloat() * transform.pixelsPerCentimetre)
             is Shape.Rectangle -> addBoards(lengthwise = shape.width >= shape.height)
-            is Shape.Polygon -> if (transform.pixelsPerCentimetre > 0) addGrain(transform)
+            is Shape.Polygon -> addGrain(transform)
         }
     }
 

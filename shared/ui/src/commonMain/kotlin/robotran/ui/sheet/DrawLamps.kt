@@ -26,7 +26,8 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
     /** The lamps that shine, each with what it shines on. */
     fun lit(state: SessionState): List<Glow> =
         world.lamps.zip(state.lamps).mapIndexedNotNull { number, (lamp, now) ->
-            if (now.on && lamp.brightness > 0) Glow(now.place, reachOf(lamp.brightness), area(number, lamp, now.place, state.blocks)) else null
+            if (!now.on || lamp.brightness <= 0) return@mapIndexedNotNull null
+            Glow(now.place, reachOf(lamp.brightness), area(number, lamp, now.place, state.blocks))
         }
 
     /** The lights on top of robots, which shine all round, and too low for shadows to matter. */

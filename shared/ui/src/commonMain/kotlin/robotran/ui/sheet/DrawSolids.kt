@@ -16,10 +16,10 @@ internal class SolidsDrawing(world: World, transform: SheetTransform) {
     val path = Path().apply { for (corners in outlines) addLine(corners, closed = true) }
 
     private val step = max(HATCHING_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_HATCHING_PIXELS)
-    val lineWidth = step / 4
+    val lineWidth = step / 3
 
     /** The ends of slanting lines, cut to the outlines once and for all: clipping in each frame would cost far more. */
-    val hatching: List<Offset> = if (transform.pixelsPerCentimetre > 0) outlines.flatMap { hatching(it, step, SLANT, lineWidth / 2) } else emptyList()
+    val hatching: List<Offset> = outlines.flatMap { hatching(it, step, SLANT, lineWidth / 2) }
 }
 
 /** Walls and barriers from above: brick-red, and hatched, so that nobody needs the colour to know them. */
@@ -30,6 +30,6 @@ internal fun DrawScope.drawSolids(solids: SolidsDrawing) {
     drawPoints(solids.hatching, PointMode.Lines, SheetColours.WALL_HATCHING, solids.lineWidth)
 }
 
-private const val HATCHING_CENTIMETRES = 1f
-private const val LEAST_HATCHING_PIXELS = 5f
+private const val HATCHING_CENTIMETRES = 0.7f
+private const val LEAST_HATCHING_PIXELS = 4f
 private val SLANT = Offset(1f, 1f)

@@ -115,7 +115,8 @@ class SheetThingsTest {
 
     @Test
     fun `the shadow of a block goes where the block is pushed`() {
-        val world = with { copy(lamps = listOf(Lamp(Point(40.0, 30.0))), blocks = listOf(Block(Shape.Rectangle(Point(50.0, 10.0), 6.0, 6.0)))) }
+        val block = Block(Shape.Rectangle(Point(50.0, 10.0), 6.0, 6.0))
+        val world = with { copy(lamps = listOf(Lamp(Point(40.0, 30.0))), blocks = listOf(block)) }
         val pushed = SheetScenes.state(world, blocks = listOf(Pose(0.0, 20.0, 0.0)))
         assertNotEquals(paper, closeUp(world).at(60.0, 30.0))
         assertEquals(paper, closeUp(world, pushed).at(60.0, 30.0))
