@@ -96,11 +96,12 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
         return StopReason.TimeUp
     }
 
-    /** Does something to the session from outside, between two ticks. */
+    /** Does something to the session from outside, between two ticks. Lengths, angles and amounts count in thousandths. */
     fun apply(input: SessionInput) {
         endPause()
-        recorded += RecordedInput(running.milliseconds, input)
-        running.apply(input)
+        val exact = input.inThousandths()
+        recorded += RecordedInput(running.milliseconds, exact)
+        running.apply(exact)
     }
 
     /** What has made the robots stray so far and their sensors err, robot by robot; what did next to nothing is left out. */

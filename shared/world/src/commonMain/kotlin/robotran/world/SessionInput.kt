@@ -37,3 +37,16 @@ sealed interface SessionInput {
     /** A finger presses the touch sensor on the input port [port], 0..2, of a robot, or lets it go. */
     data class TouchSensor(val robot: Int, val port: Int, val pressed: Boolean) : SessionInput
 }
+
+/** The input with its places, angles and amounts in thousandths, as a file can keep them, so that a run is the same after it was saved. */
+internal fun SessionInput.inThousandths(): SessionInput = when (this) {
+    is SessionInput.PlaceRobot -> copy(pose = Pose(roundToThousandths(pose.x), roundToThousandths(pose.y), roundToThousandths(pose.heading)))
+
+    is SessionInput.MoveLamp -> copy(place = Point(roundToThousandths(place.x), roundToThousandths(place.y)))
+
+    is SessionInput.ChangeAmbientLight -> copy(light = roundToThousandths(light))
+
+    is SessionInput.ChangeTemperature -> copy(celsius = roundToThousandths(celsius))
+
+    is SessionInput.Press, is SessionInput.Release, is SessionInput.SwitchLamp, is SessionInput.TouchSensor, SessionInput.Stop -> this
+}

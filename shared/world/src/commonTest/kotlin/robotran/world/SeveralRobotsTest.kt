@@ -117,6 +117,13 @@ class SeveralRobotsTest {
     }
 
     @Test
+    fun `inputs count as a file can keep them`() = runTest {
+        val session = session(world(Pose(20.0, 20.0, 0.0)), null)
+        session.apply(SessionInput.PlaceRobot(0, Pose(33.33333, 44.44444, Double.NaN)))
+        assertEquals(SessionInput.PlaceRobot(0, Pose(33.333, 44.444, 0.0)), session.inputs.last().input)
+    }
+
+    @Test
     fun `inputs for what is not there do nothing`() = runTest {
         val session = session(world(Pose(20.0, 20.0, 0.0)), null)
         session.apply(SessionInput.Press(BrickButton.RUN, robot = 5))
