@@ -44,7 +44,10 @@ private fun barrierAt(number: Int): Shape {
     return if (number % 2 == 0) Shape.Rectangle(Point(x, y), 4.0, 2.0, 10.0 * number) else Shape.Circle(Point(x, y), 1.0)
 }
 
-private fun ring() = Mark(MarkFigure.Line(listOf(Point(40.0, 40.0), Point(200.0, 60.0), Point(120.0, 220.0)), width = 2.0, closed = true), Shade.Grey(0.1))
+private fun ring(): Mark {
+    val corners = listOf(Point(40.0, 40.0), Point(200.0, 60.0), Point(120.0, 220.0))
+    return Mark(MarkFigure.Line(corners, width = 2.0, closed = true), Shade.Grey(0.1))
+}
 
 private const val SIDE = 400.0
 private const val PER_ROW = 40

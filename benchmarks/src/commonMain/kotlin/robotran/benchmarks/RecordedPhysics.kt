@@ -36,7 +36,9 @@ internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngin
         override fun addCircle(body: Int, x: Double, y: Double, radius: Double, friction: Double): Int =
             also { it.addCircle(body, x, y, radius, friction) }
 
-        override fun setMass(body: Int, x: Double, y: Double, mass: Double, inertia: Double) = also { it.setMass(body, x, y, mass, inertia) }
+        override fun setMass(body: Int, x: Double, y: Double, mass: Double, inertia: Double) = also {
+            it.setMass(body, x, y, mass, inertia)
+        }
 
         override fun spreadMass(body: Int, mass: Double) = also { it.spreadMass(body, mass) }
 

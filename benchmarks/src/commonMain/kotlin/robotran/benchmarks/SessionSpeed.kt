@@ -41,7 +41,8 @@ private suspend fun growth(sizes: List<Int>, world: (Int) -> World): Figure {
     val physics = loadPhysicsEngine()
     val speeds = sizes.map { VIRTUAL_TIME / driving(world(it), physics) }
     val all = sizes.zip(speeds).joinToString { (size, speed) -> "$size: ${rounded(speed)}" }
-    return Figure(speeds.first() / speeds.last(), "times as slow with ${sizes.last()} as with ${sizes.first()}", "times real time with $all")
+    val unit = "times as slow with ${sizes.last()} as with ${sizes.first()}"
+    return Figure(speeds.first() / speeds.last(), unit, "times real time with $all")
 }
 
 private suspend fun againstStep(world: World): Figure {

@@ -100,7 +100,7 @@ private fun publish(
     run: (String, Int, String) -> Promise<JsAny?>,
     runProject: (String, Int) -> Promise<JsAny?>,
 ): Unit =
-    js("{ globalThis.robotran = { report, run: (program, milliseconds, name = 'program') => run(program, milliseconds, name), runProject }; }")
+    js("{ globalThis.robotran = { report, runProject, run: (program, time, name = 'program') => run(program, time, name) }; }")
 
 /** One for all runs, so that the compiler for Java is loaded once. */
 private val reader = ProgramReader(PENBOT_CALIBRATION)

@@ -25,7 +25,8 @@ class ProjectRunTest {
         assertEquals(10, projects.size)
         for ((name, text) in projects) {
             val project = assertIs<ProjectFileResult.Loaded>(readProject(text)).project
-            val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE), project.settings.java)
+            val reader =
+                ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE), project.settings.java)
             val loads = assertIs<RobotLoads.Ready>(readRobotLoads(project, reader)).loads
             val session = Session.replay(project.worldToRun, loads, loadPhysicsEngine(), project.inputs, MILLISECONDS)
             session.finish()

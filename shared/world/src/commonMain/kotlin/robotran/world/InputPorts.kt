@@ -70,7 +70,13 @@ internal class InputPorts(
             temperature = celsius
             temperatureRaw = TemperatureSensor.raw(celsius)
         }
-        return if (realism == 0.0) temperatureRaw else rounded(temperatureRaw + realism * Realism.TEMPERATURE_NOISE * temperatureNoise.normal())
+        return if (realism ==
+            0.0
+        ) {
+            temperatureRaw
+        } else {
+            rounded(temperatureRaw + realism * Realism.TEMPERATURE_NOISE * temperatureNoise.normal())
+        }
     }
 
     private fun rounded(raw: Double): Int = floor(raw + HALF).toInt().coerceIn(0, SensorCode.OPEN_RAW)

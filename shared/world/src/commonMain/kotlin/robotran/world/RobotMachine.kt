@@ -73,8 +73,9 @@ internal class RobotMachine(
         touchedKinds = touchedKinds or body.touchedKinds
         val left = leftWheel.speedChange
         val right = rightWheel.speedChange
-        leftWheel.endStep(force(traction.left - rollingImpulse(left, right)), traction.leftSlips, body.groundSpeed(Penbot.WHEEL_TRACK / 2))
-        rightWheel.endStep(force(traction.right - rollingImpulse(right, left)), traction.rightSlips, body.groundSpeed(-Penbot.WHEEL_TRACK / 2))
+        val place = Penbot.WHEEL_TRACK / 2
+        leftWheel.endStep(force(traction.left - rollingImpulse(left, right)), traction.leftSlips, body.groundSpeed(place))
+        rightWheel.endStep(force(traction.right - rollingImpulse(right, left)), traction.rightSlips, body.groundSpeed(-place))
     }
 
     private fun force(impulse: Double) = impulse / SimulationLimits.PHYSICS_STEP_SECONDS

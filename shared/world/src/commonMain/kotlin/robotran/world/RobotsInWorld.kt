@@ -28,6 +28,11 @@ internal class RobotsInWorld(private val world: World, loads: List<RobotLoad>, p
     var milliseconds = 0L
         private set
 
+    init {
+        // What is so before anything happens is nobody's doing, such as the volts on the display.
+        if (world.goals.isNotEmpty()) judgeGoals()
+    }
+
     val state: SessionState get() = latest ?: snapshot().also { latest = it }
     val traceHash: String get() = hash.text
 

@@ -9,7 +9,8 @@ class BlockTest {
     private fun world(block: Block) =
         BuiltInWorlds.plain.copy(walls = emptyList(), blocks = listOf(block)).withStart(Pose(20.0, 40.0, 0.0))
 
-    private fun box(mass: Double, friction: Double = 0.3, y: Double = 40.0) = Block(Shape.Rectangle(Point(40.0, y), 6.0, 6.0), mass, friction)
+    private fun box(mass: Double, friction: Double = 0.3, y: Double = 40.0) =
+        Block(Shape.Rectangle(Point(40.0, y), 6.0, 6.0), mass, friction)
 
     private suspend fun drivenInto(block: Block, power: Int = 3): SessionState {
         val program = ScriptedProgram {

@@ -42,7 +42,9 @@ internal object HeavyWorlds {
             robots = STARTS.mapIndexed { robot, start ->
                 RobotPlace(
                     start.copy(heading = from(-180.0, 180.0)), name = "robot $robot",
-                    ports = listOf(listOf(PortSensor.LEFT_BUMPER, PortSensor.TEMPERATURE), listOf(PortSensor.LIGHT), listOf(PortSensor.RIGHT_ROTATION)),
+                    ports = listOf(
+                        listOf(PortSensor.LEFT_BUMPER, PortSensor.TEMPERATURE), listOf(PortSensor.LIGHT), listOf(PortSensor.RIGHT_ROTATION),
+                    ),
                     lightFacing = LightFacing.entries[robot % 2], beacon = from(0.0, 1.0),
                 )
             },

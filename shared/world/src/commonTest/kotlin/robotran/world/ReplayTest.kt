@@ -66,7 +66,8 @@ class ReplayTest {
         session.apply(SessionInput.Release(BrickButton.RUN))
         session.advance(4_321)
 
-        val again = Session.replay(session.world, listOf(RobotLoad(listOf(hardProgram))), loadPhysicsEngine(), session.inputs, session.state.milliseconds)
+        val loads = listOf(RobotLoad(listOf(hardProgram)))
+        val again = Session.replay(session.world, loads, loadPhysicsEngine(), session.inputs, session.state.milliseconds)
 
         assertEquals(session.traceHash, again.traceHash)
         assertEquals(session.state.robot, again.state.robot)
@@ -84,7 +85,8 @@ class ReplayTest {
     fun `an input at another time makes another run`() = runTest {
         val session = startRun(ScriptedProgram.square).apply { advance(3_000) }
         val later = session.inputs.map { if (it.input is SessionInput.Release) it.copy(milliseconds = it.milliseconds + 1) else it }
-        val other = Session.replay(session.world, listOf(RobotLoad(listOf(ScriptedProgram.square))), loadPhysicsEngine(), later, session.state.milliseconds)
+        val loads = listOf(RobotLoad(listOf(ScriptedProgram.square)))
+        val other = Session.replay(session.world, loads, loadPhysicsEngine(), later, session.state.milliseconds)
         assertNotEquals(session.traceHash, other.traceHash)
     }
 }

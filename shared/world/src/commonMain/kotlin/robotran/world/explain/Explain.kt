@@ -21,8 +21,8 @@ internal class Explanation(
     private val right = machine.rightWheel.account
 
     fun influences(): List<Influence> = listOfNotNull(
-        startPlace(), startHeading(), strength(leftMotor = true), strength(leftMotor = false), flutter(), slip(), battery(), spin(), lightBias(),
-        lightNoise(), bounce(),
+        startPlace(), startHeading(), strength(leftMotor = true), strength(leftMotor = false), flutter(), slip(), battery(), spin(),
+        lightBias(), lightNoise(), bounce(),
     )
 
     private fun startPlace() = length(machine.start.x - place.start.x, machine.start.y - place.start.y).let {
@@ -42,7 +42,9 @@ internal class Explanation(
     }
 
     private fun flutter() = (left.flutter - right.flutter).let {
-        told(Cause.FLUTTER, it, LEAST_LENGTH) { messages.flutter(text(it), text(it / Penbot.WHEEL_TRACK / RADIANS_PER_DEGREE), left = it < 0) }
+        told(Cause.FLUTTER, it, LEAST_LENGTH) {
+            messages.flutter(text(it), text(it / Penbot.WHEEL_TRACK / RADIANS_PER_DEGREE), left = it < 0)
+        }
     }
 
     private fun slip() = (left.slip + right.slip).let { told(Cause.SLIP, it, LEAST_LENGTH) { messages.slip(text(it)) } }
@@ -55,7 +57,9 @@ internal class Explanation(
 
     private fun lightBias() = told(Cause.LIGHT_BIAS, lightBias, LEAST_RAW) { messages.lightBias(text(lightBias), dark = lightBias > 0) }
 
-    private fun lightNoise() = (realism * Realism.LIGHT_NOISE).let { told(Cause.LIGHT_NOISE, it, LEAST_RAW) { messages.lightNoise(text(it)) } }
+    private fun lightNoise() = (realism * Realism.LIGHT_NOISE).let {
+        told(Cause.LIGHT_NOISE, it, LEAST_RAW) { messages.lightNoise(text(it)) }
+    }
 
     private fun bounce() = (machine.leftBumper.bounceCount + machine.rightBumper.bounceCount).let {
         told(Cause.BOUNCE, it.toDouble(), 1.0) { messages.bounce(it) }

@@ -55,7 +55,8 @@ internal object EnglishInfluenceMessages : InfluenceMessages {
 
     override fun lightNoise(raw: String) = "The light sensor's readings flicker by about $raw raw units."
 
-    override fun bounce(times: Int) = "The switches of the bumpers bounced ${if (times == 1) "once" else "$times times"} when they were hit or let go."
+    override fun bounce(times: Int) =
+        "The switches of the bumpers bounced ${if (times == 1) "once" else "$times times"} when they were hit or let go."
 
     private fun side(left: Boolean) = if (left) "left" else "right"
 }

@@ -25,7 +25,8 @@ private class JvmPhysicsWorld(private val world: RigidWorld) : PhysicsWorld {
 
     override fun addPolygon(body: Int, corners: DoubleArray, friction: Double) = world.addPolygon(body, corners, friction)
 
-    override fun addCircle(body: Int, x: Double, y: Double, radius: Double, friction: Double) = world.addCircle(body, x, y, radius, friction)
+    override fun addCircle(body: Int, x: Double, y: Double, radius: Double, friction: Double) =
+        world.addCircle(body, x, y, radius, friction)
 
     override fun spreadMass(body: Int, mass: Double) = world.spreadMass(body, mass)
 
