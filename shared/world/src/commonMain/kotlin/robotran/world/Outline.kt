@@ -88,7 +88,7 @@ internal fun signedArea(corners: List<Point>): Double =
     }
 
 /** What a shape is turned about: the middle of a rectangle or circle, the centre of gravity of a polygon. */
-internal val Shape.centre: Point
+val Shape.centre: Point
     get() = when (this) {
         is Shape.Rectangle -> centre
         is Shape.Circle -> centre

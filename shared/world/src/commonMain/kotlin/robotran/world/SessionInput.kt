@@ -40,10 +40,17 @@ sealed interface SessionInput {
 
 /** The input with its places, angles and amounts in thousandths, as a file can keep them, so that a run is the same after it was saved. */
 internal fun SessionInput.inThousandths(): SessionInput = when (this) {
-    is SessionInput.PlaceRobot ->
-        copy(pose = Pose(roundToThousandths(pose.x), roundToThousandths(pose.y), roundToThousandths(pose.heading)))
+    is SessionInput.PlaceRobot -> copy(
+        pose = with(pose) {
+            Pose(roundToThousandths(x), roundToThousandths(y), roundToThousandths(heading))
+        },
+    )
+
     is SessionInput.MoveLamp -> copy(place = Point(roundToThousandths(place.x), roundToThousandths(place.y)))
+
     is SessionInput.ChangeAmbientLight -> copy(light = roundToThousandths(light))
+
     is SessionInput.ChangeTemperature -> copy(celsius = roundToThousandths(celsius))
+
     is SessionInput.Press, is SessionInput.Release, is SessionInput.SwitchLamp, is SessionInput.TouchSensor, SessionInput.Stop -> this
 }

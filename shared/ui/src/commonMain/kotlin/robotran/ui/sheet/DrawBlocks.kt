@@ -9,6 +9,7 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.withTransform
 import robotran.world.Pose
 import robotran.world.Shape
+import robotran.world.centre
 import kotlin.math.max
 
 /**

@@ -2,6 +2,7 @@ package robotran.ui.sheet
 
 import robotran.world.Point
 import robotran.world.Shape
+import robotran.world.centre
 import kotlin.math.hypot
 
 /**

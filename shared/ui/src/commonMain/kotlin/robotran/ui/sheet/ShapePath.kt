@@ -7,8 +7,8 @@ import robotran.world.Point
 import robotran.world.Pose
 import robotran.world.Shape
 import robotran.world.Wall
+import robotran.world.centre
 import kotlin.math.PI
-import kotlin.math.abs
 import kotlin.math.cos
 import kotlin.math.hypot
 import kotlin.math.sin
@@ -57,14 +57,6 @@ internal fun Wall.corners(): List<Point> {
     return rectangle(middle, kotlin.math.atan2(to.y - from.y, to.x - from.x), (length + thickness) / 2, thickness / 2)
 }
 
-/** The point of a shape that stays where it is when the shape is turned. */
-internal val Shape.centre: Point
-    get() = when (this) {
-        is Shape.Circle -> centre
-        is Shape.Rectangle -> centre
-        is Shape.Polygon -> middleOf(corners)
-    }
-
 /** Where one comes to from here in the direction [angle], in radians. */
 internal fun Point.towards(angle: Double, distance: Double) = Point(x + distance * cos(angle), y + distance * sin(angle))
 
@@ -77,20 +69,6 @@ private fun rectangle(centre: Point, angle: Double, halfLength: Double, halfWidt
     return listOf(
         corner(-halfLength, -halfWidth), corner(halfLength, -halfWidth), corner(halfLength, halfWidth), corner(-halfLength, halfWidth),
     )
-}
-
-/** The centre of its area; of corners all on a line, the middle of the corners. */
-private fun middleOf(corners: List<Point>): Point {
-    val area = twiceTheArea(corners)
-    if (abs(area) < LEAST_AREA) return Point(corners.sumOf { it.x } / corners.size, corners.sumOf { it.y } / corners.size)
-    var x = 0.0
-    var y = 0.0
-    corners.forEachEdge { from, to ->
-        val weight = (from.x * to.y - to.x * from.y) / (3 * area)
-        x += (from.x + to.x) * weight
-        y += (from.y + to.y) * weight
-    }
-    return Point(x, y)
 }
 
 private fun twiceTheArea(corners: List<Point>): Double {
@@ -106,4 +84,3 @@ internal inline fun List<Point>.forEachEdge(action: (Point, Point) -> Unit) {
 
 internal const val RADIANS_PER_DEGREE = PI / 180
 private const val CIRCLE_CORNERS = 48
-private const val LEAST_AREA = 1e-9
