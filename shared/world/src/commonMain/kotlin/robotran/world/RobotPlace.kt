@@ -7,7 +7,7 @@ package robotran.world
  * @property start where it stands when a session begins.
  * @property ports what is plugged into the input ports 1, 2 and 3; on a port with two, the one with the lower raw value wins, as on a
  * real brick.
- * @property lightFacing where its light sensor looks; null if its program may say so, otherwise it looks down.
+ * @property lightFacing where its light sensor looks; null if the pupil may turn it, see [RobotLoad], otherwise it looks down.
  * @property beacon the brightness of a lamp on top of it, as of a [Lamp] that shines all round; 0 if it has none.
  * @property program what it runs if nobody gives it another, in Robolang; null if it waits for one.
  */
