@@ -39,6 +39,6 @@ test('ten projects full of things make their recorded runs in the browser, bit f
 test('a broken project is refused with what is wrong and where', async () => {
   const { page, troubles } = await open();
   await assert.rejects(page.evaluate(() => globalThis.robotran.runProject('{\n"format": 7}', 1000)), /project/);
-  await assert.rejects(page.evaluate(() => globalThis.robotran.runProject('{\n', 1000)), /Line 2/);
+  await assert.rejects(page.evaluate(() => globalThis.robotran.runProject('{\n"format" 7}', 1000)), /Line 2/);
   assert.deepEqual(troubles, []);
 });

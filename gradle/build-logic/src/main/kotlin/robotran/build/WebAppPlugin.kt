@@ -34,7 +34,8 @@ class WebAppPlugin : Plugin<Project> {
                     project.tasks.named("wasmJsBrowserDevelopmentExecutableDistribution").map { it.outputs.files.singleFile },
                 )
                 task.tests.from(project.fileTree("src/browserTest"))
-                task.examples.from(project.rootProject.fileTree("examples"))
+                // Solutions need the worlds that they are for, which the page does not open.
+                task.examples.from(project.rootProject.fileTree("examples") { it.exclude("solutions/**") })
                 task.expectedProjectRuns.set(project.rootProject.file("shared/projects/src/commonTest/resources/runs"))
                 task.expectedRuns.set(project.rootProject.file("shared/world/src/commonTest/resources/runs"))
                 task.expectedJavaRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/runs"))
