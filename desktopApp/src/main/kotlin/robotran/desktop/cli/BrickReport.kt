@@ -2,25 +2,22 @@ package robotran.desktop.cli
 
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
-import robotran.rom.BrickButton
+import robotran.projects.elementOf
 import robotran.rom.LcdGlass
 import robotran.rom.MotorState
 import robotran.rom.RunState
 import robotran.rom.SensorState
 import robotran.rom.SoundEvent
-import robotran.world.RecordedInput
 import robotran.world.Session
-import robotran.world.SessionInput
 
 /**
  * The brick at the end of a run, as JSON: `poweredOn`, `program` (the number on the display), `state` (`idle`, `running`, `ended`,
  * `stopped`, `failed`), `line`, `lcd` with the `text` a reader would see and the `icons` that are lit, the `explanation` beside it,
  * `motors`, `sensors`, `batteryMillivolts`, the `sounds` it has played with their milliseconds, at most the newest kept, and the
- * `inputs` that make the same run again.
+ * `inputs` that make the same run again, as in project files.
  */
 internal fun brickReport(session: Session): String {
     val brick = session.state.brick
@@ -36,7 +33,7 @@ internal fun brickReport(session: Session): String {
             put("sensors", JsonArray(brick.sensors.map(::json)))
             put("batteryMillivolts", brick.batteryMillivolts)
             put("sounds", JsonArray(session.sounds.since(0).map(::json)))
-            put("inputs", JsonArray(session.inputs.map(::json)))
+            put("inputs", JsonArray(session.inputs.map { elementOf(it, session.world) }))
         }
     return jsonOutput.encodeToString(JsonObject.serializer(), report)
 }
@@ -90,29 +87,3 @@ private fun json(event: SoundEvent): JsonObject =
             }
         }
     }
-
-private fun json(recorded: RecordedInput): JsonObject =
-    buildJsonObject {
-        put("milliseconds", recorded.milliseconds)
-        when (val input = recorded.input) {
-            is SessionInput.Press -> putButton("press", input.button, input.robot)
-
-            is SessionInput.Release -> putButton("release", input.button, input.robot)
-
-            SessionInput.Stop -> put("stop", true)
-
-            // Nobody can do these on the command line.
-            is SessionInput.PlaceRobot, is SessionInput.MoveLamp, is SessionInput.SwitchLamp, is SessionInput.ChangeAmbientLight,
-            is SessionInput.ChangeTemperature, is SessionInput.TouchSensor,
-            -> put("other", input.toString())
-        }
-    }
-
-private fun JsonObjectBuilder.putButton(
-    name: String,
-    button: BrickButton,
-    robot: Int,
-) {
-    put(name, buttonName(button))
-    if (robot != 0) put("robot", robot)
-}

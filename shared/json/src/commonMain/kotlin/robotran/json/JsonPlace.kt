@@ -59,11 +59,8 @@ class JsonPlace(val element: JsonElement, val path: JsonPath) {
         val text = textOrNull() ?: refuse("must be a text in quotes")
         if (!mayBeEmpty && text.isBlank()) refuse("must not be empty")
         if (text.length > maximum) refuse("must not have more than $maximum characters")
-        if (text.any { it.isISOControl() } ||
-            text.indices.any { isHalfCharacter(text, it) }
-        ) {
-            refuse("must be one line of ordinary characters")
-        }
+        val isOrdinary = text.none { it.isISOControl() } && text.indices.none { isHalfCharacter(text, it) }
+        if (!isOrdinary) refuse("must be one line of ordinary characters")
         return text
     }
 
@@ -86,11 +83,8 @@ class JsonPlace(val element: JsonElement, val path: JsonPath) {
 
     fun wholeNumber(range: IntRange): Int {
         val number = numberOrNull() ?: refuse("must be a number")
-        if (number != number.toInt().toDouble() ||
-            number.toInt() !in range
-        ) {
-            refuse("must be a whole number from ${range.first} to ${range.last}")
-        }
+        val isWhole = number == number.toInt().toDouble()
+        if (!isWhole || number.toInt() !in range) refuse("must be a whole number from ${range.first} to ${range.last}")
         return number.toInt()
     }
 

@@ -5,9 +5,9 @@ import robotran.json.JsonRefusal
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
 import robotran.rom.Brick
-import robotran.world.LightFacing
-import robotran.world.UnknownFields
 import robotran.world.World
+import robotran.world.file.FACINGS
+import robotran.world.file.unknownOf
 import robotran.world.file.worldIn
 
 /**
@@ -88,9 +88,5 @@ private fun javaSettingsIn(place: JsonPlace): JavaSettings {
     val usual = JavaSettings()
     return JavaSettings(place.optional("mode")?.choice(MODES) ?: usual.mode, place.optional("speed")?.choice(SPEEDS) ?: usual.speed)
 }
-
-private fun unknownOf(place: JsonPlace): UnknownFields = place.rest().let { if (it.isEmpty()) UnknownFields.NONE else UnknownFields(it) }
-
-internal val FACINGS: Map<String, LightFacing> = LightFacing.entries.associateBy { wordFor(it) }
 
 private val FILE_FIELDS = setOf("name", TEXT)

@@ -12,6 +12,7 @@ import robotran.world.RecordedInput
 import robotran.world.SessionInput
 import robotran.world.World
 import robotran.world.file.elementOf
+import robotran.world.file.wordFor
 
 internal fun elementOf(project: Project): JsonObject = jsonObject(project.unknown.members) {
     text("format", PROJECT_FORMAT)
@@ -68,7 +69,8 @@ private fun isPossible(input: SessionInput, world: World): Boolean = when (input
     is SessionInput.Stop, is SessionInput.ChangeAmbientLight, is SessionInput.ChangeTemperature -> true
 }
 
-private fun elementOf(recorded: RecordedInput, world: World) = jsonObject {
+/** An input as project files tell it; one of something that [world] does not have cannot be told. */
+fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
     fun robot(number: Int) = text("robot", world.robots[number].name, usual = world.robots.first().name)
 
     fun button(button: BrickButton) = text("button", BUTTONS.entries.single { it.value == button }.key)

@@ -71,13 +71,9 @@ private fun ownProgram(robot: RobotPlace): ProgramSource? = robot.program?.let {
 private fun mistakeOfGiving(world: World, given: Map<String, List<ProgramSource>>): RobotLoads.Mistaken? {
     val names = world.robots.map { it.name }
     given.keys.firstOrNull { it !in names }?.let { name ->
-        val known = if (names.size ==
-            1
-        ) {
-            "There is only one, called ${names.single()}."
-        } else {
-            "There are ${names.dropLast(1).joinToString()} and ${names.last()}."
-        }
+        val only = names.singleOrNull()
+        val known =
+            if (only != null) "There is only one, called $only." else "There are ${names.dropLast(1).joinToString()} and ${names.last()}."
         return RobotLoads.Mistaken(name, listOf(Mistake("", null, "No robot in this world is called $name. $known")))
     }
     return given.entries.firstOrNull { it.value.size > Brick.MOST_PROGRAMS }?.let { (name, programs) ->

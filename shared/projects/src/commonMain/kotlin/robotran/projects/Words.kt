@@ -3,6 +3,7 @@ package robotran.projects
 import robotran.rom.BrickButton
 import robotran.tinyvm.TinyVmMode
 import robotran.tinyvm.TinyVmSpeed
+import robotran.world.file.wordFor
 
 /** How a file names what the program has as constants. */
 internal val LANGUAGES: Map<String, ProgramLanguage> = ProgramLanguage.entries.associateBy { wordFor(it) }
@@ -11,5 +12,3 @@ internal val SPEEDS: Map<String, TinyVmSpeed> = TinyVmSpeed.entries.associateBy 
 
 /** As they are called on the brick and on the command line. */
 internal val BUTTONS: Map<String, BrickButton> = BrickButton.entries.associateBy { wordFor(it).replace(' ', '-') }
-
-internal fun wordFor(constant: Enum<*>): String = constant.name.lowercase().replace('_', ' ')

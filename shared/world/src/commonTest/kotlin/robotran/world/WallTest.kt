@@ -51,6 +51,12 @@ class WallTest {
     }
 
     @Test
+    fun `at power four the tyres are just the weaker`() = runTest {
+        val turned = turnedAtWall(power = 4)
+        assertTrue(turned > 1 && turned < 0.5 * Penbot.TOP_SPEED, "they turned $turned cm")
+    }
+
+    @Test
     fun `at little power the motors stall at a wall`() = runTest {
         assertEquals(0.0, turnedAtWall(power = 0), 0.05)
         assertEquals(0.0, turnedAtWall(power = 2), 0.05)

@@ -12,11 +12,8 @@ internal class GoalReader(private val shapes: ShapeReader) {
     fun read(place: JsonPlace): List<Goal> = goals(place, depth = 1, least = 0)
 
     private fun goals(place: JsonPlace, depth: Int, least: Int): List<Goal> {
-        if (depth >
-            WorldLimits.MAXIMUM_GOAL_DEPTH
-        ) {
-            place.refuse("must not lie deeper than ${WorldLimits.MAXIMUM_GOAL_DEPTH} goals in one another")
-        }
+        val deepest = WorldLimits.MAXIMUM_GOAL_DEPTH
+        if (depth > deepest) place.refuse("must not lie deeper than $deepest goals in one another")
         return place.items(least..WorldLimits.MAXIMUM_GOALS).map { goal(it, depth) }
     }
 

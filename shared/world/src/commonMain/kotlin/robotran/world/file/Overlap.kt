@@ -1,8 +1,11 @@
 package robotran.world.file
 
+import robotran.world.Outline
 import robotran.world.Point
 import robotran.world.Shape
+import robotran.world.cross
 import robotran.world.distance
+import robotran.world.side
 
 /** Whether two edges of the polygon cross or touch where they are not neighbours, or neighbours fold back onto each other. */
 internal fun edgesCross(corners: List<Point>): Boolean {
@@ -26,27 +29,21 @@ internal fun edgesCross(corners: List<Point>): Boolean {
 }
 
 /** Whether two shapes, given as [flat], cover a common place; not if they only touch. */
-internal fun overlap(one: Flat, other: Flat): Boolean = when {
-    one is Flat.Round && other is Flat.Round -> within(one.centre, other.centre, one.radius + other.radius)
-    one is Flat.Round -> overlap(other as Flat.Angular, one)
-    other is Flat.Round -> overlap(one as Flat.Angular, other)
-    else -> overlap(one as Flat.Angular, other as Flat.Angular)
+internal fun overlap(one: Outline, other: Outline): Boolean = when {
+    one is Outline.Round && other is Outline.Round -> within(one.centre, other.centre, one.radius + other.radius)
+    one is Outline.Round -> overlap(other as Outline.Angular, one)
+    other is Outline.Round -> overlap(one as Outline.Angular, other)
+    else -> overlap(one as Outline.Angular, other as Outline.Angular)
 }
 
-/** A shape with its angle worked out. */
-internal sealed interface Flat {
-    class Round(val centre: Point, val radius: Double) : Flat
-
-    class Angular(val corners: List<Point>) : Flat
-}
-
-internal fun flat(shape: Shape): Flat = when (shape) {
+/** What [Shape.outline] gives, without the physics engine. */
+internal fun flat(shape: Shape): Outline = when (shape) {
     is Shape.Circle -> {
-        Flat.Round(shape.centre, shape.radius)
+        Outline.Round(shape.centre, shape.radius)
     }
 
     is Shape.Polygon -> {
-        Flat.Angular(shape.corners)
+        Outline.Angular(shape.corners)
     }
 
     is Shape.Rectangle -> {
@@ -57,7 +54,7 @@ internal fun flat(shape: Shape): Flat = when (shape) {
 }
 
 /** What lies so far ahead and to the left of [origin]. */
-internal fun box(origin: Point, direction: Direction, along: ClosedRange<Double>, across: ClosedRange<Double>) = Flat.Angular(
+internal fun box(origin: Point, direction: Direction, along: ClosedRange<Double>, across: ClosedRange<Double>) = Outline.Angular(
     listOf(
         direction.from(origin, along.start, across.start),
         direction.from(origin, along.endInclusive, across.start),
@@ -66,32 +63,21 @@ internal fun box(origin: Point, direction: Direction, along: ClosedRange<Double>
     ),
 )
 
-private fun overlap(one: Flat.Angular, other: Flat.Round): Boolean =
-    contains(one.corners, other.centre) || edges(one.corners).any { (from, to) -> distance(other.centre, from, to) < other.radius }
+private fun overlap(one: Outline.Angular, other: Outline.Round): Boolean =
+    one.contains(other.centre) || edges(one.corners).any { (from, to) -> distance(other.centre, from, to) < other.radius }
 
-private fun overlap(one: Flat.Angular, other: Flat.Angular): Boolean =
-    contains(one.corners, other.corners.first()) || contains(other.corners, one.corners.first()) ||
+private fun overlap(one: Outline.Angular, other: Outline.Angular): Boolean =
+    one.contains(other.corners.first()) || other.contains(one.corners.first()) ||
         edges(one.corners).any { (from, to) -> edges(other.corners).any { (otherFrom, otherTo) -> cross(from, to, otherFrom, otherTo) } }
+
+private fun Outline.contains(place: Point) = contains(place.x, place.y)
 
 private fun edges(corners: List<Point>): List<Pair<Point, Point>> = corners.indices.map { corners[it] to corners[(it + 1) % corners.size] }
 
 private fun within(one: Point, other: Point, reach: Double): Boolean = distance(one, other, other) < reach
 
-/** By counting the edges to the right. */
-private fun contains(corners: List<Point>, place: Point): Boolean = edges(corners).count { (from, to) ->
-    (from.y > place.y) != (to.y > place.y) && place.x < (to.x - from.x) * (place.y - from.y) / (to.y - from.y) + from.x
-} % 2 == 1
-
-/** Positive if [place] is to the left of the way from [from] to [to], zero if it is on it. */
-private fun side(from: Point, to: Point, place: Point): Double =
-    (to.x - from.x) * (place.y - from.y) - (to.y - from.y) * (place.x - from.x)
-
 private fun foldsBack(from: Point, corner: Point, to: Point): Boolean =
     side(from, corner, to) == 0.0 && (corner.x - from.x) * (to.x - corner.x) + (corner.y - from.y) * (to.y - corner.y) < 0
-
-/** Whether two lines cross each other in the middle. */
-private fun cross(from: Point, to: Point, otherFrom: Point, otherTo: Point): Boolean =
-    side(from, to, otherFrom) * side(from, to, otherTo) < 0 && side(otherFrom, otherTo, from) * side(otherFrom, otherTo, to) < 0
 
 /** Whether two lines have a place in common. */
 private fun meet(from: Point, to: Point, otherFrom: Point, otherTo: Point): Boolean =

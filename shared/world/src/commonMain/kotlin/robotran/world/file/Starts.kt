@@ -1,6 +1,7 @@
 package robotran.world.file
 
 import robotran.json.JsonPlace
+import robotran.world.Outline
 import robotran.world.Penbot
 import robotran.world.Point
 import robotran.world.Pose
@@ -19,7 +20,7 @@ internal fun checkStarts(world: World, file: JsonPlace) {
     }
 }
 
-private class Obstacle(val what: String, val shape: Flat)
+private class Obstacle(val what: String, val shape: Outline)
 
 private fun obstacles(world: World): List<Obstacle> =
     world.walls.mapIndexed { number, wall -> Obstacle("walls[$number]", outline(wall)) } +
@@ -27,19 +28,19 @@ private fun obstacles(world: World): List<Obstacle> =
         world.blocks.mapIndexed { number, block -> Obstacle("blocks[$number]", flat(block.shape)) }
 
 /** From the wheels' outer sides and the chassis's back to the bumpers. */
-private fun outline(start: Pose): Flat {
+private fun outline(start: Pose): Outline {
     val half = Penbot.OVERALL_WIDTH / 2
     return box(Point(start.x, start.y), Direction(start.heading), Penbot.CHASSIS_BACK..Penbot.BUMPER_FRONT, -half..half)
 }
 
-private fun outline(wall: Wall): Flat {
+private fun outline(wall: Wall): Outline {
     val alongX = wall.to.x - wall.from.x
     val alongY = wall.to.y - wall.from.y
     val length = length(alongX, alongY)
     val half = wall.thickness / 2
     val aheadX = if (length == 0.0) half else alongX / length * half
     val aheadY = if (length == 0.0) 0.0 else alongY / length * half
-    return Flat.Angular(
+    return Outline.Angular(
         listOf(
             Point(wall.from.x - aheadX + aheadY, wall.from.y - aheadY - aheadX),
             Point(wall.to.x + aheadX + aheadY, wall.to.y + aheadY - aheadX),

@@ -7,10 +7,11 @@ import robotran.world.TouchKind
 
 /** How a file names what the program has as constants: in small letters, with blanks. */
 internal val COLOURS: Map<String, RobotColour> = RobotColour.entries.associateBy { wordFor(it) }
-internal val FACINGS: Map<String, LightFacing> = LightFacing.entries.associateBy { wordFor(it) }
+val FACINGS: Map<String, LightFacing> = LightFacing.entries.associateBy { wordFor(it) }
 internal val SENSORS: Map<String, PortSensor> = PortSensor.entries.associateBy { wordFor(it) }
 internal val TOUCH_KINDS: Map<String, TouchKind> = TouchKind.entries.associateBy { wordFor(it) }
 
 internal val PORTS = listOf("1", "2", "3")
 
-internal fun wordFor(constant: Enum<*>): String = constant.name.lowercase().replace('_', ' ')
+/** In small letters, with blanks, such as `left bumper`. */
+fun wordFor(constant: Enum<*>): String = constant.name.lowercase().replace('_', ' ')

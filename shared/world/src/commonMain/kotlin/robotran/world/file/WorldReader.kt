@@ -94,4 +94,4 @@ private class WorldReader(private val file: JsonPlace) {
 }
 
 /** What [place] has beyond what has been read of it. */
-internal fun unknownOf(place: JsonPlace): UnknownFields = place.rest().let { if (it.isEmpty()) UnknownFields.NONE else UnknownFields(it) }
+fun unknownOf(place: JsonPlace): UnknownFields = place.rest().let { if (it.isEmpty()) UnknownFields.NONE else UnknownFields(it) }

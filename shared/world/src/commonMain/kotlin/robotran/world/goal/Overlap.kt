@@ -2,6 +2,7 @@ package robotran.world.goal
 
 import robotran.world.Outline
 import robotran.world.Point
+import robotran.world.cross
 import robotran.world.length
 
 /** How far a place is from what is in the outline, 0 in it. */
@@ -39,15 +40,8 @@ private fun Outline.Angular.crosses(other: Outline.Angular): Boolean =
     corners.indices.any { number ->
         val from = corners[number]
         val to = corners[(number + 1) % corners.size]
-        other.corners.indices.any { crosses(from, to, other.corners[it], other.corners[(it + 1) % other.corners.size]) }
+        other.corners.indices.any { cross(from, to, other.corners[it], other.corners[(it + 1) % other.corners.size]) }
     }
-
-private fun crosses(from: Point, to: Point, otherFrom: Point, otherTo: Point): Boolean =
-    side(from, to, otherFrom) * side(from, to, otherTo) < 0 && side(otherFrom, otherTo, from) * side(otherFrom, otherTo, to) < 0
-
-/** Positive for a place to the left of the way from [from] to [to]. */
-private fun side(from: Point, to: Point, place: Point): Double =
-    (to.x - from.x) * (place.y - from.y) - (to.y - from.y) * (place.x - from.x)
 
 /** A tenth of a millimetre, in centimetres: nobody sees that. */
 private const val TOLERANCE = 0.01
