@@ -14,14 +14,14 @@ class MemoryWorkStore(texts: Map<String, String> = emptyMap()) : WorkStore {
 
     override suspend fun names(): List<String> = kept.keys.toList()
 
-    override suspend fun read(name: String): StoredText = kept[name]?.let(StoredText::Found) ?: StoredText.Missing
+    override suspend fun read(name: String): String? = kept[name]
 
     override suspend fun write(name: String, text: String): StoreResult {
         kept[name] = text
         return StoreResult.Done
     }
 
-    override suspend fun delete(name: String): StoreResult {
+    override suspend fun remove(name: String): StoreResult {
         kept.remove(name)
         return StoreResult.Done
     }

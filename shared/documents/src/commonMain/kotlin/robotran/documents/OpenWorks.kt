@@ -9,7 +9,7 @@ class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
 
     /** The window with the work [id] is closed or the app ends as it should; it comes back at the next start if [comesBack]. */
     suspend fun closed(id: String, now: Long, comesBack: Boolean): StoreResult =
-        if (comesBack) store.write(nameOf(id), "$CLOSED $now") else store.delete(nameOf(id))
+        if (comesBack) store.write(nameOf(id), "$CLOSED $now") else store.remove(nameOf(id))
 
     /**
      * Claims the work that is to come back first and reads it; null if none does. Works that cannot be read are passed over and stay where they are.
@@ -20,7 +20,7 @@ class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
             val reading = shelf.read(open.id)
             if (reading is WorkReading.Found) return ComingBack(reading.work, claim, wasCutShort = open.wasRunning || reading.wasTorn)
             claim.release()
-            if (reading is WorkReading.Missing) store.delete(nameOf(open.id))
+            if (reading is WorkReading.Missing) store.remove(nameOf(open.id))
         }
         return null
     }
@@ -30,7 +30,7 @@ class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
 
     private suspend fun orphans(): List<Open> =
         store.names().filter { it.startsWith(PREFIX) }.mapNotNull { name ->
-            val words = (store.read(name) as? StoredText.Found)?.text?.split(' ').orEmpty()
+            val words = store.read(name)?.split(' ').orEmpty()
             Open(name.removePrefix(PREFIX), words.firstOrNull() != CLOSED, words.getOrNull(1)?.toLongOrNull() ?: 0)
         }.sortedByDescending { it.since }
 

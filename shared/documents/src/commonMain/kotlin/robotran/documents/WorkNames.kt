@@ -5,8 +5,9 @@ fun workName(name: String): String? =
     name.map { if (it.isISOControl()) ' ' else it }.joinToString("").trim().take(KeptWork.MAXIMUM_NAME)
         .withoutHalfCharacters().trim().ifEmpty { null }
 
-/** The name of a work that was in the file [fileName]. */
-fun workNameOfFile(fileName: String): String = workName(fileName.removeSuffixOf(FileKind.entries)) ?: FALLBACK
+/** The name of a work that was in the file [fileName]; some programs put an ending of their own behind ours. */
+fun workNameOfFile(fileName: String): String =
+    workName(fileName.removeSuffixOf(FileKind.entries).removeSuffixOf(FileKind.entries)) ?: FALLBACK
 
 /** A name for a file of [kind] with the work or program [name] in it, which no file system refuses. */
 fun fileNameFor(name: String, kind: FileKind): String {
@@ -29,9 +30,10 @@ enum class FileKind(val extension: String, val mimeType: String) {
     WORLD(".world.json", "application/json"),
     ROBOLANG(".robo", "text/plain"),
     JAVA(".java", "text/plain"),
-    KIT(".zip", "application/zip"),
     PNG(".png", "image/png"),
     SVG(".svg", "image/svg+xml"),
+    ZIP(".zip", "application/zip"),
+    TEXT(".txt", "text/plain"),
 }
 
 private const val FALLBACK = "robotran"

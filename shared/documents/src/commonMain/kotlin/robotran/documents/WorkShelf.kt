@@ -45,7 +45,7 @@ class WorkShelf(private val store: WorkStore) {
     /** Forgets the work [id] for good. If that is cut short, it is still there, perhaps as it was before it was last kept. */
     suspend fun delete(id: String): StoreResult {
         val last = copies(id).newestWhole()?.first ?: COPIES.first()
-        val results = (COPIES - last + last).map { store.delete(nameOf(id, it)) }
+        val results = (COPIES - last + last).map { store.remove(nameOf(id, it)) }
         newest.remove(id)
         return results.firstOrNull { it != StoreResult.Done } ?: StoreResult.Done
     }
@@ -59,11 +59,7 @@ class WorkShelf(private val store: WorkStore) {
 
     /** What is there of the work [id], null for a copy that is not whole. */
     private suspend fun copies(id: String): List<Pair<String, WorkCopy?>> = COPIES.mapNotNull { copy ->
-        when (val stored = store.read(nameOf(id, copy))) {
-            is StoredText.Found -> copy to WorkText.open(id, stored.text)
-            is StoredText.Failed -> copy to null
-            StoredText.Missing -> null
-        }
+        store.read(nameOf(id, copy))?.let { copy to WorkText.open(id, it) }
     }
 
     private fun List<Pair<String, WorkCopy?>>.newestWhole(): Pair<String, WorkCopy.Whole>? =

@@ -11,13 +11,14 @@ interface WorkStore {
     /** The names of all texts, in no order; empty where the store cannot be read. */
     suspend fun names(): List<String>
 
-    suspend fun read(name: String): StoredText
+    /** The text [name]; null if there is none, or none that can be read. */
+    suspend fun read(name: String): String?
 
     /** Writes [text] in place of what was there. Once this says [StoreResult.Done], it survives a crash of the app. */
     suspend fun write(name: String, text: String): StoreResult
 
     /** Takes the text away; done as well if there was none. */
-    suspend fun delete(name: String): StoreResult
+    suspend fun remove(name: String): StoreResult
 
     /**
      * Claims [name] for this window until the claim is released or the window is gone, however it ends; null if another window has it. A claim is
@@ -33,16 +34,6 @@ interface WorkStore {
 /** A name that nobody else has, see [WorkStore.claim]. */
 fun interface WorkClaim {
     fun release()
-}
-
-/** What came of reading a text of a [WorkStore]. */
-sealed interface StoredText {
-    data class Found(val text: String) : StoredText
-
-    data object Missing : StoredText
-
-    /** There may be a text, but it cannot be read; [reason] is what the platform says. */
-    data class Failed(val reason: String) : StoredText
 }
 
 /** What came of writing to a [WorkStore] or to a file. */

@@ -35,7 +35,7 @@ class OpenFilesTest {
     @Test
     fun `files are known by what is in them when their names were changed on the way`() = runTest {
         assertEquals("Town", opened(file("town.world (1).json", writeWorld(world))).world?.title)
-        assertEquals("maze.robotran.txt", opened(file("maze.robotran.txt", "\uFEFF" + writeProject(projectOf("beep")))).projects.single().name)
+        assertEquals("maze", opened(file("maze.robotran.txt", "\uFEFF" + writeProject(projectOf("beep")))).projects.single().name)
     }
 
     @Test
