@@ -20,5 +20,6 @@ fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme()) {
         }
     }
     LaunchedEffect(workshop) { workshop.keepReading() }
+    LaunchedEffect(workshop) { workshop.keepDocument() }
     RobotranTheme(dark) { WorkshopScreen(workshop.state, workshop::handle) }
 }
