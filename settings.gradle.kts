@@ -16,6 +16,7 @@ dependencyResolutionManagement {
 
 rootProject.name = "robotran"
 
+include(":shared:language")
 include(":shared:rcx-rom")
 include(":shared:robolang")
 include(":shared:tinyvm")

@@ -35,7 +35,7 @@ sealed interface RobotLoads {
  * @throws Throwable as [ProgramReader.prepareFor] does.
  */
 suspend fun readRobotLoads(world: World, reader: ProgramReader, given: Map<String, List<ProgramSource>>): RobotLoads {
-    mistakeOfGiving(world, given)?.let { return it }
+    mistakeOfGiving(world, given, ProjectMessages.of(reader.language))?.let { return it }
     val loads = mutableListOf<RobotLoad>()
     val warnings = mutableListOf<Mistake>()
     for (robot in world.robots) {
@@ -68,16 +68,16 @@ fun World.forFirstRobot(programs: List<ProgramSource>): Map<String, List<Program
 
 private fun ownProgram(robot: RobotPlace): ProgramSource? = robot.program?.let { ProgramSource.Robolang("${robot.name}.robo", it) }
 
-private fun mistakeOfGiving(world: World, given: Map<String, List<ProgramSource>>): RobotLoads.Mistaken? {
+private fun mistakeOfGiving(
+    world: World,
+    given: Map<String, List<ProgramSource>>,
+    messages: RobotMessages,
+): RobotLoads.Mistaken? {
     val names = world.robots.map { it.name }
     given.keys.firstOrNull { it !in names }?.let { name ->
-        val only = names.singleOrNull()
-        val known =
-            if (only != null) "There is only one, called $only." else "There are ${names.dropLast(1).joinToString()} and ${names.last()}."
-        return RobotLoads.Mistaken(name, listOf(Mistake("", null, "No robot in this world is called $name. $known")))
+        return RobotLoads.Mistaken(name, listOf(Mistake("", null, messages.unknownRobot(name, names))))
     }
     return given.entries.firstOrNull { it.value.size > Brick.MOST_PROGRAMS }?.let { (name, programs) ->
-        val message = "The robot $name has been given ${programs.size} programs, but a brick has room for ${Brick.MOST_PROGRAMS}."
-        RobotLoads.Mistaken(name, listOf(Mistake("", null, message)))
+        RobotLoads.Mistaken(name, listOf(Mistake("", null, messages.tooManyPrograms(name, programs.size, Brick.MOST_PROGRAMS))))
     }
 }
