@@ -16,6 +16,7 @@ dependencyResolutionManagement {
 
 rootProject.name = "robotran"
 
+include(":shared:language")
 include(":shared:rcx-rom")
 include(":shared:robolang")
 include(":shared:tinyvm")
@@ -30,5 +31,6 @@ include(":shared:json")
 include(":shared:world")
 include(":shared:projects")
 include(":shared:lejos-library")
+include(":shared:learning")
 include(":androidApp")
 include(":benchmarks")
