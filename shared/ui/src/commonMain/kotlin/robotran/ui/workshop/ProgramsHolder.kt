@@ -43,7 +43,9 @@ class ProgramsHolder(
     val count: Int get() = shelf.programs.size
 
     /** The programs as a project keeps them. */
-    fun projectRobots(world: World): List<ProjectRobot> = listOf(ProjectRobot(world.robots.first().name, shelf.programs.map { it.asProject() }))
+    fun projectRobots(
+        world: World,
+    ): List<ProjectRobot> = listOf(ProjectRobot(world.robots.first().name, shelf.programs.map { it.asProject() }))
 
     /** What the robots of [world] are loaded with, the first with the programs as they were last read; Run starts that in [firstSlot]. */
     fun loads(world: World, firstSlot: Int): List<RobotLoad> =
