@@ -18,7 +18,7 @@ class EditHistory private constructor(
 
     /** The history once [before] has become [after]. */
     fun recorded(before: Draft, after: Draft, kind: EditKind): EditHistory {
-        val edit = editBetween(before.text, after.text) ?: return this
+        val edit = editBetween(before, after) ?: return this
         val step = Step(edit, before.selection, after.selection, kind)
         val joined = past.lastOrNull()?.joinedWith(step)
         val longer = if (joined == null) past + step else past.dropLast(1) + joined

@@ -39,3 +39,22 @@ fun editBetween(before: String, after: String): TextEdit? {
     while (tail < most - head && before[before.length - 1 - tail] == after[after.length - 1 - tail]) tail++
     return TextEdit(head, before.substring(head, before.length - tail), after.substring(head, after.length - tail))
 }
+
+/** What makes the text of [before] into that of [after]; where it could be at several places, where the caret was. */
+fun editBetween(before: Draft, after: Draft): TextEdit? {
+    if (before.text == after.text) return null
+    val typed = typedBetween(before, after) ?: return editBetween(before.text, after.text)
+    return TextEdit(before.selection.start, before.selectedText, typed)
+}
+
+/** What was written in place of what is selected in [before], if that is all that makes it [after]; null if it is not. */
+internal fun typedBetween(before: Draft, after: Draft): String? {
+    val start = before.selection.start
+    val caret = after.selection.caret
+    val growth = after.text.length - before.text.length
+    val isPossible = after.selection.isEmpty && caret >= start && caret - start == before.selection.end - start + growth
+    if (!isPossible) return null
+    val isSame = after.text.regionMatches(0, before.text, 0, start) &&
+        after.text.regionMatches(caret, before.text, before.selection.end, before.text.length - before.selection.end)
+    return if (isSame) after.text.substring(start, caret) else null
+}

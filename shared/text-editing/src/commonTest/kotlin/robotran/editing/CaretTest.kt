@@ -50,8 +50,9 @@ class CaretTest {
     @Test
     fun `a long press selects a word`() {
         assertEquals("forward", draft.withWordSelected(20).selectedText)
-        assertEquals("  ", draft.copy(text = "a  b").withWordSelected(2).selectedText.ifEmpty { "  " })
-        assertEquals("(", Draft("  (  x").withWordSelected(3).selectedText.ifEmpty { "(" })
+        assertEquals("  ", Draft("(  )").withWordSelected(2).selectedText)
+        assertEquals("(", Draft("x=(+").withWordSelected(2).selectedText)
+        assertEquals("", Draft("+\n").withWordSelected(1).selectedText)
     }
 
     @Test

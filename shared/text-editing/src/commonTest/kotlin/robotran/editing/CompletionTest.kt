@@ -38,8 +38,8 @@ class CompletionTest {
     @Test
     fun `names of the program are offered, but not the one that is being written`() {
         assertTrue("side" in labels("const side = 20\nforward s|"))
-        assertTrue("square()" in labels("procedure square(length)\nend\nsq|"))
-        assertTrue("length" in labels("procedure square(length)\nforward l|\nend"))
+        assertTrue("square()" in labels("procedure square(size)\nend\nsq|"))
+        assertTrue("size" in labels("procedure square(size)\nforward s|\nend"))
         assertNull(offered("var zz|"))
     }
 
