@@ -21,6 +21,7 @@ kotlin {
             api(project(":shared:robolang"))
             api(project(":shared:programs"))
             api(project(":shared:world"))
+            api(project(":shared:world-editing"))
             api(libs.compose.runtime)
             api(libs.compose.foundation)
             api(libs.compose.material3)
