@@ -3,6 +3,7 @@ plugins {
     id("robotran.android")
     id("robotran.compose")
     id("robotran.texts")
+    id("org.jetbrains.kotlin.plugin.serialization")
 }
 
 android {
@@ -21,6 +22,7 @@ kotlin {
             api(project(":shared:robolang"))
             api(project(":shared:programs"))
             api(project(":shared:world"))
+            api(project(":shared:projects"))
             api(project(":shared:world-editing"))
             api(libs.compose.runtime)
             api(libs.compose.foundation)

@@ -12,9 +12,10 @@ import androidx.lifecycle.viewModelScope
 import kotlinx.coroutines.launch
 import robotran.android.sound.audioTrackSpeaker
 import robotran.ui.openWorkshop
+import robotran.ui.platform.MemoryPlatform
 import robotran.ui.workshop.PupilProgram
+import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
 
 /**
  * Keeps the workshop, and a run in it, when the activity is made anew because the tablet was turned. When Android ends the whole
@@ -26,14 +27,14 @@ class KeptWorkshop(private val savedState: SavedStateHandle) : ViewModel() {
         private set
 
     init {
-        viewModelScope.launch { workshop = openWorkshop(keptPrograms(), audioTrackSpeaker()).also(::keepState) }
+        viewModelScope.launch { workshop = openWorkshop(keptPrograms(), MemoryPlatform(audioTrackSpeaker())).also(::keepState) }
     }
 
     private fun keepState(workshop: Workshop) {
         val saved = savedState.get<Bundle>(WORKSHOP)
-        saved?.getBoolean(SOUND)?.let { workshop.handle(WorkshopEvent.SoundSwitched(it)) }
+        saved?.getBoolean(SOUND)?.let { workshop.handle(SettingsEvent.SoundSwitched(it)) }
         savedState.setSavedStateProvider(WORKSHOP) {
-            bundleOf(PROGRAMS to bundlesOf(workshop.state.programs), SOUND to workshop.state.soundOn)
+            bundleOf(PROGRAMS to bundlesOf(workshop.state.programs.programs), SOUND to workshop.state.soundOn)
         }
     }
 

@@ -9,6 +9,7 @@ import androidx.compose.ui.window.rememberWindowState
 import robotran.desktop.sound.soundCardSpeaker
 import robotran.ui.RobotranStart
 import robotran.ui.brick.BrickIcon
+import robotran.ui.platform.MemoryPlatform
 import robotran.ui.workshop.PupilProgram
 import java.awt.Dimension
 import java.awt.Toolkit
@@ -19,7 +20,7 @@ internal fun showWindow(programs: List<PupilProgram>) {
         val state = rememberWindowState(size = remember { firstSize() })
         Window(onCloseRequest = ::exitApplication, state = state, title = "Robotran", icon = remember { BrickIcon() }) {
             window.minimumSize = Dimension(LEAST_WIDTH, LEAST_HEIGHT)
-            RobotranStart(programs, remember { soundCardSpeaker() })
+            RobotranStart(programs, remember { MemoryPlatform(soundCardSpeaker()) })
         }
     }
 }

@@ -1,20 +1,30 @@
 package robotran.ui
 
-import robotran.ui.sound.LoudSpeaker
-import robotran.ui.sound.NoLoudSpeaker
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import robotran.projects.Project
+import robotran.projects.ProjectRobot
+import robotran.ui.platform.MemoryPlatform
+import robotran.ui.platform.Platform
 import robotran.ui.workshop.PupilProgram
+import robotran.ui.workshop.SettingsHolder
 import robotran.ui.workshop.Workshop
+import robotran.ui.workshop.asProject
 import robotran.world.BuiltInWorlds
 import robotran.world.physics.loadPhysicsEngine
 
 /**
- * Gets everything ready for the first screen: the physics, the plain sheet, and [programs] or, without any, the square.
+ * Gets everything ready for the first screen: the physics, the plain sheet, what was chosen for this machine, and [programs] or, without any, the
+ * square.
  *
- * @param speaker plays the brick's tones.
+ * @param scope lives as long as the workshop; runs on the thread of the screen.
  */
-suspend fun openWorkshop(programs: List<PupilProgram> = emptyList(), speaker: LoudSpeaker = NoLoudSpeaker): Workshop {
-    val first = programs.ifEmpty { listOf(PupilProgram(FIRST_PROGRAM, exampleTexts.getValue(FIRST_PROGRAM))) }
-    return Workshop(BuiltInWorlds.plain, loadPhysicsEngine(), first, speaker)
+suspend fun openWorkshop(
+    programs: List<PupilProgram> = emptyList(),
+    platform: Platform = MemoryPlatform(),
+    scope: CoroutineScope = CoroutineScope(Dispatchers.Unconfined),
+): Workshop {
+    val world = BuiltInWorlds.plain
+    val project = Project(world, listOf(ProjectRobot(world.robots.first().name, programs.map { it.asProject() })))
+    return Workshop(project, loadPhysicsEngine(), platform, SettingsHolder.readFrom(platform.store), scope)
 }
-
-private const val FIRST_PROGRAM = "square.robo"

@@ -11,6 +11,7 @@ import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberCoroutineScope
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -19,8 +20,8 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.loading
-import robotran.ui.sound.LoudSpeaker
-import robotran.ui.sound.NoLoudSpeaker
+import robotran.ui.platform.MemoryPlatform
+import robotran.ui.platform.Platform
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
 import robotran.ui.workshop.PupilProgram
@@ -29,13 +30,18 @@ import robotran.ui.workshop.Workshop
 /**
  * What every platform's app shows: a word while things get ready, then [RobotranApp] with [programs] or, without any, the square.
  *
- * @param speaker plays the brick's tones.
+ * @param platform what the machine offers; it must stay the same.
  * @param onOpened is told the workshop once it is there.
  */
 @Composable
-fun RobotranStart(programs: List<PupilProgram> = emptyList(), speaker: LoudSpeaker = NoLoudSpeaker, onOpened: (Workshop) -> Unit = {}) {
+fun RobotranStart(
+    programs: List<PupilProgram> = emptyList(),
+    platform: Platform = remember { MemoryPlatform() },
+    onOpened: (Workshop) -> Unit = {},
+) {
+    val scope = rememberCoroutineScope()
     var workshop by remember { mutableStateOf<Workshop?>(null) }
-    LaunchedEffect(programs) { workshop = openWorkshop(programs, speaker).also(onOpened) }
+    LaunchedEffect(programs) { workshop = openWorkshop(programs, platform, scope).also(onOpened) }
     DisposableEffect(Unit) { onDispose { workshop?.close() } }
     val ready = workshop
     if (ready == null) RobotranTheme { GettingReady() } else RobotranApp(ready)

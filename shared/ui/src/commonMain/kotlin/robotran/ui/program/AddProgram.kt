@@ -31,6 +31,7 @@ import robotran.ui.resources.program_new_robolang
 import robotran.ui.resources.program_no_room
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
+import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ProgramLanguage
 import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.WorkshopEvent
@@ -52,11 +53,11 @@ internal fun AddProgram(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
             modifier = Modifier.widthIn(min = 300.dp).heightIn(max = 420.dp),
             containerColor = LocalRobotranColours.current.pane,
         ) {
-            if (state.hasRoom) NewPrograms(choose) else Note(stringResource(Res.string.program_no_room))
+            if (state.programs.hasRoom) NewPrograms(choose) else Note(stringResource(Res.string.program_no_room))
             if (state.program.language == ProgramLanguage.JAVA) {
-                Choice(stringResource(Res.string.program_new_class), "new-class") { choose(WorkshopEvent.ClassAdded) }
+                Choice(stringResource(Res.string.program_new_class), "new-class") { choose(ProgramEvent.ClassAdded) }
             }
-            if (state.hasRoom) {
+            if (state.programs.hasRoom) {
                 Examples(stringResource(Res.string.program_examples_robolang), exampleTexts, choose)
                 Examples(stringResource(Res.string.program_examples_java), lejosExampleTexts, choose)
             }
@@ -67,16 +68,16 @@ internal fun AddProgram(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
 @Composable
 private fun NewPrograms(onEvent: (WorkshopEvent) -> Unit) {
     Choice(stringResource(Res.string.program_new_robolang), "new-robolang") {
-        onEvent(WorkshopEvent.ProgramBegun(ProgramLanguage.ROBOLANG))
+        onEvent(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG))
     }
-    Choice(stringResource(Res.string.program_new_java), "new-java") { onEvent(WorkshopEvent.ProgramBegun(ProgramLanguage.JAVA)) }
+    Choice(stringResource(Res.string.program_new_java), "new-java") { onEvent(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA)) }
 }
 
 @Composable
 private fun Examples(title: String, examples: Map<String, String>, onEvent: (WorkshopEvent) -> Unit) {
     HorizontalDivider(color = LocalRobotranColours.current.line)
     Note(title)
-    for ((name, text) in examples) Choice(name, "example-$name") { onEvent(WorkshopEvent.ProgramAdded(PupilProgram(name, text))) }
+    for ((name, text) in examples) Choice(name, "example-$name") { onEvent(ProgramEvent.ProgramAdded(PupilProgram(name, text))) }
 }
 
 @Composable

@@ -10,6 +10,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ProgramLanguage
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
@@ -23,22 +24,22 @@ import robotran.ui.workshop.WorkshopState
 internal fun ProgramPane(state: WorkshopState, mostMistakes: Int, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     Column(modifier.background(LocalRobotranColours.current.pane)) {
         ProgramTabs(state, onEvent)
-        if (state.program.files.size > 1) FileTabs(state.program.files, state.shownFile, { onEvent(WorkshopEvent.FileChosen(it)) })
+        if (state.program.files.size > 1) FileTabs(state.program.files, state.programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) })
         ProgramEditor(
             text = state.programText,
             hint = stringResource(hintFor(state.program.language)),
             runningLine = state.runningLine,
             mistakes = state.mistakes.filter { it.file == state.file.name }.mapNotNull { it.range },
-            onEdit = { onEvent(WorkshopEvent.ProgramEdited(it)) },
+            onEdit = { onEvent(ProgramEvent.ProgramEdited(it)) },
             modifier = Modifier.weight(1f),
         )
         if (state.mistakes.isNotEmpty()) {
-            MistakeList(state.mistakes, state.program.files.size > 1, mostMistakes, state.mistakePointedOut, {
-                onEvent(WorkshopEvent.FixApplied(it))
+            MistakeList(state.mistakes, state.program.files.size > 1, mostMistakes, state.programs.mistakePointedOut, {
+                onEvent(ProgramEvent.FixApplied(it))
             })
         }
         if (state.remarks.isNotEmpty()) RemarkList(state.remarks, mostMistakes)
-        state.closedProgram?.let { ClosedProgram(it.name, state.hasRoom) { onEvent(WorkshopEvent.ProgramReopened) } }
+        state.programs.closedProgram?.let { ClosedProgram(it.name, state.programs.hasRoom) { onEvent(ProgramEvent.ProgramReopened) } }
     }
 }
 

@@ -22,6 +22,7 @@ import robotran.ui.resources.program_close
 import robotran.ui.resources.program_tab
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
+import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ProgramFile
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
@@ -35,15 +36,15 @@ internal fun ProgramTabs(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
     val pane = LocalRobotranColours.current.pane
     Row(modifier.fillMaxWidth().background(pane).height(Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
         Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()).selectableGroup(), verticalAlignment = Alignment.CenterVertically) {
-            val several = state.programs.size > 1
-            state.programs.forEachIndexed { slot, program ->
-                val shown = slot == state.shownProgram
+            val several = state.programs.programs.size > 1
+            state.programs.programs.forEachIndexed { slot, program ->
+                val shown = slot == state.programs.shownProgram
                 val title = if (several) stringResource(Res.string.program_tab, slot, program.name) else program.name
-                Row(Modifier.keptInSight(shown, state.programs.size)) {
-                    FileTab(title, shown, "program-$slot", { onEvent(WorkshopEvent.ProgramChosen(slot)) })
+                Row(Modifier.keptInSight(shown, state.programs.programs.size)) {
+                    FileTab(title, shown, "program-$slot", { onEvent(ProgramEvent.ProgramChosen(slot)) })
                     if (several && shown) {
                         val close = stringResource(Res.string.program_close, program.name)
-                        RoundButton(Cross, close, "close-program") { onEvent(WorkshopEvent.ProgramClosed(slot)) }
+                        RoundButton(Cross, close, "close-program") { onEvent(ProgramEvent.ProgramClosed(slot)) }
                     }
                 }
             }

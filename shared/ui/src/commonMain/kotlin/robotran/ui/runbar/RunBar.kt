@@ -23,6 +23,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.clock
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorkshopStatus
@@ -44,8 +45,8 @@ internal fun RunBar(
         horizontalArrangement = Arrangement.spacedBy(12.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        RunButton(pulsing = state.untouched && state.status == WorkshopStatus.Ready, onClick = { onEvent(WorkshopEvent.RunPressed) })
-        StopButton(enabled = state.stoppable, onClick = { onEvent(WorkshopEvent.StopPressed) })
+        RunButton(pulsing = state.untouched && state.status == WorkshopStatus.Ready, onClick = { onEvent(RunEvent.RunPressed) })
+        StopButton(enabled = state.stoppable, onClick = { onEvent(RunEvent.StopPressed) })
         Status(state, Modifier.weight(1f))
         more()
     }

@@ -26,6 +26,8 @@ import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.Pane
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.world.WorldPane
@@ -36,7 +38,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
             PaneTabs(state.pane, state.mistakes.isNotEmpty(), { onEvent(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
-            SoundSwitch(state.soundOn, { onEvent(WorkshopEvent.SoundSwitched(it)) })
+            SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
         val pane = Modifier.weight(1f)
@@ -57,8 +59,8 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             BrickStrip(
                 state.session.brick,
                 state.down,
-                { onEvent(WorkshopEvent.ButtonPressed(it)) },
-                { onEvent(WorkshopEvent.ButtonReleased(it)) },
+                { onEvent(RunEvent.ButtonPressed(it)) },
+                { onEvent(RunEvent.ButtonReleased(it)) },
                 Modifier.padding(12.dp),
             )
         }
@@ -96,8 +98,8 @@ private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, m
             BrickFront(
                 state.session.brick,
                 state.down,
-                { onEvent(WorkshopEvent.ButtonPressed(it)) },
-                { onEvent(WorkshopEvent.ButtonReleased(it)) },
+                { onEvent(RunEvent.ButtonPressed(it)) },
+                { onEvent(RunEvent.ButtonReleased(it)) },
                 Modifier.width(width),
             )
         }

@@ -28,6 +28,8 @@ import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.world.WorldPane
@@ -44,7 +46,7 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
             }
             Column(Modifier.weight(1f).fillMaxHeight()) {
                 Desk(state, onEvent, Modifier.weight(1f))
-                RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(WorkshopEvent.SoundSwitched(it)) }) }
+                RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
             }
         }
         val pixels = with(LocalDensity.current) { whole.toPx() }
@@ -67,8 +69,8 @@ private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifie
                 BrickFront(
                     state.session.brick,
                     state.down,
-                    { onEvent(WorkshopEvent.ButtonPressed(it)) },
-                    { onEvent(WorkshopEvent.ButtonReleased(it)) },
+                    { onEvent(RunEvent.ButtonPressed(it)) },
+                    { onEvent(RunEvent.ButtonReleased(it)) },
                     Modifier.width(brickWidth),
                 )
             }

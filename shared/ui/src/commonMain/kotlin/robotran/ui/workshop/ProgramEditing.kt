@@ -5,20 +5,21 @@ import robotran.rom.Brick
 /** What a person does with the programs and which of them are shown. */
 internal class ProgramEditing(
     private val shelf: ProgramShelf,
-    private val state: () -> WorkshopState,
-    private val show: (WorkshopState) -> Unit,
+    private val state: () -> ProgramsState,
+    private val show: (ProgramsState) -> Unit,
+    private val bringToFront: () -> Unit,
 ) {
-    fun handle(event: WorkshopEvent.OfPrograms) {
+    fun handle(event: ProgramEvent) {
         when (event) {
-            is WorkshopEvent.ProgramEdited -> edit(state().shownFile, event.text)
-            is WorkshopEvent.FixApplied -> applyFix(event)
-            is WorkshopEvent.ProgramChosen -> if (event.slot in shelf.programs.indices) choose(event.slot)
-            is WorkshopEvent.FileChosen -> if (event.place in state().program.files.indices) show(state().copy(shownFile = event.place))
-            is WorkshopEvent.ProgramAdded -> add(shelf.programs.size, event.program.withPlainLineEnds())
-            is WorkshopEvent.ProgramBegun -> add(shelf.programs.size, newProgram(event.language, shelf.programs))
-            WorkshopEvent.ClassAdded -> addClass()
-            is WorkshopEvent.ProgramClosed -> close(event.slot)
-            WorkshopEvent.ProgramReopened -> reopen()
+            is ProgramEvent.ProgramEdited -> edit(state().shownFile, event.text)
+            is ProgramEvent.FixApplied -> applyFix(event)
+            is ProgramEvent.ProgramChosen -> if (event.slot in shelf.programs.indices) choose(event.slot)
+            is ProgramEvent.FileChosen -> if (event.place in state().program.files.indices) show(state().copy(shownFile = event.place))
+            is ProgramEvent.ProgramAdded -> add(shelf.programs.size, event.program.withPlainLineEnds())
+            is ProgramEvent.ProgramBegun -> add(shelf.programs.size, newProgram(event.language, shelf.programs))
+            ProgramEvent.ClassAdded -> addClass()
+            is ProgramEvent.ProgramClosed -> close(event.slot)
+            ProgramEvent.ProgramReopened -> reopen()
         }
     }
 
@@ -26,7 +27,8 @@ internal class ProgramEditing(
     fun pointOutMistakes(slot: Int) {
         if (slot != state().shownProgram) choose(slot)
         val place = state().program.files.indexOfFirst { it.name == shelf.mistakes(slot).firstOrNull()?.file }
-        show(state().copy(mistakePointedOut = true, pane = Pane.PROGRAM, shownFile = if (place >= 0) place else state().shownFile))
+        show(state().copy(mistakePointedOut = true, shownFile = if (place >= 0) place else state().shownFile))
+        bringToFront()
     }
 
     private fun edit(file: Int, written: String) {
@@ -37,7 +39,7 @@ internal class ProgramEditing(
         refresh(now.copy(mistakePointedOut = false))
     }
 
-    private fun applyFix(event: WorkshopEvent.FixApplied) {
+    private fun applyFix(event: ProgramEvent.FixApplied) {
         val fix = event.mistake.fix ?: return
         if (event.mistake !in shelf.mistakes(state().shownProgram)) return
         val file = state().program.files.indexOfFirst { it.name == event.mistake.file }
@@ -51,7 +53,8 @@ internal class ProgramEditing(
     private fun add(slot: Int, program: PupilProgram) {
         if (shelf.programs.size >= Brick.MOST_PROGRAMS) return
         shelf.insert(slot, program)
-        refresh(state().copy(programs = shelf.programs, shownProgram = slot, shownFile = 0, mistakePointedOut = false, pane = Pane.PROGRAM))
+        refresh(state().copy(programs = shelf.programs, shownProgram = slot, shownFile = 0, mistakePointedOut = false))
+        bringToFront()
     }
 
     private fun addClass() {
@@ -77,7 +80,7 @@ internal class ProgramEditing(
         add(shelf.programs.size, program)
     }
 
-    private fun refresh(now: WorkshopState) = show(now.copy(programs = shelf.programs, mistakes = shelf.mistakes(now.shownProgram)))
+    private fun refresh(now: ProgramsState) = show(now.copy(programs = shelf.programs, mistakes = shelf.mistakes(now.shownProgram)))
 }
 
 internal fun PupilProgram.withPlainLineEnds(): PupilProgram = copy(files = files.map { it.copy(text = it.text.withPlainLineEnds()) })

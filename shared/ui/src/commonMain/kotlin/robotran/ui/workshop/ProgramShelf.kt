@@ -29,6 +29,11 @@ internal class ProgramShelf(
     /** What is wrong with the program in [slot], as far as it was read; empty if that was before its last change. */
     fun mistakes(slot: Int): List<Mistake> = (entries[slot].result as? ProgramResult.Mistaken)?.mistakes.orEmpty()
 
+    /** Puts [programs] in place of all there are. */
+    fun replaceAll(programs: List<PupilProgram>) {
+        entries = programs.take(Brick.MOST_PROGRAMS).map(::entryOf)
+    }
+
     fun isRead(slot: Int): Boolean = entries[slot].result != null
 
     fun canRun(slot: Int): Boolean = entries[slot].result is ProgramResult.Ready && !entries[slot].program.isBlank

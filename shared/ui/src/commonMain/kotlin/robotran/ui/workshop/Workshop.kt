@@ -3,198 +3,145 @@ package robotran.ui.workshop
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import robotran.programs.ProgramReader
-import robotran.rom.BrickButton
-import robotran.ui.sound.LoudSpeaker
-import robotran.ui.sound.NoLoudSpeaker
-import robotran.ui.sound.SoundPlayer
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import robotran.projects.Project
+import robotran.projects.ProjectSettings
+import robotran.ui.platform.MemoryPlatform
+import robotran.ui.platform.Platform
+import robotran.world.RecordedInput
 import robotran.world.RunReport
-import robotran.world.Session
-import robotran.world.SessionInput
 import robotran.world.World
 import robotran.world.physics.PhysicsEngine
-import robotran.world.report
 
 /**
- * What happens behind the screen: takes [WorkshopEvent]s, lets virtual time pass, and shows the result as one [WorkshopState].
- * Owns the running session; not safe for use by several threads.
+ * What happens behind the screen: takes [WorkshopEvent]s to the holders of its panes, lets virtual time pass, and shows the result as one
+ * [WorkshopState]. Not safe for use by several threads.
  *
- * Run in the run bar begins afresh with the program that is shown: the robot is back at its start on a clean sheet, on a brick that is switched on.
- * The brick's own Run carries on from where the robot stands, as on a real one, unless a program has changed, which begins afresh too.
- *
- * @param programs the programs to begin with, one or more.
- * @param speaker plays the brick's tones; is closed with the workshop.
+ * @param project what is on the desk to begin with; with the square where it has no program.
+ * @param settings what was chosen for this machine before.
  */
 class Workshop(
-    private val world: World,
-    private val physics: PhysicsEngine,
-    programs: List<PupilProgram>,
-    speaker: LoudSpeaker = NoLoudSpeaker,
-) {
-    private val shelf = ProgramShelf(programs.map { it.withPlainLineEnds() }, ProgramReader(PENBOT_CALIBRATION))
-    private val readingLoop = ReadingLoop(shelf, ::showReading)
-    private var loaded = shelf.programs
-    private var loadedSlots = shelf.slots
-    private val sound = SoundPlayer(speaker)
-    private var session = newSession(slot = 0)
-    private val frames = FrameClock()
-    private val rest = RestWatch()
-    private var runWhenRead = false
+    project: Project,
+    physics: PhysicsEngine,
+    override val platform: Platform = MemoryPlatform(),
+    settings: Settings = Settings(),
+    override val scope: CoroutineScope = CoroutineScope(Dispatchers.Unconfined),
+) : Bench {
+    private var opened = project
+    private var pane by mutableStateOf(Pane.WORLD)
+    private var notice: Notice? by mutableStateOf(null)
+
+    private val settingsHolder = SettingsHolder(this, settings)
+    private val programs: ProgramsHolder = ProgramsHolder(pupilProgramsOf(project).ifEmpty { listOf(firstProgram()) }, this, ::programsRead)
+    private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this).also { it.hear(settings.soundOn) }
+    private val sheet = SheetHolder(this)
+    private val worldEdit = WorldEditHolder(this)
+    private val document = DocumentHolder(this)
+    private val learning = LearningHolder(this)
 
     /** What is to be seen now. Compose notices when it changes. */
-    var state: WorkshopState by mutableStateOf(firstState())
-        private set
+    val state: WorkshopState
+        get() = WorkshopState(
+            programs = programs.state,
+            run = run.state,
+            sheet = sheet.state,
+            worldEdit = worldEdit.state,
+            document = document.state,
+            settings = settingsHolder.state,
+            learning = learning.state,
+            pane = pane,
+            notice = notice,
+            settingsShown = settingsHolder.shown,
+        )
 
-    private val editing = ProgramEditing(shelf, { state }, { state = it })
+    override val project: Project get() = opened.copy(robots = programs.projectRobots(opened.world), inputs = emptyList())
+    override val inputs: List<RecordedInput> get() = run.inputs
+    override val settings: Settings get() = settingsHolder.state
 
     /** Something a person does. */
     fun handle(event: WorkshopEvent) {
         when (event) {
-            is WorkshopEvent.OfPrograms -> changePrograms(event)
-            WorkshopEvent.RunPressed -> run()
-            WorkshopEvent.StopPressed -> stop()
-            is WorkshopEvent.ButtonPressed -> press(event.button)
-            is WorkshopEvent.ButtonReleased -> release(event.button)
-            is WorkshopEvent.PaneChosen -> state = state.copy(pane = event.pane)
-            is WorkshopEvent.SoundSwitched -> switchSound(event.on)
+            is ProgramEvent -> handleProgram(event)
+            is RunEvent -> run.handle(event)
+            is SheetEvent -> sheet.handle(event)
+            is WorldEditEvent -> worldEdit.handle(event)
+            is DocumentEvent -> document.handle(event)
+            is SettingsEvent -> handleSettings(event)
+            is LearningEvent -> learning.handle(event)
+            is WorkshopEvent.PaneChosen -> pane = event.pane
+            WorkshopEvent.NoticeDismissed -> notice = null
+            WorkshopEvent.NoticeTaken -> takeNotice()
         }
-        rest.disturb()
-        show()
     }
 
     /** Compiles Java programs in the pauses of typing, for ever; to be called once, for as long as the workshop is on a screen. */
-    suspend fun keepReading() = readingLoop.run()
+    suspend fun keepReading() = programs.keepReading()
 
     /** Reads all programs that were not read yet, and does what waited for it. */
-    suspend fun readPrograms() = readingLoop.readAll()
+    suspend fun readPrograms() = programs.readPrograms()
 
     /** A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards: virtual time follows it while [WorkshopState.awake]. */
-    fun frame(nanoseconds: Long) {
-        val milliseconds = frames.millisecondsTo(nanoseconds)
-        if (state.awake && milliseconds > 0) {
-            pass(milliseconds)
-            sound.follow()
-        }
-        if (!state.awake) frames.rest()
-    }
+    fun frame(nanoseconds: Long) = run.frame(nanoseconds)
 
     /** Lets [milliseconds] of virtual time pass at once, too quickly to be heard. */
-    fun advance(milliseconds: Int) {
-        pass(milliseconds)
-        sound.skip()
-    }
-
-    private fun pass(milliseconds: Int) {
-        session.advance(milliseconds)
-        rest.passed(milliseconds, session.state)
-        show()
-    }
+    fun advance(milliseconds: Int) = run.advance(milliseconds)
 
     /** What came of the run up to now. */
-    fun report(): RunReport = session.report()
+    fun report(): RunReport = run.report()
 
     /** Gives back what the session holds. Nothing may be called afterwards. */
     fun close() {
-        sound.close()
-        session.close()
+        run.close()
     }
 
-    private fun changePrograms(event: WorkshopEvent.OfPrograms) {
-        runWhenRead = false
-        editing.handle(event)
-        readingLoop.programsChanged()
+    override fun openProject(project: Project) {
+        opened = project
+        programs.replaceAll(pupilProgramsOf(project).ifEmpty { listOf(firstProgram()) })
+        run.changeWorld(project.worldToRun)
     }
 
-    private fun showReading(reading: ProgramReading) {
-        state = state.copy(reading = reading)
-        if (reading == ProgramReading.NO_COMPILER) runWhenRead = false
-        if (reading == ProgramReading.DONE) {
-            if (state.untouched) beginAfresh(state.session.brick.selectedSlot.coerceAtMost(shelf.programs.lastIndex))
-            if (runWhenRead) run()
-        }
-        rest.disturb()
-        show()
+    override fun changeWorld(world: World) {
+        opened = opened.copy(world = world)
+        run.changeWorld(opened.worldToRun)
     }
 
-    private fun run() {
-        if (!canStart(state.shownProgram)) return
-        beginAfresh(state.shownProgram)
-        press(BrickButton.RUN)
-        release(BrickButton.RUN)
-        if (state.pane == Pane.PROGRAM) state = state.copy(pane = Pane.WORLD)
+    override fun changeProjectSettings(settings: ProjectSettings) {
+        opened = opened.copy(settings = settings)
+        run.changeWorld(opened.worldToRun)
     }
 
-    private fun stop() {
-        runWhenRead = false
-        session.apply(SessionInput.Stop)
+    override fun addProgram(program: PupilProgram, replacing: Boolean) {
+        val place = programs.state.programs.indexOfFirst { it.name == program.name }
+        if (replacing && place >= 0) handle(ProgramEvent.ProgramClosed(place))
+        handle(ProgramEvent.ProgramAdded(program))
     }
 
-    private fun press(button: BrickButton) {
-        state = state.copy(down = state.down + button)
-        if (button == BrickButton.RUN && !state.running && state.changed) {
-            val slot = state.session.brick.selectedSlot.coerceAtMost(shelf.programs.lastIndex)
-            if (!canStart(slot)) return
-            beginAfresh(slot)
-        }
-        if (button == BrickButton.RUN) state = state.copy(untouched = false)
-        session.apply(SessionInput.Press(button))
+    override fun perform(event: WorkshopEvent) = handle(event)
+
+    override fun say(notice: Notice) {
+        this.notice = notice
     }
 
-    private fun release(button: BrickButton) {
-        state = state.copy(down = state.down - button)
-        session.apply(SessionInput.Release(button))
+    override fun show(pane: Pane) {
+        this.pane = pane
     }
 
-    /** Whether the program in [slot] can run now; if it has mistakes, the first is pointed out, and if it was not read yet, it runs once it is. */
-    private fun canStart(slot: Int): Boolean {
-        runWhenRead = !shelf.isRead(slot)
-        if (runWhenRead) readingLoop.hurry()
-        val possible = shelf.canRun(slot)
-        if (!possible && !runWhenRead) editing.pointOutMistakes(slot)
-        return possible
+    private fun handleProgram(event: ProgramEvent) {
+        programs.handle(event)
+        run.programsChanged()
     }
 
-    private fun beginAfresh(slot: Int) {
-        session.close()
-        session = newSession(slot)
-        loaded = shelf.programs
-        loadedSlots = shelf.slots
-        show()
+    private fun handleSettings(event: SettingsEvent) {
+        settingsHolder.handle(event)
+        run.hear(settingsHolder.state.soundOn)
     }
 
-    private fun newSession(slot: Int) = Session(world, shelf.slots, physics, slot).also { sound.listenTo(it.sounds) }
+    private fun programsRead(reading: ProgramReading) = run.programsRead(reading)
 
-    private fun switchSound(on: Boolean) {
-        sound.muted = !on
-        state = state.copy(soundOn = on)
+    private fun takeNotice() {
+        val taken = notice ?: return
+        notice = null
+        taken.onAction()
     }
-
-    private fun show() {
-        val now = session.state
-        state = state.copy(
-            programs = shelf.programs,
-            mistakes = shelf.mistakes(state.shownProgram),
-            session = now,
-            changed = shelf.programs != loaded || shelf.slots.map { it == null } != loadedSlots.map { it == null },
-            awake = rest.isAwake(now),
-        )
-    }
-
-    private fun firstState() = WorkshopState(
-        programs = shelf.programs,
-        shownProgram = 0,
-        shownFile = 0,
-        closedProgram = null,
-        mistakes = shelf.mistakes(0),
-        reading = if (shelf.hasUnread) ProgramReading.WAITING else ProgramReading.DONE,
-        changed = false,
-        mistakePointedOut = false,
-        world = world,
-        session = session.state,
-        down = emptySet(),
-        pane = Pane.WORLD,
-        untouched = true,
-        awake = true,
-        soundOn = true,
-    )
 }

@@ -10,17 +10,18 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.WorkshopEvent
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.ui.workshop.Pane
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.WorkshopEvent
 
 @OptIn(ExperimentalTestApi::class)
 class PhoneTest {
     @Test
     fun `a program that ends while the robot drives is explained under the paper`() = onPhone { workshop ->
-        workshop.handle(WorkshopEvent.ProgramEdited("start forward"))
+        workshop.handle(ProgramEvent.ProgramEdited("start forward"))
         onNodeWithTag("run").performClick()
         pass(1_000)
         onNodeWithTag("brick-hint").assertTextContains("has come to its end", substring = true)

@@ -10,12 +10,12 @@ import androidx.compose.ui.test.onFirst
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
-import kotlinx.coroutines.runBlocking
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.WorkshopEvent
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import kotlinx.coroutines.runBlocking
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.ProgramLanguage
 
 @OptIn(ExperimentalTestApi::class)
 class ProgramTabsTest {
@@ -41,7 +41,7 @@ class ProgramTabsTest {
         pass(500)
         onNodeWithTag("example-countdown.robo").performClick()
         pass(500)
-        assertEquals(listOf("square.robo", "countdown.robo"), workshop.state.programs.map { it.name })
+        assertEquals(listOf("square.robo", "countdown.robo"), workshop.state.programs.programs.map { it.name })
         onNodeWithTag("close-program").performClick()
         pass(200)
         onNodeWithText("countdown.robo is closed.").assertIsDisplayed()
@@ -71,7 +71,7 @@ class ProgramTabsTest {
     @Test
     fun `the program that is shown can be closed, however many there are`() = onPhone { workshop ->
         onNodeWithTag("tab-program").performClick()
-        repeat(3) { workshop.handle(WorkshopEvent.ProgramBegun(ProgramLanguage.JAVA)) }
+        repeat(3) { workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA)) }
         pass(1_000)
         val close = onNodeWithTag("close-program").fetchSemanticsNode().boundsInRoot
         val add = onNodeWithTag("add-program").fetchSemanticsNode().boundsInRoot

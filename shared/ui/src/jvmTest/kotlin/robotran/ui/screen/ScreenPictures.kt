@@ -2,6 +2,9 @@ package robotran.ui.screen
 
 import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
+import java.io.File
+import kotlin.test.Test
+import kotlin.test.assertTrue
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.EncodedImageFormat
 import robotran.rom.BrickButton
@@ -10,13 +13,13 @@ import robotran.ui.lejosExampleTexts
 import robotran.ui.openWorkshop
 import robotran.ui.sheet.sheetPng
 import robotran.ui.workshop.Pane
+import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ProgramLanguage
 import robotran.ui.workshop.PupilProgram
+import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.Workshop
+import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.WorkshopEvent
-import java.io.File
-import kotlin.test.Test
-import kotlin.test.assertTrue
 
 /** Writes pictures of the screen into build/pictures, to be looked at. */
 class ScreenPictures {
@@ -32,7 +35,7 @@ class ScreenPictures {
                     workshop.handle(WorkshopEvent.PaneChosen(pane))
                     photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-first-${pane.name.lowercase()}")
                 }
-                workshop.handle(WorkshopEvent.RunPressed)
+                workshop.handle(RunEvent.RunPressed)
                 workshop.advance(HALF_DRAWN)
                 for (pane in screen.panes) {
                     workshop.handle(WorkshopEvent.PaneChosen(pane))
@@ -41,8 +44,8 @@ class ScreenPictures {
                 workshop.advance(HALF_DRAWN * 2)
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
                 photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-end")
-                workshop.handle(WorkshopEvent.ProgramEdited("pen down\nrepaet 4 times\n  forwrd 20\n  turn left\nend\nbeep beep\n"))
-                workshop.handle(WorkshopEvent.RunPressed)
+                workshop.handle(ProgramEvent.ProgramEdited("pen down\nrepaet 4 times\n  forwrd 20\n  turn left\nend\nbeep beep\n"))
+                workshop.handle(RunEvent.RunPressed)
                 photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-mistakes")
                 workshop.close()
             }
@@ -55,17 +58,17 @@ class ScreenPictures {
             for (dark in listOf(false, true)) {
                 val name = "${screen.name.lowercase()}-${if (dark) "dark" else "light"}"
                 val workshop = newWorkshop()
-                workshop.handle(WorkshopEvent.ProgramEdited("var zero = 0\nshow 5 / zero\n"))
-                workshop.handle(WorkshopEvent.RunPressed)
+                workshop.handle(ProgramEvent.ProgramEdited("var zero = 0\nshow 5 / zero\n"))
+                workshop.handle(RunEvent.RunPressed)
                 workshop.advance(SETTLED)
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.BRICK))
                 photograph(workshop, screen, dark, "$name-failed")
                 repeat(2) {
-                    workshop.handle(WorkshopEvent.ButtonPressed(BrickButton.ON_OFF))
-                    workshop.handle(WorkshopEvent.ButtonReleased(BrickButton.ON_OFF))
+                    workshop.handle(RunEvent.ButtonPressed(BrickButton.ON_OFF))
+                    workshop.handle(RunEvent.ButtonReleased(BrickButton.ON_OFF))
                     workshop.advance(SETTLED)
                 }
-                workshop.handle(WorkshopEvent.SoundSwitched(on = false))
+                workshop.handle(SettingsEvent.SoundSwitched(on = false))
                 photograph(workshop, screen, dark, "$name-off")
                 workshop.close()
             }
@@ -79,11 +82,11 @@ class ScreenPictures {
                 val name = "${screen.name.lowercase()}-${if (dark) "dark" else "light"}-java"
                 val workshop = newWorkshop()
                 val example = "WallBouncer.java"
-                workshop.handle(WorkshopEvent.ProgramAdded(PupilProgram(example, lejosExampleTexts.getValue(example))))
-                workshop.handle(WorkshopEvent.ProgramBegun(ProgramLanguage.JAVA))
-                workshop.handle(WorkshopEvent.ClassAdded)
-                workshop.handle(WorkshopEvent.FileChosen(0))
-                workshop.handle(WorkshopEvent.RunPressed)
+                workshop.handle(ProgramEvent.ProgramAdded(PupilProgram(example, lejosExampleTexts.getValue(example))))
+                workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+                workshop.handle(ProgramEvent.ClassAdded)
+                workshop.handle(ProgramEvent.FileChosen(0))
+                workshop.handle(RunEvent.RunPressed)
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
                 photograph(workshop, screen, dark, "$name-compiling")
                 runBlocking { workshop.readPrograms() }
@@ -91,10 +94,10 @@ class ScreenPictures {
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
                 photograph(workshop, screen, dark, "$name-running")
                 val mistaken = workshop.state.programText.replace("Thread.sleep(2000);", "System.out.println(7)")
-                workshop.handle(WorkshopEvent.ProgramEdited(mistaken))
+                workshop.handle(ProgramEvent.ProgramEdited(mistaken))
                 runBlocking { workshop.readPrograms() }
-                workshop.handle(WorkshopEvent.ProgramClosed(0))
-                workshop.handle(WorkshopEvent.ProgramChosen(1))
+                workshop.handle(ProgramEvent.ProgramClosed(0))
+                workshop.handle(ProgramEvent.ProgramChosen(1))
                 photograph(workshop, screen, dark, "$name-mistakes")
                 workshop.close()
             }
@@ -104,7 +107,7 @@ class ScreenPictures {
     @Test
     fun `the sheet alone becomes a picture`() {
         val workshop = newWorkshop()
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(HALF_DRAWN * 3)
         val bytes = sheetPng(workshop.state.world, workshop.state.session)
         File(folder, "sheet.png").writeBytes(bytes)

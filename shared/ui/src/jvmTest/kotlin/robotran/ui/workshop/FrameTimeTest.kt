@@ -18,7 +18,7 @@ class FrameTimeTest {
 
     @Test
     fun `virtual time follows the frames without losing their fractions`() {
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         val before = workshop.state.session.milliseconds
         frames(count = 61, nanoseconds = 16_666_667)
         assertEquals(1000, workshop.state.session.milliseconds - before)
@@ -26,7 +26,7 @@ class FrameTimeTest {
 
     @Test
     fun `a machine that is too slow shows slow motion instead of falling behind`() {
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         val before = workshop.state.session.milliseconds
         frames(count = 11, nanoseconds = 3_000_000_000)
         assertEquals(500, workshop.state.session.milliseconds - before)
@@ -34,7 +34,7 @@ class FrameTimeTest {
 
     @Test
     fun `a clock that jumps back does no harm`() {
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         frames(count = 2, nanoseconds = 20_000_000)
         val before = workshop.state.session.milliseconds
         frames(count = 1, nanoseconds = -1_000_000_000)
@@ -48,14 +48,14 @@ class FrameTimeTest {
         val rested = workshop.state.session.milliseconds
         frames(count = 100, nanoseconds = 16_666_667)
         assertEquals(rested, workshop.state.session.milliseconds)
-        workshop.handle(WorkshopEvent.ButtonPressed(BrickButton.PRGM))
+        workshop.handle(RunEvent.ButtonPressed(BrickButton.PRGM))
         assertTrue(workshop.state.awake)
     }
 
     @Test
     fun `time rests after the program has ended`() {
-        workshop.handle(WorkshopEvent.ProgramEdited("forward 1\nbeep"))
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(ProgramEvent.ProgramEdited("forward 1\nbeep"))
+        workshop.handle(RunEvent.RunPressed)
         frames(count = 200, nanoseconds = 16_666_667)
         assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)
         assertFalse(workshop.state.awake)
@@ -63,8 +63,8 @@ class FrameTimeTest {
 
     @Test
     fun `time goes on while a program waits`() {
-        workshop.handle(WorkshopEvent.ProgramEdited("wait 60 seconds"))
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(ProgramEvent.ProgramEdited("wait 60 seconds"))
+        workshop.handle(RunEvent.RunPressed)
         frames(count = 200, nanoseconds = 16_666_667)
         assertTrue(workshop.state.awake)
     }

@@ -19,7 +19,7 @@ class WorkshopJavaTest {
     fun `a Java program is compiled and drives`() = workshop(firstDrive) { workshop ->
         workshop.readPrograms()
         assertEquals(WorkshopStatus.Ready, workshop.state.status)
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(1000)
         assertEquals(WorkshopStatus.Running(sleepingLine), workshop.state.status)
         assertEquals(sleepingLine, workshop.state.runningLine)
@@ -30,7 +30,7 @@ class WorkshopJavaTest {
 
     @Test
     fun `a program that is run before it was compiled runs as soon as it is`() = workshop(firstDrive) { workshop ->
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         assertEquals(WorkshopStatus.Compiling, workshop.state.status)
         workshop.readPrograms()
         assertTrue(workshop.state.running)
@@ -38,9 +38,9 @@ class WorkshopJavaTest {
 
     @Test
     fun `who changes the program or presses Stop meanwhile does not wait for it any more`() {
-        for (event in listOf(WorkshopEvent.StopPressed, WorkshopEvent.ProgramEdited(firstDrive.files.single().text + "\n"))) {
+        for (event in listOf(RunEvent.StopPressed, ProgramEvent.ProgramEdited(firstDrive.files.single().text + "\n"))) {
             workshop(firstDrive) { workshop ->
-                workshop.handle(WorkshopEvent.RunPressed)
+                workshop.handle(RunEvent.RunPressed)
                 workshop.handle(event)
                 workshop.readPrograms()
                 assertFalse(workshop.state.running)
@@ -51,7 +51,7 @@ class WorkshopJavaTest {
     @Test
     fun `the sample of the paper is told why the robot stands still`() = workshop(paperSample) { workshop ->
         workshop.readPrograms()
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(500)
         assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)
         assertContains(workshop.state.session.brick.explanation.orEmpty(), "has come to its end")
@@ -60,10 +60,10 @@ class WorkshopJavaTest {
     @Test
     fun `Stop ends an endless loop at once`() = workshop(mainOf("while (true) { }")) { workshop ->
         workshop.readPrograms()
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(1000)
         assertTrue(workshop.state.running)
-        workshop.handle(WorkshopEvent.StopPressed)
+        workshop.handle(RunEvent.StopPressed)
         assertEquals(WorkshopStatus.Ended(stopped = true), workshop.state.status)
     }
 
@@ -71,9 +71,9 @@ class WorkshopJavaTest {
     fun `a mistake is told with its line and mended by its fix`() = workshop(mainOf("Motor.A.forward()")) { workshop ->
         workshop.readPrograms()
         assertEquals(WorkshopStatus.Mistaken(line = 4), workshop.state.status)
-        workshop.handle(WorkshopEvent.RunPressed)
-        assertTrue(workshop.state.mistakePointedOut)
-        workshop.handle(WorkshopEvent.FixApplied(workshop.state.mistakes.single()))
+        workshop.handle(RunEvent.RunPressed)
+        assertTrue(workshop.state.programs.mistakePointedOut)
+        workshop.handle(ProgramEvent.FixApplied(workshop.state.mistakes.single()))
         workshop.readPrograms()
         assertEquals(emptyList(), workshop.state.mistakes)
         assertContains(workshop.state.programText, "Motor.A.forward();")
@@ -85,12 +85,12 @@ class WorkshopJavaTest {
         val program = PupilProgram(mainOf("LCD.showNumber(Helper.half(8));").files + helper)
         workshop(program) { workshop ->
             workshop.readPrograms()
-            workshop.handle(WorkshopEvent.RunPressed)
+            workshop.handle(RunEvent.RunPressed)
             workshop.advance(1000)
             val status = workshop.state.status as WorkshopStatus.Failed
             assertEquals("Helper.java" to 3, status.file to status.line)
-            workshop.handle(WorkshopEvent.FileChosen(1))
-            workshop.handle(WorkshopEvent.ProgramEdited("class Helper { hop }"))
+            workshop.handle(ProgramEvent.FileChosen(1))
+            workshop.handle(ProgramEvent.ProgramEdited("class Helper { hop }"))
             workshop.readPrograms()
             assertContains(workshop.state.mistakes.map { it.file }, "Helper.java")
         }
@@ -99,22 +99,22 @@ class WorkshopJavaTest {
     @Test
     fun `where a brick calculates otherwise the pupil is told`() = workshop(largeDivisor) { workshop ->
         workshop.readPrograms()
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(500)
         assertEquals(listOf(4), workshop.state.remarks.map { it.sourceLine })
-        workshop.handle(WorkshopEvent.ProgramEdited(workshop.state.programText + "\n"))
+        workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText + "\n"))
         assertEquals(emptyList(), workshop.state.remarks)
     }
 
     @Test
     fun `a new Java program can run as it is`() = workshop(firstDrive) { workshop ->
-        workshop.handle(WorkshopEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
         assertEquals("Program.java", workshop.state.programName)
-        workshop.handle(WorkshopEvent.ClassAdded)
+        workshop.handle(ProgramEvent.ClassAdded)
         assertEquals(listOf("Program.java", "Helper.java"), workshop.state.program.files.map { it.name })
         workshop.readPrograms()
         assertEquals(emptyList(), workshop.state.mistakes)
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(1000)
         assertTrue(workshop.state.running)
         assertEquals(1, workshop.state.session.brick.selectedSlot)
@@ -129,23 +129,23 @@ class WorkshopJavaTest {
             workshop.advance(1000)
             assertTrue(workshop.state.running)
             assertEquals(0, workshop.state.runningLine)
-            workshop.handle(WorkshopEvent.ProgramChosen(1))
+            workshop.handle(ProgramEvent.ProgramChosen(1))
             assertEquals(sleepingLine, workshop.state.runningLine)
         }
 
     @Test
     fun `five programs fit, and one that was closed can be brought back`() = workshop(firstDrive) { workshop ->
-        repeat(6) { workshop.handle(WorkshopEvent.ProgramBegun(ProgramLanguage.ROBOLANG)) }
-        assertEquals(5, workshop.state.programs.size)
-        assertEquals(workshop.state.programs.size, workshop.state.programs.map { it.name }.toSet().size)
-        workshop.handle(WorkshopEvent.ProgramChosen(0))
-        workshop.handle(WorkshopEvent.ProgramClosed(0))
+        repeat(6) { workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG)) }
+        assertEquals(5, workshop.state.programs.programs.size)
+        assertEquals(workshop.state.programs.programs.size, workshop.state.programs.programs.map { it.name }.toSet().size)
+        workshop.handle(ProgramEvent.ProgramChosen(0))
+        workshop.handle(ProgramEvent.ProgramClosed(0))
         assertEquals("program.robo", workshop.state.programName)
-        workshop.handle(WorkshopEvent.ProgramReopened)
+        workshop.handle(ProgramEvent.ProgramReopened)
         assertEquals(firstDrive, workshop.state.program)
-        assertNull(workshop.state.closedProgram)
-        repeat(6) { workshop.handle(WorkshopEvent.ProgramClosed(0)) }
-        assertEquals(1, workshop.state.programs.size)
+        assertNull(workshop.state.programs.closedProgram)
+        repeat(6) { workshop.handle(ProgramEvent.ProgramClosed(0)) }
+        assertEquals(1, workshop.state.programs.programs.size)
     }
 
     private val paperSample get() = mainOf("Motor.A.forward(); Motor.C.forward();")
@@ -157,9 +157,9 @@ class WorkshopJavaTest {
     )
 
     private fun tap(workshop: Workshop, button: BrickButton) {
-        workshop.handle(WorkshopEvent.ButtonPressed(button))
+        workshop.handle(RunEvent.ButtonPressed(button))
         workshop.advance(100)
-        workshop.handle(WorkshopEvent.ButtonReleased(button))
+        workshop.handle(RunEvent.ButtonReleased(button))
         workshop.advance(100)
     }
 

@@ -21,20 +21,20 @@ import kotlin.test.assertTrue
 class WorkshopPropertyTest {
     /** What somebody who tries everything in any order may do; a time passes after each. */
     private val events: Arb<WorkshopEvent> = Arb.choice(
-        Arb.constant(WorkshopEvent.RunPressed),
-        Arb.constant(WorkshopEvent.StopPressed),
-        Arb.enum<BrickButton>().map(WorkshopEvent::ButtonPressed),
-        Arb.enum<BrickButton>().map(WorkshopEvent::ButtonReleased),
+        Arb.constant(RunEvent.RunPressed),
+        Arb.constant(RunEvent.StopPressed),
+        Arb.enum<BrickButton>().map(RunEvent::ButtonPressed),
+        Arb.enum<BrickButton>().map(RunEvent::ButtonReleased),
         Arb.enum<Pane>().map(WorkshopEvent::PaneChosen),
         Arb.element("pen down\nforward 5", "forwrd 3", "repeat 3 times\n beep\nend", "", "wait 9 seconds")
-            .map(WorkshopEvent::ProgramEdited),
-        Arb.string(0..30).map(WorkshopEvent::ProgramEdited),
-        Arb.enum<ProgramLanguage>().map(WorkshopEvent::ProgramBegun),
-        Arb.int(-1..5).map(WorkshopEvent::ProgramChosen),
-        Arb.int(-1..5).map(WorkshopEvent::FileChosen),
-        Arb.int(-1..5).map(WorkshopEvent::ProgramClosed),
-        Arb.constant(WorkshopEvent.ClassAdded),
-        Arb.constant(WorkshopEvent.ProgramReopened),
+            .map(ProgramEvent::ProgramEdited),
+        Arb.string(0..30).map(ProgramEvent::ProgramEdited),
+        Arb.enum<ProgramLanguage>().map(ProgramEvent::ProgramBegun),
+        Arb.int(-1..5).map(ProgramEvent::ProgramChosen),
+        Arb.int(-1..5).map(ProgramEvent::FileChosen),
+        Arb.int(-1..5).map(ProgramEvent::ProgramClosed),
+        Arb.constant(ProgramEvent.ClassAdded),
+        Arb.constant(ProgramEvent.ProgramReopened),
     )
 
     @Test
@@ -45,12 +45,12 @@ class WorkshopPropertyTest {
                 workshop.handle(event)
                 workshop.advance(milliseconds)
             }
-            workshop.handle(WorkshopEvent.StopPressed)
+            workshop.handle(RunEvent.StopPressed)
             assertFalse(workshop.state.running)
-            workshop.handle(WorkshopEvent.ProgramClosed(0))
-            workshop.handle(WorkshopEvent.ProgramBegun(ProgramLanguage.ROBOLANG))
-            workshop.handle(WorkshopEvent.ProgramEdited("pen down\nforward 5"))
-            workshop.handle(WorkshopEvent.RunPressed)
+            workshop.handle(ProgramEvent.ProgramClosed(0))
+            workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG))
+            workshop.handle(ProgramEvent.ProgramEdited("pen down\nforward 5"))
+            workshop.handle(RunEvent.RunPressed)
             assertTrue(workshop.state.running)
             assertEquals(workshop.state.world.start, workshop.state.session.robot.pose)
             workshop.close()
@@ -63,8 +63,8 @@ class WorkshopPropertyTest {
             Arb.element("forwrd", "forward", "20", "turn", "left", "repaet", "times", "end", "pen", "3,5", "\n", " ", "\r\n", "wait")
         checkAll(300, Arb.list(words, 0..20).map { it.joinToString(" ") }) { text ->
             val workshop = openWorkshop()
-            workshop.handle(WorkshopEvent.ProgramEdited(text))
-            for (mistake in workshop.state.mistakes) workshop.handle(WorkshopEvent.FixApplied(mistake))
+            workshop.handle(ProgramEvent.ProgramEdited(text))
+            for (mistake in workshop.state.mistakes) workshop.handle(ProgramEvent.FixApplied(mistake))
             workshop.close()
         }
     }

@@ -3,6 +3,7 @@ package robotran.ui.workshop
 import kotlinx.coroutines.runBlocking
 import robotran.rom.BrickButton
 import robotran.ui.openWorkshop
+import robotran.ui.platform.MemoryPlatform
 import robotran.ui.sound.RememberingSpeaker
 import kotlin.test.AfterTest
 import kotlin.test.Test
@@ -12,7 +13,7 @@ import kotlin.test.assertTrue
 
 class WorkshopSoundTest {
     private val speaker = RememberingSpeaker()
-    private val workshop = runBlocking { openWorkshop(listOf(PupilProgram("beep.robo", "beep\nwait 300 milliseconds\nbeep")), speaker) }
+    private val workshop = runBlocking { openWorkshop(listOf(PupilProgram("beep.robo", "beep\nwait 300 milliseconds\nbeep")), MemoryPlatform(speaker)) }
     private var nanoseconds = 0L
 
     @AfterTest
@@ -38,30 +39,30 @@ class WorkshopSoundTest {
     fun `a program's beeps are heard`() {
         watch(1_000)
         speaker.tones.clear()
-        workshop.handle(WorkshopEvent.ButtonPressed(BrickButton.RUN))
-        workshop.handle(WorkshopEvent.ButtonReleased(BrickButton.RUN))
+        workshop.handle(RunEvent.ButtonPressed(BrickButton.RUN))
+        workshop.handle(RunEvent.ButtonReleased(BrickButton.RUN))
         watch(2_000)
         assertTrue(speaker.tones.count { it.hertz == 2000.0 } >= 2)
     }
 
     @Test
     fun `nothing is heard while the sound is off, and what was missed never`() {
-        workshop.handle(WorkshopEvent.SoundSwitched(on = false))
+        workshop.handle(SettingsEvent.SoundSwitched(on = false))
         assertFalse(workshop.state.soundOn)
         assertEquals(1, speaker.silences)
         watch(1_000)
-        workshop.handle(WorkshopEvent.SoundSwitched(on = true))
+        workshop.handle(SettingsEvent.SoundSwitched(on = true))
         watch(1_000)
         assertEquals(emptyList(), speaker.tones)
-        workshop.handle(WorkshopEvent.ButtonPressed(BrickButton.PRGM))
+        workshop.handle(RunEvent.ButtonPressed(BrickButton.PRGM))
         watch(200)
         assertEquals(1, speaker.tones.size)
     }
 
     @Test
     fun `the sound stays off when a run begins afresh`() {
-        workshop.handle(WorkshopEvent.SoundSwitched(on = false))
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(SettingsEvent.SoundSwitched(on = false))
+        workshop.handle(RunEvent.RunPressed)
         watch(2_000)
         assertFalse(workshop.state.soundOn)
         assertEquals(emptyList(), speaker.tones)
@@ -77,7 +78,7 @@ class WorkshopSoundTest {
     @Test
     fun `a run that begins afresh silences the one before`() {
         watch(100)
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         assertEquals(1, speaker.silences)
     }
 

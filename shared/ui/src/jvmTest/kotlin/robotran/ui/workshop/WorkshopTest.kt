@@ -31,7 +31,7 @@ class WorkshopTest {
     @Test
     fun `Run in the run bar draws a square and comes back`() {
         val start = workshop.state.session.robot.pose
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(SQUARE)
         val session = workshop.state.session
         assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)
@@ -41,11 +41,11 @@ class WorkshopTest {
 
     @Test
     fun `the brick's own Run starts when it is let go`() {
-        workshop.handle(WorkshopEvent.ButtonPressed(BrickButton.RUN))
+        workshop.handle(RunEvent.ButtonPressed(BrickButton.RUN))
         workshop.advance(500)
         assertFalse(workshop.state.running)
         assertEquals(setOf(BrickButton.RUN), workshop.state.down)
-        workshop.handle(WorkshopEvent.ButtonReleased(BrickButton.RUN))
+        workshop.handle(RunEvent.ButtonReleased(BrickButton.RUN))
         workshop.advance(1)
         assertTrue(workshop.state.running)
         assertEquals(emptySet(), workshop.state.down)
@@ -53,8 +53,8 @@ class WorkshopTest {
 
     @Test
     fun `the brick's own Run carries on from where the robot stands`() {
-        workshop.handle(WorkshopEvent.ProgramEdited("pen down\nforward 5"))
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(ProgramEvent.ProgramEdited("pen down\nforward 5"))
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(2000)
         val first = workshop.state.session
         tapRun()
@@ -67,10 +67,10 @@ class WorkshopTest {
     @Test
     fun `Run in the run bar puts the robot back on a clean sheet`() {
         val start = workshop.state.session.robot.pose
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(1500)
         assertTrue(workshop.state.session.ink.lengthCentimetres > 1)
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         assertEquals(0.0, workshop.state.session.ink.lengthCentimetres)
         assertEquals(start, workshop.state.session.robot.pose)
         workshop.advance(10)
@@ -79,9 +79,9 @@ class WorkshopTest {
 
     @Test
     fun `the brick's own Run loads a changed program and begins afresh`() {
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(SQUARE)
-        workshop.handle(WorkshopEvent.ProgramEdited("forward 10"))
+        workshop.handle(ProgramEvent.ProgramEdited("forward 10"))
         assertEquals(WorkshopStatus.Changed, workshop.state.status)
         val start = workshop.state.world.start
         tapRun()
@@ -93,23 +93,23 @@ class WorkshopTest {
 
     @Test
     fun `with a mistake in the text nothing runs and the mistake is pointed out`() {
-        workshop.handle(WorkshopEvent.ProgramEdited("pen down\nforwrd 20"))
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(ProgramEvent.ProgramEdited("pen down\nforwrd 20"))
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(1000)
         tapRun()
         workshop.advance(1000)
         val state = workshop.state
         assertEquals(RunState.Idle, state.session.brick.run)
         assertEquals(WorkshopStatus.Mistaken(line = 2), state.status)
-        assertTrue(state.mistakePointedOut)
+        assertTrue(state.programs.mistakePointedOut)
         assertEquals(Pane.PROGRAM, state.pane)
         assertEquals(state.world.start, state.session.robot.pose)
     }
 
     @Test
     fun `an empty program does not run and says so`() {
-        workshop.handle(WorkshopEvent.ProgramEdited("  \n"))
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(ProgramEvent.ProgramEdited("  \n"))
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(100)
         assertEquals(WorkshopStatus.Empty, workshop.state.status)
         assertEquals(RunState.Idle, workshop.state.session.brick.run)
@@ -117,17 +117,17 @@ class WorkshopTest {
 
     @Test
     fun `a fix mends its mistake`() {
-        workshop.handle(WorkshopEvent.ProgramEdited("pen down\r\n  forwrd 20 // there"))
-        workshop.handle(WorkshopEvent.FixApplied(workshop.state.mistakes.single()))
+        workshop.handle(ProgramEvent.ProgramEdited("pen down\r\n  forwrd 20 // there"))
+        workshop.handle(ProgramEvent.FixApplied(workshop.state.mistakes.single()))
         assertEquals("pen down\n  forward 20 // there", workshop.state.programText)
         assertEquals(emptyList(), workshop.state.mistakes)
     }
 
     @Test
     fun `Stop ends the program where it is`() {
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(1500)
-        workshop.handle(WorkshopEvent.StopPressed)
+        workshop.handle(RunEvent.StopPressed)
         workshop.advance(200)
         val stopped = workshop.state.session.robot.pose
         workshop.advance(1000)
@@ -139,13 +139,13 @@ class WorkshopTest {
 
     @Test
     fun `On-Off with Run held down ends the program`() {
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(1500)
-        workshop.handle(WorkshopEvent.ButtonPressed(BrickButton.RUN))
-        workshop.handle(WorkshopEvent.ButtonPressed(BrickButton.ON_OFF))
+        workshop.handle(RunEvent.ButtonPressed(BrickButton.RUN))
+        workshop.handle(RunEvent.ButtonPressed(BrickButton.ON_OFF))
         workshop.advance(50)
-        workshop.handle(WorkshopEvent.ButtonReleased(BrickButton.ON_OFF))
-        workshop.handle(WorkshopEvent.ButtonReleased(BrickButton.RUN))
+        workshop.handle(RunEvent.ButtonReleased(BrickButton.ON_OFF))
+        workshop.handle(RunEvent.ButtonReleased(BrickButton.RUN))
         workshop.advance(50)
         assertEquals(WorkshopStatus.Ended(stopped = true), workshop.state.status)
         assertTrue(workshop.state.session.brick.poweredOn)
@@ -156,18 +156,18 @@ class WorkshopTest {
         tap(BrickButton.ON_OFF)
         workshop.advance(100)
         assertEquals(WorkshopStatus.Off, workshop.state.status)
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(100)
         assertIs<WorkshopStatus.Running>(workshop.state.status)
     }
 
     @Test
     fun `a program that never ends can be stopped and left`() {
-        workshop.handle(WorkshopEvent.ProgramEdited("repeat 2000000000 times\nend"))
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(ProgramEvent.ProgramEdited("repeat 2000000000 times\nend"))
+        workshop.handle(RunEvent.RunPressed)
         workshop.advance(2000)
         assertTrue(workshop.state.running)
-        workshop.handle(WorkshopEvent.StopPressed)
+        workshop.handle(RunEvent.StopPressed)
         workshop.advance(10)
         assertFalse(workshop.state.running)
     }
@@ -175,15 +175,15 @@ class WorkshopTest {
     @Test
     fun `on a phone Run shows the world`() {
         workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
-        workshop.handle(WorkshopEvent.RunPressed)
+        workshop.handle(RunEvent.RunPressed)
         assertEquals(Pane.WORLD, workshop.state.pane)
     }
 
     private fun tapRun() = tap(BrickButton.RUN)
 
     private fun tap(button: BrickButton) {
-        workshop.handle(WorkshopEvent.ButtonPressed(button))
-        workshop.handle(WorkshopEvent.ButtonReleased(button))
+        workshop.handle(RunEvent.ButtonPressed(button))
+        workshop.handle(RunEvent.ButtonReleased(button))
     }
 
     private companion object {

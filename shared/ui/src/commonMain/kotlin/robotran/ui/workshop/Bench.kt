@@ -1,0 +1,46 @@
+package robotran.ui.workshop
+
+import kotlinx.coroutines.CoroutineScope
+import robotran.projects.Project
+import robotran.projects.ProjectSettings
+import robotran.ui.platform.Platform
+import robotran.world.RecordedInput
+import robotran.world.World
+
+/** What one pane may ask of the others. */
+interface Bench {
+    val platform: Platform
+
+    /** Lives as long as the workshop; runs on the thread of the screen. */
+    val scope: CoroutineScope
+
+    /** What would be saved now: programs, world and settings; without inputs, see [inputs]. */
+    val project: Project
+
+    /** What was done to the session that is on the desk, so far. */
+    val inputs: List<RecordedInput>
+
+    /** What the app shows and does on this machine. */
+    val settings: Settings
+
+    /** Puts [project] on the desk in place of all that is there; programs and run begin afresh. */
+    fun openProject(project: Project)
+
+    /** Puts the same robots and programs into [world]; the run begins afresh. */
+    fun changeWorld(world: World)
+
+    /** Changes how the programs run; the run begins afresh. */
+    fun changeProjectSettings(settings: ProjectSettings)
+
+    /** Puts [program] behind the others, or in place of the one of the same name if [replacing], and shows it. */
+    fun addProgram(program: PupilProgram, replacing: Boolean = false)
+
+    /** Does [event] as if a person had done it. */
+    fun perform(event: WorkshopEvent)
+
+    /** Shows [notice] until it is read. */
+    fun say(notice: Notice)
+
+    /** Where there is room for one pane only, shows [pane]. */
+    fun show(pane: Pane)
+}

@@ -1,0 +1,36 @@
+package robotran.ui.workshop
+
+import androidx.compose.runtime.Immutable
+import kotlinx.serialization.Serializable
+
+/**
+ * What a person has chosen for this machine, whatever they work on.
+ *
+ * @property language what the app speaks; null for what the machine speaks.
+ * @property textScale how much larger than usual all text is, 1..2.
+ * @property codeSize how large program text is, in sp, 10..40.
+ * @property lessMotion whether things appear at their place at once.
+ */
+@Immutable
+@Serializable
+data class Settings(
+    val language: AppLanguage? = null,
+    val theme: AppTheme = AppTheme.SYSTEM,
+    val textScale: Float = 1f,
+    val codeSize: Float = USUAL_CODE_SIZE,
+    val soundOn: Boolean = true,
+    val lessMotion: Boolean = false,
+) {
+    companion object {
+        const val USUAL_CODE_SIZE = 15f
+    }
+}
+
+/** The languages of the app, each with the name that its speakers know it by. */
+enum class AppLanguage(val tag: String, val ownName: String) {
+    ENGLISH("en", "English"),
+    SPANISH("es", "Español"),
+    GERMAN("de", "Deutsch"),
+}
+
+enum class AppTheme { SYSTEM, LIGHT, DARK, HIGH_CONTRAST, HIGH_CONTRAST_DARK }
