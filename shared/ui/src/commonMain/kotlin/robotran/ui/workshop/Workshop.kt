@@ -35,7 +35,7 @@ class Workshop(
     private val settingsHolder = SettingsHolder(this, settings)
     private val programs: ProgramsHolder = ProgramsHolder(pupilProgramsOf(project).ifEmpty { listOf(firstProgram()) }, this, ::programsRead)
     private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this).also { it.hear(settings.soundOn) }
-    private val sheet = SheetHolder(this)
+    private val sheet = SheetHolder()
     private val worldEdit = WorldEditHolder(this)
     private val document = DocumentHolder(this)
     private val learning = LearningHolder(this)
@@ -99,11 +99,13 @@ class Workshop(
         opened = project
         programs.replaceAll(pupilProgramsOf(project).ifEmpty { listOf(firstProgram()) })
         run.changeWorld(project.worldToRun)
+        sheet.worldChanged()
     }
 
     override fun changeWorld(world: World) {
         opened = opened.copy(world = world)
         run.changeWorld(opened.worldToRun)
+        sheet.worldChanged()
     }
 
     override fun changeProjectSettings(settings: ProjectSettings) {
