@@ -29,6 +29,7 @@ internal class InputReader(private val world: World) {
             InputKind.RELEASE -> SessionInput.Release(place.member("button").choice(BUTTONS), robot(place))
             InputKind.STOP -> SessionInput.Stop
             InputKind.PLACE_ROBOT -> SessionInput.PlaceRobot(robot(place), pose(place))
+            InputKind.PLACE_BLOCK -> SessionInput.PlaceBlock(block(place), pose(place))
             InputKind.MOVE_LAMP -> SessionInput.MoveLamp(lamp(place), Point(number(place, "x"), number(place, "y")))
             InputKind.SWITCH_LAMP -> SessionInput.SwitchLamp(lamp(place), place.member("on").flag())
             InputKind.LIGHT -> SessionInput.ChangeAmbientLight(number(place, "light"))
@@ -48,6 +49,12 @@ internal class InputReader(private val world: World) {
         val lamp = place.member("lamp")
         if (world.lamps.isEmpty()) lamp.refuse(told { noLamp() })
         return lamp.wholeNumber(1..world.lamps.size) - 1
+    }
+
+    private fun block(place: JsonPlace): Int {
+        val block = place.member("block")
+        if (world.blocks.isEmpty()) block.refuse("cannot be, since the world has no block")
+        return block.wholeNumber(1..world.blocks.size) - 1
     }
 
     private fun pose(place: JsonPlace) = Pose(number(place, "x"), number(place, "y"), number(place, "heading"))

@@ -62,6 +62,7 @@ internal class RobotsInWorld(private val world: World, loads: List<RobotLoad>, p
             is SessionInput.Release -> robots.getOrNull(input.robot)?.brick?.release(input.button)
             SessionInput.Stop -> robots.forEach { it.brick.stopProgram() }
             is SessionInput.PlaceRobot -> if (input.robot in robots.indices) simulation.place(input.robot, input.pose)
+            is SessionInput.PlaceBlock -> if (input.block in world.blocks.indices) simulation.placeBlock(input.block, input.pose)
             is SessionInput.MoveLamp -> changeLamp(input.lamp) { it.copy(place = input.place) }
             is SessionInput.SwitchLamp -> changeLamp(input.lamp) { it.copy(on = input.on) }
             is SessionInput.ChangeAmbientLight -> simulation.light.changeAmbient(maxOf(0.0, input.light))
@@ -120,6 +121,8 @@ internal class RobotsInWorld(private val world: World, loads: List<RobotLoad>, p
         lamps = simulation.light.lamps,
         ink = simulation.ink,
         goals = judge.progress,
+        surroundings = Surroundings(simulation.light.ambient, simulation.temperature),
+        trail = simulation.trail,
     )
 
     private companion object {
