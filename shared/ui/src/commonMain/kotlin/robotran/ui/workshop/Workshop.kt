@@ -5,8 +5,10 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
+import robotran.ui.language.spokenLanguage
 import robotran.ui.platform.MemoryPlatform
 import robotran.ui.platform.Platform
 import robotran.world.RecordedInput
@@ -58,6 +60,7 @@ class Workshop(
     override val project: Project get() = opened.copy(robots = programs.projectRobots(opened.world), inputs = emptyList())
     override val inputs: List<RecordedInput> get() = run.inputs
     override val settings: Settings get() = settingsHolder.state
+    override val language: Language get() = spokenLanguage(settings.language)
 
     /** Something a person does. */
     fun handle(event: WorkshopEvent) {
@@ -134,8 +137,12 @@ class Workshop(
     }
 
     private fun handleSettings(event: SettingsEvent) {
+        val before = language
         settingsHolder.handle(event)
         run.hear(settingsHolder.state.soundOn)
+        if (language == before) return
+        programs.speak(language)
+        run.programsRead(programs.state.reading)
     }
 
     private fun programsRead(reading: ProgramReading) = run.programsRead(reading)
