@@ -24,7 +24,7 @@ interface Bench {
     /** What the app shows and does on this machine. */
     val settings: Settings
 
-    /** What the app speaks. */
+    /** What the app speaks: as the settings say, or as the machine does. */
     val language: Language
 
     /** Puts [project] on the desk in place of all that is there; programs and run begin afresh. */

@@ -139,8 +139,12 @@ class Workshop(
     }
 
     private fun handleSettings(event: SettingsEvent) {
+        val before = language
         settingsHolder.handle(event)
         run.hear(settingsHolder.state.soundOn)
+        if (language == before) return
+        programs.speak(language)
+        run.programsRead(programs.state.reading)
     }
 
     private fun programsRead(reading: ProgramReading) = run.programsRead(reading)
