@@ -114,7 +114,7 @@ class RunHolder(
     }
 
     private fun run() {
-        val slot = programs.state.shownProgram
+        val slot = programs.slotToRun
         if (!canStart(slot)) return
         beginAfresh(slot)
         press(BrickButton.RUN)

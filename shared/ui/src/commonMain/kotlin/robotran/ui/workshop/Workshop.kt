@@ -33,7 +33,7 @@ class Workshop(
     private var notice: Notice? by mutableStateOf(null)
 
     private val settingsHolder = SettingsHolder(this, settings)
-    private val programs: ProgramsHolder = ProgramsHolder(pupilProgramsOf(project).ifEmpty { listOf(firstProgram()) }, this, ::programsRead)
+    private val programs: ProgramsHolder = ProgramsHolder(project, this, ::programsRead)
     private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this).also { it.hear(settings.soundOn) }
     private val sheet = SheetHolder(this)
     private val worldEdit = WorldEditHolder(this)
@@ -97,12 +97,13 @@ class Workshop(
 
     override fun openProject(project: Project) {
         opened = project
-        programs.replaceAll(pupilProgramsOf(project).ifEmpty { listOf(firstProgram()) })
+        programs.open(project)
         run.changeWorld(project.worldToRun)
     }
 
     override fun changeWorld(world: World) {
         opened = opened.copy(world = world)
+        programs.worldChanged(world)
         run.changeWorld(opened.worldToRun)
     }
 

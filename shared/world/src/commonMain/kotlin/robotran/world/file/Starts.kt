@@ -15,8 +15,8 @@ internal fun checkStarts(world: World, file: JsonPlace) {
     val robots = world.robots.map { outline(it.start) }
     val obstacles = obstacles(world)
     robots.forEachIndexed { number, robot ->
-        obstacles.firstOrNull { overlap(robot, it.shape) }?.let { starts[number].refuse("puts the robot into ${it.what}") }
-        (0..<number).firstOrNull { overlap(robot, robots[it]) }?.let { starts[number].refuse("puts the robot into robots[$it]") }
+        obstacles.firstOrNull { overlap(robot, it.shape) }?.let { starts[number].refuse(told { startsIn(it.what) }) }
+        (0..<number).firstOrNull { overlap(robot, robots[it]) }?.let { starts[number].refuse(told { startsIn("robots[$it]") }) }
     }
 }
 
