@@ -23,6 +23,8 @@ kotlin {
             api(project(":shared:programs"))
             api(project(":shared:world"))
             api(project(":shared:projects"))
+            api(project(":shared:text-editing"))
+            api(project(":shared:world-editing"))
             api(project(":shared:documents"))
             api(libs.compose.runtime)
             api(libs.compose.foundation)

@@ -6,6 +6,7 @@ import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.snapshotFlow
 import androidx.compose.runtime.withFrameNanos
 import kotlinx.coroutines.flow.collectLatest
+import robotran.ui.language.InLanguage
 import robotran.ui.screen.WorkshopScreen
 import robotran.ui.theme.RobotranTheme
 import robotran.ui.workshop.Workshop
@@ -21,5 +22,8 @@ fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme()) {
     }
     LaunchedEffect(workshop) { workshop.keepReading() }
     LaunchedEffect(workshop) { workshop.keepDocument() }
-    RobotranTheme(dark) { WorkshopScreen(workshop.state, workshop::handle) }
+    val settings = workshop.settings
+    InLanguage(settings.language) {
+        RobotranTheme(dark, settings) { WorkshopScreen(workshop.state, workshop::handle) }
+    }
 }

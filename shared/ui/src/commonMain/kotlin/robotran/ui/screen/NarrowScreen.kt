@@ -23,11 +23,9 @@ import robotran.ui.brick.BrickStrip
 import robotran.ui.brick.LEAST_BRICK_WIDTH
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
-import robotran.ui.runbar.SoundSwitch
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.Pane
 import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.world.WorldPane
@@ -37,8 +35,8 @@ import robotran.ui.world.WorldPane
 internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
+            MainMenu(state, onEvent)
             PaneTabs(state.pane, state.mistakes.isNotEmpty(), { onEvent(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
-            SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
         val pane = Modifier.weight(1f)
@@ -47,6 +45,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
             Pane.WORLD -> WorldWithStrip(state, onEvent, pane)
             Pane.BRICK -> BrickAlone(state, onEvent, pane)
         }
+        state.notice?.let { NoticeBar(it, onEvent) }
         RunBar(state, onEvent)
     }
 }
@@ -67,14 +66,14 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
         if (maxWidth > maxHeight) {
             Row(Modifier.fillMaxSize(), verticalAlignment = Alignment.Bottom) {
                 Column(Modifier.weight(1f)) {
-                    WorldPane(state, Modifier.weight(1f))
+                    WorldPane(state, onEvent, Modifier.weight(1f))
                     EndExplained(state)
                 }
                 strip()
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
-                WorldPane(state, Modifier.weight(1f))
+                WorldPane(state, onEvent, Modifier.weight(1f))
                 EndExplained(state)
                 strip()
             }

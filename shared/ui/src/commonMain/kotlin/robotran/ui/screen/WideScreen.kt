@@ -11,6 +11,7 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.offset
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
+import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableFloatStateOf
@@ -28,6 +29,7 @@ import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.WorkshopEvent
@@ -40,17 +42,22 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
     var share by rememberSaveable { mutableFloatStateOf(PROGRAM_SHARE) }
     BoxWithConstraints(Modifier.fillMaxSize()) {
         val whole = maxWidth
-        Row(Modifier.fillMaxSize()) {
-            Column(Modifier.width(whole * share).fillMaxHeight()) {
-                ProgramPane(state, MOST_MISTAKES, onEvent, Modifier.weight(1f))
-            }
-            Column(Modifier.weight(1f).fillMaxHeight()) {
-                Desk(state, onEvent, Modifier.weight(1f))
-                RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
+        Column(Modifier.fillMaxSize()) {
+            TopStrip(state, onEvent)
+            HorizontalDivider(color = LocalRobotranColours.current.line)
+            Row(Modifier.weight(1f)) {
+                Column(Modifier.width(whole * share).fillMaxHeight()) {
+                    ProgramPane(state, MOST_MISTAKES, onEvent, Modifier.weight(1f))
+                }
+                Column(Modifier.weight(1f).fillMaxHeight()) {
+                    Desk(state, onEvent, Modifier.weight(1f))
+                    state.notice?.let { NoticeBar(it, onEvent) }
+                    RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
+                }
             }
         }
         val pixels = with(LocalDensity.current) { whole.toPx() }
-        PaneDivider(share, pixels, { share = it }, Modifier.offset(x = whole * share - 12.dp))
+        PaneDivider(share, pixels, { share = it }, Modifier.padding(top = Measures.TARGET).offset(x = whole * share - 12.dp))
     }
 }
 
@@ -60,7 +67,7 @@ private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifie
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.desk)) {
         val brickWidth = (maxWidth * BRICK_SHARE).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
         Row(Modifier.fillMaxSize()) {
-            WorldPane(state, Modifier.weight(1f).fillMaxHeight())
+            WorldPane(state, onEvent, Modifier.weight(1f).fillMaxHeight())
             Column(
                 Modifier.width(brickWidth + MARGIN).fillMaxHeight().padding(end = MARGIN, bottom = MARGIN),
                 Arrangement.spacedBy(MARGIN, Alignment.Bottom),

@@ -1,6 +1,7 @@
 package robotran.ui.workshop
 
 import kotlinx.coroutines.CoroutineScope
+import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.ui.platform.Platform
@@ -25,6 +26,9 @@ interface Bench {
 
     /** What the app shows and does on this machine. */
     val settings: Settings
+
+    /** What the app speaks: as the settings say, or as the machine does. */
+    val language: Language
 
     /** Puts [project] on the desk in place of all that is there; programs and run begin afresh. */
     fun openProject(project: Project)
