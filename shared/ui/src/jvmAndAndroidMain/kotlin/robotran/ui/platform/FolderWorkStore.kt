@@ -14,6 +14,7 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption.CREATE
 import java.nio.file.StandardOpenOption.WRITE
 import java.util.concurrent.ConcurrentHashMap
+import kotlin.coroutines.CoroutineContext
 import kotlin.io.path.deleteIfExists
 import kotlin.io.path.exists
 import kotlin.io.path.isRegularFile
@@ -24,9 +25,11 @@ import kotlin.io.path.readText
 /**
  * Texts as files in [folder], one each. Claims are locks of the operating system on empty files beside them, which it takes away when a
  * process ends, in whatever way.
+ *
+ * @param reading where texts are read and claims are made; what is written is always written away from the caller's thread.
  */
-class FolderWorkStore(private val folder: Path) : WorkStore {
-    override suspend fun names(): List<String> = withContext(Dispatchers.IO) {
+class FolderWorkStore(private val folder: Path, private val reading: CoroutineContext = Dispatchers.IO) : WorkStore {
+    override suspend fun names(): List<String> = withContext(reading) {
         try {
             folder.listDirectoryEntries("*$TEXT").filter { it.isRegularFile() && !it.name.startsWith(".") }.map { it.name.removeSuffix(TEXT) }
         } catch (_: IOException) {
@@ -34,7 +37,7 @@ class FolderWorkStore(private val folder: Path) : WorkStore {
         }
     }
 
-    override suspend fun read(name: String): String? = withContext(Dispatchers.IO) {
+    override suspend fun read(name: String): String? = withContext(reading) {
         try {
             fileOf(name).takeIf { it.exists() }?.readText()
         } catch (_: IOException) {
@@ -56,7 +59,7 @@ class FolderWorkStore(private val folder: Path) : WorkStore {
         }
     }
 
-    override suspend fun claim(name: String): WorkClaim? = withContext(Dispatchers.IO) {
+    override suspend fun claim(name: String): WorkClaim? = withContext(reading) {
         val file = folder.resolve("claims").resolve("${checked(name)}.lock").toAbsolutePath()
         if (CLAIMED.putIfAbsent(file, Unit) != null) return@withContext null
         when (val lock = lock(file)) {
@@ -99,7 +102,8 @@ class FolderWorkStore(private val folder: Path) : WorkStore {
 
     private companion object {
         const val TEXT = ".txt"
-        val NAME = Regex("[a-z][a-z0-9.-]{0,${robotran.documents.WorkStore.MAXIMUM_NAME - 1}}")
+        const val LONGEST_NAME = robotran.documents.WorkStore.MAXIMUM_NAME
+        val NAME = Regex("[a-z][a-z0-9.-]{0,${LONGEST_NAME - 1}}")
 
         /** A lock of the operating system is one of the whole process: what its windows have is told here. */
         val CLAIMED = ConcurrentHashMap<Path, Unit>()
