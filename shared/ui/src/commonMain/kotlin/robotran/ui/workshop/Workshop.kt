@@ -88,6 +88,9 @@ class Workshop(
     /** Keeps the work as it changes, for ever; to be called once, for as long as the workshop is on a screen. */
     suspend fun keepDocument() = document.keepKeeping()
 
+    /** Keeps what has changed at once; false if it cannot be kept. */
+    suspend fun keepDocumentNow(): Boolean = document.keepNow()
+
     /** Keeps what has changed at once, since the window is out of sight and may be gone without a word. */
     suspend fun restDocument() = document.rest()
 
