@@ -21,6 +21,7 @@ import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
 import robotran.ui.brick.LEAST_BRICK_WIDTH
+import robotran.ui.documents.KeepingBanner
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.theme.LocalRobotranColours
@@ -35,7 +36,7 @@ import robotran.ui.world.WorldPane
 internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
-            MainMenu(state, onEvent)
+            MainMenu(state, onEvent, withWork = true)
             PaneTabs(state.pane, state.mistakes.isNotEmpty(), { onEvent(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
@@ -45,6 +46,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
             Pane.WORLD -> WorldWithStrip(state, onEvent, pane)
             Pane.BRICK -> BrickAlone(state, onEvent, pane)
         }
+        KeepingBanner(state.document, onEvent)
         state.notice?.let { NoticeBar(it, onEvent) }
         RunBar(state, onEvent)
     }
