@@ -21,7 +21,6 @@ import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
 import robotran.ui.brick.LEAST_BRICK_WIDTH
-import robotran.ui.documents.KeepingBanner
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.theme.LocalRobotranColours
@@ -46,7 +45,6 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
             Pane.WORLD -> WorldWithStrip(state, onEvent, pane)
             Pane.BRICK -> BrickAlone(state, onEvent, pane)
         }
-        KeepingBanner(state.document, onEvent)
         state.notice?.let { NoticeBar(it, onEvent) }
         RunBar(state, onEvent)
     }

@@ -106,8 +106,9 @@ class Workshop(
     /** What came of the run up to now. */
     fun report(): RunReport = run.report()
 
-    /** Gives back what the session holds. Nothing may be called afterwards. */
+    /** Gives back what the session holds and what the document has claimed. Nothing may be called afterwards. */
     fun close() {
+        document.release()
         run.close()
     }
 
