@@ -7,6 +7,7 @@ import robotran.world.goal.Region
 import java.lang.reflect.Method
 import java.lang.reflect.ParameterizedType
 import java.lang.reflect.Type
+import java.lang.reflect.WildcardType
 
 /**
  * What messages are called with: every text is another marker, every number another one of its own, each kind of thing and each yes or no is tried, and so
@@ -42,6 +43,7 @@ private fun choicesOf(type: Type, number: Int): List<Any?> = when (type) {
     Mover::class.java -> listOf(Mover.OwnRobot, Mover.OtherRobot("marker-robot"), Mover.Block("marker-block"))
     Region::class.java -> listOf(Region("marker-region", PaperPlace.TOP)) + PaperPlace.entries.map { Region(null, it) }
     ProgramFailure::class.java -> listOf(ProgramFailure("marker-failure.", LARGE), ProgramFailure("marker-failure.", LARGE, sourceFile = "marker-file"))
+    is WildcardType -> choicesOf(type.upperBounds.single(), number)
     is ParameterizedType -> listsOf(type.actualTypeArguments.single(), number)
     is Class<*> -> type.enumConstants?.toList() ?: error("No argument of type $type is known.")
     else -> error("No argument of type $type is known.")

@@ -37,7 +37,7 @@ class Workshop(
     private val settingsHolder = SettingsHolder(this, settings)
     private val programs: ProgramsHolder = ProgramsHolder(project, this, ::programsRead)
     private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this).also { it.hear(settings.soundOn) }
-    private val sheet = SheetHolder(this)
+    private val sheet = SheetHolder()
     private val worldEdit = WorldEditHolder(this)
     private val document = DocumentHolder(this)
     private val learning = LearningHolder(this)
@@ -102,12 +102,14 @@ class Workshop(
         opened = project
         programs.open(project)
         run.changeWorld(project.worldToRun)
+        sheet.worldChanged()
     }
 
     override fun changeWorld(world: World) {
         opened = opened.copy(world = world)
         programs.worldChanged(world)
         run.changeWorld(opened.worldToRun)
+        sheet.worldChanged()
     }
 
     override fun changeProjectSettings(settings: ProjectSettings) {
