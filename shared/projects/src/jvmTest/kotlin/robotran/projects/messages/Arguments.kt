@@ -11,11 +11,12 @@ import java.lang.reflect.WildcardType
 
 /**
  * What messages are called with: every text is another marker, every number another one of its own, each kind of thing and each yes or no is tried, and so
- * is what may be left out.
+ * is what may be left out, but for leaving out all.
  */
 internal fun argumentsOf(message: Method): List<List<Any?>> {
     val choices = message.genericParameterTypes.mapIndexed { number, type -> choicesOf(type, number) }
-    return choices.fold(listOf(emptyList<Any?>())) { begun, next -> begun.flatMap { some -> next.map { some + it } } }.take(MOST_CALLS)
+    return choices.fold(listOf(emptyList<Any?>())) { begun, next -> begun.flatMap { some -> next.map { some + it } } }
+        .filter { arguments -> arguments.isEmpty() || arguments.any { it != null } }.take(MOST_CALLS)
 }
 
 /** The texts and numbers in [arguments] that can be found again in a sentence. */
