@@ -18,6 +18,9 @@ interface Bench {
     /** What would be saved now: programs, world and settings; without inputs, see [inputs]. */
     val project: Project
 
+    /** The program that is shown. */
+    val shownProgram: PupilProgram
+
     /** What was done to the session that is on the desk, so far. */
     val inputs: List<RecordedInput>
 

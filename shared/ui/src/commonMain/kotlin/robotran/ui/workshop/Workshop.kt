@@ -8,7 +8,6 @@ import kotlinx.coroutines.Dispatchers
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
-import robotran.ui.language.spokenLanguage
 import robotran.ui.platform.MemoryPlatform
 import robotran.ui.platform.Platform
 import robotran.world.RecordedInput
@@ -58,6 +57,7 @@ class Workshop(
         )
 
     override val project: Project get() = opened.copy(robots = programs.projectRobots(opened.world), inputs = emptyList())
+    override val shownProgram: PupilProgram get() = programs.state.program
     override val inputs: List<RecordedInput> get() = run.inputs
     override val settings: Settings get() = settingsHolder.state
     override val language: Language get() = spokenLanguage(settings.language)
@@ -80,6 +80,18 @@ class Workshop(
 
     /** Compiles Java programs in the pauses of typing, for ever; to be called once, for as long as the workshop is on a screen. */
     suspend fun keepReading() = programs.keepReading()
+
+    /** Brings back the work that was open last, or opens what was brought to this window; to be called once, before anything is shown. */
+    suspend fun startDocument() = document.start()
+
+    /** Keeps the work as it changes, for ever; to be called once, for as long as the workshop is on a screen. */
+    suspend fun keepDocument() = document.keepKeeping()
+
+    /** Keeps what has changed at once, since the window is out of sight and may be gone without a word. */
+    suspend fun restDocument() = document.rest()
+
+    /** Keeps what has changed at once; see [DocumentHolder.close] about the rest. */
+    suspend fun closeDocument(onLoss: () -> Unit): Boolean = document.close(onLoss)
 
     /** Reads all programs that were not read yet, and does what waited for it. */
     suspend fun readPrograms() = programs.readPrograms()
