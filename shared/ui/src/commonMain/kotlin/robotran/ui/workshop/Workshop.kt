@@ -8,8 +8,8 @@ import kotlinx.coroutines.Dispatchers
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
-import robotran.ui.platform.MemoryPlatform
 import robotran.ui.language.spokenLanguage
+import robotran.ui.platform.MemoryPlatform
 import robotran.ui.platform.Platform
 import robotran.world.RecordedInput
 import robotran.world.RunReport
