@@ -126,6 +126,14 @@ class Workshop(
         sheet.worldChanged()
     }
 
+    override fun keepWorld(world: World) {
+        val before = opened.world.robots
+        opened = opened.copy(world = world)
+        // A robot with another name would be one without programs.
+        val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
+        if (isRenamed) programs.worldChanged(world)
+    }
+
     override fun changeProjectSettings(settings: ProjectSettings) {
         opened = opened.copy(settings = settings)
         run.changeWorld(opened.worldToRun)
