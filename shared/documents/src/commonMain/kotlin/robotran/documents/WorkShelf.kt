@@ -53,7 +53,8 @@ class WorkShelf(private val store: WorkStore) {
     /** Claims the work [id] for this window; null if another window has it. */
     suspend fun claim(id: String): WorkClaim? = store.claim("$PREFIX$id")
 
-    private suspend fun ids(): List<String> =
+    /** The ids of all works, whether they can be used or not. */
+    suspend fun ids(): List<String> =
         store.names().filter { it.startsWith(PREFIX) && it.substringAfterLast('.', "") in COPIES }
             .map { it.removePrefix(PREFIX).substringBeforeLast('.') }.distinct()
 

@@ -40,6 +40,9 @@ interface ProjectFileMessages {
 
     /** A lamp was moved in a world that has none. */
     fun noLamp(): String
+
+    /** A block was moved in a world that has none. */
+    fun noBlock(): String
 }
 
 /** What is said of links, in whole sentences. */

@@ -1,5 +1,6 @@
 package robotran.worldediting
 
+import robotran.language.Language
 import robotran.world.Goal
 import robotran.world.MarkFigure
 import robotran.world.Outline
@@ -48,9 +49,13 @@ sealed interface Trouble {
 /** What is to be seen at once of what is wrong with [world]. */
 fun plainTroubles(world: World): List<Trouble> = startTroubles(world) + shapeTroubles(world) + goalTroubles(world)
 
-/** All that is wrong with [world]: if this is empty, a file of it can be read again. */
-fun troublesOf(world: World): List<Trouble> = plainTroubles(world).ifEmpty {
-    when (val result = readWorld(writeWorld(world))) {
+/**
+ * All that is wrong with [world]: if this is empty, a file of it can be read again.
+ *
+ * @param language what [Trouble.Refused] is told in.
+ */
+fun troublesOf(world: World, language: Language = Language.ENGLISH): List<Trouble> = plainTroubles(world).ifEmpty {
+    when (val result = readWorld(writeWorld(world), language)) {
         is WorldFileResult.Loaded -> emptyList()
         is WorldFileResult.Refused -> listOf(Trouble.Refused(result.message))
     }

@@ -66,14 +66,14 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
         if (maxWidth > maxHeight) {
             Row(Modifier.fillMaxSize(), verticalAlignment = Alignment.Bottom) {
                 Column(Modifier.weight(1f)) {
-                    WorldPane(state, Modifier.weight(1f))
+                    WorldPane(state, onEvent, Modifier.weight(1f))
                     EndExplained(state)
                 }
                 strip()
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
-                WorldPane(state, Modifier.weight(1f))
+                WorldPane(state, onEvent, Modifier.weight(1f))
                 EndExplained(state)
                 strip()
             }

@@ -67,7 +67,7 @@ private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifie
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.desk)) {
         val brickWidth = (maxWidth * BRICK_SHARE).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
         Row(Modifier.fillMaxSize()) {
-            WorldPane(state, Modifier.weight(1f).fillMaxHeight())
+            WorldPane(state, onEvent, Modifier.weight(1f).fillMaxHeight())
             Column(
                 Modifier.width(brickWidth + MARGIN).fillMaxHeight().padding(end = MARGIN, bottom = MARGIN),
                 Arrangement.spacedBy(MARGIN, Alignment.Bottom),
