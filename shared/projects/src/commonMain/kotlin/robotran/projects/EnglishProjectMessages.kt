@@ -21,6 +21,8 @@ internal object EnglishProjectMessages : ProjectMessages {
 
     override fun noLamp() = "cannot be, since the world has no lamp"
 
+    override fun noBlock() = "cannot be, since the world has no block"
+
     override fun notALink() = "This is not a link to a world or a project of Robotran."
 
     override fun linkTooLong(limit: Int) = "The link is too long: more than $limit characters."

@@ -21,6 +21,8 @@ internal object GermanProjectMessages : ProjectMessages {
 
     override fun noLamp() = "kann nicht sein, denn die Welt hat keine Lampe"
 
+    override fun noBlock() = "kann nicht sein, denn die Welt hat keinen Klotz"
+
     override fun notALink() = "Das ist kein Link zu einer Welt oder einem Projekt von Robotran."
 
     override fun linkTooLong(limit: Int) = "Der Link ist zu lang: Er hat mehr als $limit Zeichen."

@@ -53,7 +53,7 @@ internal class InputReader(private val world: World) {
 
     private fun block(place: JsonPlace): Int {
         val block = place.member("block")
-        if (world.blocks.isEmpty()) block.refuse("cannot be, since the world has no block")
+        if (world.blocks.isEmpty()) block.refuse(told { noBlock() })
         return block.wholeNumber(1..world.blocks.size) - 1
     }
 

@@ -40,6 +40,8 @@ interface ProjectFileMessages {
 
     /** A lamp was moved in a world that has none. */
     fun noLamp(): String
+
+    fun noBlock(): String
 }
 
 /** What is said of links, in whole sentences. */

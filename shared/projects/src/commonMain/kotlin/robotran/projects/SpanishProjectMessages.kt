@@ -21,6 +21,8 @@ internal object SpanishProjectMessages : ProjectMessages {
 
     override fun noLamp() = "no puede ser, porque el mundo no tiene ninguna lámpara"
 
+    override fun noBlock() = "no puede ser, porque el mundo no tiene ningún bloque"
+
     override fun notALink() = "Esto no es un enlace a un mundo o a un proyecto de Robotran."
 
     override fun linkTooLong(limit: Int) = "El enlace es demasiado largo: tiene más de $limit letras y signos."
