@@ -17,6 +17,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
+import robotran.ui.worldedit.WorldEditPane
 
 /** The one screen: side by side where there is room, one pane at a time where there is not; pages lie over it. */
 @Composable
@@ -31,6 +32,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             KeepingBanner(state.document, onEvent)
             Box(Modifier.weight(1f)) { if (isWide) WideScreen(state, onEvent) else NarrowScreen(state, onEvent) }
         }
+        state.worldEdit?.let { WorldEditPane(it, state.session, onEvent) }
         if (state.settingsShown) SettingsPage(state.settings, onEvent)
         DocumentDialogs(state.document, onEvent)
     }

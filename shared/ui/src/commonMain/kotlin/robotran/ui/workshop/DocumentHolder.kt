@@ -197,7 +197,7 @@ class DocumentHolder(private val bench: Bench) {
 
             is WorkReading.Unusable -> {
                 claim.release()
-                bench.say(Notice(Res.string.documents_work_unusable, listOf(reading.reason), bad = true))
+                bench.say(Notice(Res.string.documents_work_unusable, listOf(reading.reason(bench.language)), bad = true))
             }
 
             WorkReading.Missing -> {
