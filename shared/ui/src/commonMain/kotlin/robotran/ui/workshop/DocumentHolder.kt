@@ -130,6 +130,9 @@ class DocumentHolder(private val bench: Bench) {
         if (keepNow()) keeper.leave(comesBack = true)
     }
 
+    /** Gives back what this window has claimed: it is gone. */
+    fun release() = keeper.forget()
+
     private suspend fun receive(arrival: Arrival) {
         when (arrival) {
             is Arrival.OfFiles -> files.open(arrival.files)
