@@ -34,7 +34,7 @@ class Workshop(
 
     private val settingsHolder = SettingsHolder(this, settings)
     private val programs: ProgramsHolder = ProgramsHolder(pupilProgramsOf(project).ifEmpty { listOf(firstProgram()) }, this, ::programsRead)
-    private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this).also { it.hear(settings.soundOn) }
+    private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this, project.inputs).also { it.hear(settings.soundOn) }
     private val sheet = SheetHolder(this)
     private val worldEdit = WorldEditHolder(this)
     private val document = DocumentHolder(this)
@@ -98,7 +98,7 @@ class Workshop(
     override fun openProject(project: Project) {
         opened = project
         programs.replaceAll(pupilProgramsOf(project).ifEmpty { listOf(firstProgram()) })
-        run.changeWorld(project.worldToRun)
+        run.changeWorld(project.worldToRun, project.inputs)
     }
 
     override fun changeWorld(world: World) {
