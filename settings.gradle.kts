@@ -16,6 +16,7 @@ dependencyResolutionManagement {
 
 rootProject.name = "robotran"
 
+include(":shared:language")
 include(":shared:rcx-rom")
 include(":shared:robolang")
 include(":shared:tinyvm")
@@ -29,7 +30,11 @@ include(":shared:programs")
 include(":shared:json")
 include(":shared:world")
 include(":shared:projects")
+include(":shared:documents")
 include(":shared:run-control")
+include(":shared:world-editing")
 include(":shared:lejos-library")
+include(":shared:learning")
 include(":androidApp")
 include(":benchmarks")
+include(":shared:text-editing")

@@ -38,6 +38,8 @@ class ComposePlugin : Plugin<Project> {
             PropertyTests.configure(project, test)
             test.environment("SKIKO_RENDER_API", "SOFTWARE")
             test.systemProperty("java.awt.headless", "true")
+            // The screen speaks the machine's language unless it is told another; tests read it in English.
+            test.systemProperty("user.language", "en")
             test.systemProperty("robotran.pictures", project.layout.buildDirectory.dir("pictures").get().asFile.path)
         }
     }

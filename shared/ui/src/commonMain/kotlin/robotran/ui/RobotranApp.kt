@@ -6,6 +6,7 @@ import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.snapshotFlow
 import androidx.compose.runtime.withFrameNanos
 import kotlinx.coroutines.flow.collectLatest
+import robotran.ui.language.InLanguage
 import robotran.ui.screen.WorkshopScreen
 import robotran.ui.theme.RobotranTheme
 import robotran.ui.workshop.Workshop
@@ -20,5 +21,9 @@ fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme()) {
         }
     }
     LaunchedEffect(workshop) { workshop.keepReading() }
-    RobotranTheme(dark) { WorkshopScreen(workshop.state, workshop::handle) }
+    LaunchedEffect(workshop) { workshop.keepDocument() }
+    val settings = workshop.settings
+    InLanguage(settings.language) {
+        RobotranTheme(dark, settings) { WorkshopScreen(workshop.state, workshop::handle) }
+    }
 }

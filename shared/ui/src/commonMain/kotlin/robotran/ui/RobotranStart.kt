@@ -18,10 +18,10 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.resources.Res
-import robotran.ui.resources.loading
 import robotran.ui.platform.MemoryPlatform
 import robotran.ui.platform.Platform
+import robotran.ui.resources.Res
+import robotran.ui.resources.loading
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
 import robotran.ui.workshop.PupilProgram

@@ -1,5 +1,6 @@
 package robotran.world
 
+import robotran.language.Language
 import robotran.rom.Brick
 import robotran.rom.CallFrame
 import robotran.rom.MemorySnapshot
@@ -23,13 +24,19 @@ import robotran.world.physics.PhysicsEngine
  * nothing about the session but when its time passes.
  *
  * @param loads what the robots are given, in the world's order; those without one get no program.
+ * @param language what goals, bricks and [explain] are told in; nothing that happens depends on it.
  */
-class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) {
+class Session(
+    val world: World,
+    loads: List<RobotLoad>,
+    physics: PhysicsEngine,
+    val language: Language = Language.ENGLISH,
+) {
     /** A session in which only the first robot is given programs: [programs] are its brick's slots, Run starts that in [firstSlot]. */
     constructor(world: World, programs: List<RcxProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) :
         this(world, listOf(RobotLoad(programs, firstSlot)), physics)
 
-    private val running = RobotsInWorld(world, loads, physics)
+    private val running = RobotsInWorld(world, loads, physics, language)
     private val brick: Brick get() = running.robots[watched].brick
     private val recorded = mutableListOf<RecordedInput>()
     private var closed = false
@@ -159,8 +166,9 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
             physics: PhysicsEngine,
             inputs: List<RecordedInput>,
             milliseconds: Long,
+            language: Language = Language.ENGLISH,
         ): Session {
-            val session = Session(world, loads, physics)
+            val session = Session(world, loads, physics, language)
             inputs.filter { it.milliseconds <= milliseconds }.forEach { recorded ->
                 session.advanceTo(recorded.milliseconds)
                 session.apply(recorded.input)

@@ -21,22 +21,20 @@ import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.conflate
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
-import robotran.ui.resources.run_said_bumps
 import robotran.ui.resources.run_said_place
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.workshop.Pace
 import robotran.ui.workshop.RunPaneState
 import kotlin.math.roundToInt
 
-/** Tells those who cannot see it what the robot bumps into and where it has come to a stop; never more often than a voice can follow. */
+/** Tells those who cannot see it where the robot has come to a stop; never more often than a voice can follow. */
 @Composable
 internal fun RunAnnouncer(state: RunPaneState, modifier: Modifier = Modifier) {
     val robot = state.session.robots[state.watched]
-    val bumps = if (robot.bumps == 0) "" else stringResource(Res.string.run_said_bumps, robot.bumps)
     val pose = robot.robot.pose
     val place = stringResource(Res.string.run_said_place, oneDecimal(pose.x), oneDecimal(pose.y), pose.heading.roundToInt())
     val stands = !state.untouched && state.pace != Pace.SEEKING && (!state.running || state.pace == Pace.PAUSED)
-    val text by rememberUpdatedState(listOf(bumps, if (stands) place else "").filter { it.isNotEmpty() }.joinToString(". "))
+    val text by rememberUpdatedState(if (stands) place else "")
     var said by remember { mutableStateOf("") }
     LaunchedEffect(Unit) {
         snapshotFlow { text }.conflate().collect {

@@ -31,18 +31,16 @@ import robotran.world.Breakpoint
 /**
  * Run, Pause, Step, Stop, what is going on, how fast, and the timeline; always in sight. What there is no room for is in a panel behind one button. At its
  * end there is room for [more].
- *
- * @param cursor the line in which somebody writes, to be run to; null if there is none.
  */
 @Composable
 internal fun RunBar(
     state: WorkshopState,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
-    cursor: Breakpoint? = null,
     more: @Composable () -> Unit = {},
 ) {
     var panelOpen by remember { mutableStateOf(false) }
+    val cursor = cursorLine(state)
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
         // Larger text needs more room, as a narrower bar does.
         val room = BarRoom.of(maxWidth / LocalDensity.current.fontScale.coerceAtLeast(1f))
@@ -62,7 +60,7 @@ internal fun RunBar(
 }
 
 @Composable
-private fun Controls(state: WorkshopState, cursor: Breakpoint?, room: BarRoom, onEvent: (WorkshopEvent) -> Unit) {
+private fun Controls(state: WorkshopState, cursor: Breakpoint, room: BarRoom, onEvent: (WorkshopEvent) -> Unit) {
     val run = state.run
     RunButton(
         pulsing = state.untouched && state.status == WorkshopStatus.Ready,
@@ -72,6 +70,12 @@ private fun Controls(state: WorkshopState, cursor: Breakpoint?, room: BarRoom, o
     PauseButton(run.pace == Pace.PAUSED, run.pausable, { onEvent(RunEvent.PausePressed) }, room = room.words)
     StepButton(cursor, onEvent, room.words, menu = room.statusBeside)
     StopButton(run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room.words)
+}
+
+/** The line in which somebody writes, to be run to. */
+private fun cursorLine(state: WorkshopState): Breakpoint {
+    val programs = state.programs
+    return Breakpoint(programs.draft.lines.lineOf(programs.draft.selection.caret) + 1, programs.file.name.takeIf { programs.program.files.size > 1 })
 }
 
 /**

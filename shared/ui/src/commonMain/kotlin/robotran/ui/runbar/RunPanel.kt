@@ -61,7 +61,7 @@ import robotran.world.Breakpoint
 /** All about how the run goes that is not in the bar, or not on a small screen; over everything else until it is closed. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun RunPanel(state: RunPaneState, cursor: Breakpoint?, onEvent: (RunEvent) -> Unit, onClose: () -> Unit) {
+internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEvent) -> Unit, onClose: () -> Unit) {
     val colours = LocalRobotranColours.current
     fun andClose(event: RunEvent) {
         onEvent(event)
@@ -109,9 +109,7 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint?, onEvent: (RunEve
             Section(Res.string.run_steps) {
                 PanelAction(Res.string.run_step_over, Res.string.run_step_over_help, "panel-step-over") { andClose(RunEvent.StepPressed(StepKind.OVER)) }
                 PanelAction(Res.string.run_step_out, Res.string.run_step_out_help, "panel-step-out") { andClose(RunEvent.StepPressed(StepKind.OUT)) }
-                if (cursor != null) {
-                    PanelAction(Res.string.run_to_line, Res.string.run_to_line_help, "panel-to-line") { andClose(RunEvent.RunToLine(cursor)) }
-                }
+                PanelAction(Res.string.run_to_line, Res.string.run_to_line_help, "panel-to-line") { andClose(RunEvent.RunToLine(cursor)) }
                 PanelAction(Res.string.run_start_over, Res.string.run_start_over_help, "start-over") { andClose(RunEvent.StartedOver) }
                 if (state.hasRecording) {
                     PanelAction(Res.string.run_play_recording, Res.string.run_play_recording_help, "play-recording") {

@@ -40,7 +40,7 @@ import robotran.world.Breakpoint
 
 /** One step of the program, and beside it a menu with other steps. */
 @Composable
-internal fun StepButton(cursor: Breakpoint?, onEvent: (RunEvent) -> Unit, room: Boolean, menu: Boolean, modifier: Modifier = Modifier) {
+internal fun StepButton(cursor: Breakpoint, onEvent: (RunEvent) -> Unit, room: Boolean, menu: Boolean, modifier: Modifier = Modifier) {
     Row(modifier, verticalAlignment = Alignment.CenterVertically) {
         BarButton(
             RunIcon.STEP,
@@ -55,7 +55,7 @@ internal fun StepButton(cursor: Breakpoint?, onEvent: (RunEvent) -> Unit, room: 
 }
 
 @Composable
-private fun StepMenu(cursor: Breakpoint?, onEvent: (RunEvent) -> Unit) {
+private fun StepMenu(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
     Box {
         QuietButton(RunIcon.DOWN, stringResource(Res.string.run_steps), "steps", { open = true })
@@ -70,12 +70,12 @@ private fun StepMenu(cursor: Breakpoint?, onEvent: (RunEvent) -> Unit) {
 
 /** All kinds of steps with what each does. */
 @Composable
-internal fun StepChoices(cursor: Breakpoint?, onEvent: (RunEvent) -> Unit) {
-    val choices = listOfNotNull(
+internal fun StepChoices(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
+    val choices = listOf(
         StepChoice("step-into", Res.string.run_step_into, Res.string.run_step_into_help, RunEvent.StepPressed(StepKind.INTO)),
         StepChoice("step-over", Res.string.run_step_over, Res.string.run_step_over_help, RunEvent.StepPressed(StepKind.OVER)),
         StepChoice("step-out", Res.string.run_step_out, Res.string.run_step_out_help, RunEvent.StepPressed(StepKind.OUT)),
-        cursor?.let { StepChoice("step-to-line", Res.string.run_to_line, Res.string.run_to_line_help, RunEvent.RunToLine(it)) },
+        StepChoice("step-to-line", Res.string.run_to_line, Res.string.run_to_line_help, RunEvent.RunToLine(cursor)),
     )
     for (choice in choices) {
         DropdownMenuItem(

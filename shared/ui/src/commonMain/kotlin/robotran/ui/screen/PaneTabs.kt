@@ -46,7 +46,7 @@ internal fun PaneTabs(chosen: Pane, mistaken: Boolean, onChoose: (Pane) -> Unit,
                 unselectedContentColor = if (marked) colours.mistake else colours.quiet,
                 text = {
                     val name = stringResource(pane.title)
-                    Text(if (marked) "! $name" else name, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
+                    Text(if (marked) "!\u00A0$name" else name, fontSize = 15.sp, fontWeight = FontWeight.SemiBold, maxLines = 1, softWrap = false)
                 },
             )
         }

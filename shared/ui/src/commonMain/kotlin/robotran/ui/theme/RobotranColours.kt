@@ -18,6 +18,7 @@ data class RobotranColours(
     val mistake: Color,
     val mistakePane: Color,
     val focus: Color,
+    val isDark: Boolean = false,
 ) {
     companion object {
         /** RCX yellow: the brick, and the one primary action. */
@@ -52,6 +53,38 @@ data class RobotranColours(
             mistake = Color(0xFFFFB4AB),
             mistakePane = Color(0xFF4A1D19),
             focus = Color(0xFF8AB4F8),
+            isDark = true,
+        )
+
+        /** Black on white, with lines that can be seen: every text stands out by 7 to 1 or more (WCAG 2.2, 1.4.6). */
+        val HIGH_CONTRAST = RobotranColours(
+            desk = Color(0xFFE3E5E7),
+            paper = Color(0xFFFFFFFF),
+            paperEdge = Color(0xFF000000),
+            pane = Color(0xFFFFFFFF),
+            onPane = Color(0xFF000000),
+            quiet = Color(0xFF33383C),
+            line = Color(0xFF000000),
+            runningLine = Color(0xFFFFE14D),
+            mistake = Color(0xFF8C0009),
+            mistakePane = Color(0xFFFFE9E6),
+            focus = Color(0xFF0037B3),
+        )
+
+        /** White on black; the paper stays paper. */
+        val HIGH_CONTRAST_DARK = RobotranColours(
+            desk = Color(0xFF101112),
+            paper = Color(0xFFFFFFFF),
+            paperEdge = Color(0xFFFFFFFF),
+            pane = Color(0xFF000000),
+            onPane = Color(0xFFFFFFFF),
+            quiet = Color(0xFFD7DBDF),
+            line = Color(0xFFFFFFFF),
+            runningLine = Color(0xFF5C4B00),
+            mistake = Color(0xFFFFC9C2),
+            mistakePane = Color(0xFF3A0A06),
+            focus = Color(0xFFA8CBFF),
+            isDark = true,
         )
     }
 }

@@ -6,12 +6,20 @@ import androidx.compose.material3.darkColorScheme
 import androidx.compose.material3.lightColorScheme
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
+import androidx.compose.runtime.staticCompositionLocalOf
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.unit.Density
+import robotran.ui.workshop.AppTheme
+import robotran.ui.workshop.Settings
 
-/** Calm greys, one accent: everything inside is drawn light or [dark]. */
+/** Whether things appear at their place at once instead of moving there. */
+val LocalLessMotion = staticCompositionLocalOf { false }
+
+/** Calm greys, one accent: everything inside is drawn light or [dark], or as [settings] say. */
 @Composable
-fun RobotranTheme(dark: Boolean = isSystemInDarkTheme(), content: @Composable () -> Unit) {
-    val colours = if (dark) RobotranColours.DARK else RobotranColours.LIGHT
-    val base = if (dark) darkColorScheme() else lightColorScheme()
+fun RobotranTheme(dark: Boolean = isSystemInDarkTheme(), settings: Settings = Settings(), content: @Composable () -> Unit) {
+    val colours = coloursOf(settings.theme, dark)
+    val base = if (colours.isDark) darkColorScheme() else lightColorScheme()
     val scheme = base.copy(
         primary = RobotranColours.YELLOW,
         onPrimary = RobotranColours.ON_YELLOW,
@@ -20,13 +28,28 @@ fun RobotranTheme(dark: Boolean = isSystemInDarkTheme(), content: @Composable ()
         onBackground = colours.onPane,
         surface = colours.pane,
         onSurface = colours.onPane,
+        surfaceContainer = colours.pane,
+        surfaceContainerHigh = colours.pane,
         onSurfaceVariant = colours.quiet,
         outline = colours.line,
         outlineVariant = colours.line,
         error = colours.mistake,
         errorContainer = colours.mistakePane,
     )
-    CompositionLocalProvider(LocalRobotranColours provides colours) {
+    val density = LocalDensity.current
+    CompositionLocalProvider(
+        LocalRobotranColours provides colours,
+        LocalLessMotion provides settings.lessMotion,
+        LocalDensity provides Density(density.density, density.fontScale * settings.textScale),
+    ) {
         MaterialTheme(colorScheme = scheme, content = content)
     }
+}
+
+private fun coloursOf(theme: AppTheme, dark: Boolean): RobotranColours = when (theme) {
+    AppTheme.SYSTEM -> if (dark) RobotranColours.DARK else RobotranColours.LIGHT
+    AppTheme.LIGHT -> RobotranColours.LIGHT
+    AppTheme.DARK -> RobotranColours.DARK
+    AppTheme.HIGH_CONTRAST -> RobotranColours.HIGH_CONTRAST
+    AppTheme.HIGH_CONTRAST_DARK -> RobotranColours.HIGH_CONTRAST_DARK
 }

@@ -29,9 +29,6 @@ sealed interface RunEvent : WorkshopEvent {
     /** The robot goes back to its start on a clean sheet and waits. */
     data object StartedOver : RunEvent
 
-    /** These are the lines to stop before. */
-    data class BreakpointsChanged(val breakpoints: Set<Breakpoint>) : RunEvent
-
     data class SpeedChosen(val speed: RunSpeed) : RunEvent
 
     /** The run is to be looked at as it was, or will be, at [milliseconds]. */

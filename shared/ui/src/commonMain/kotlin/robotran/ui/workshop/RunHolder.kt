@@ -50,7 +50,6 @@ class RunHolder(
     private val rest = RestWatch()
     private val drawer = DrawerFilling()
     private var whenRead: (() -> Unit)? = null
-    private var breakpoints: Set<Breakpoint> = emptySet()
     private var lastSession = player.session
     private var futures = 0
 
@@ -72,7 +71,6 @@ class RunHolder(
             is RunEvent.StepPressed -> step(event.kind)
             is RunEvent.RunToLine -> runTo(event.line)
             RunEvent.StartedOver -> startOver()
-            is RunEvent.BreakpointsChanged -> breakAt(event.breakpoints)
             is RunEvent.SpeedChosen -> choose(event.speed)
             is RunEvent.Scrubbed -> player.seek(event.milliseconds)
             is RunEvent.RobotWatched -> watch(event.robot)
@@ -81,7 +79,7 @@ class RunHolder(
             is RunEvent.ButtonPressed -> press(event.button)
             is RunEvent.ButtonReleased -> release(event.button)
             is RunEvent.SessionTouched -> touch(event.input)
-            is RunEvent.DrawerChosen -> state = state.copy(drawer = state.drawer.copy(tab = event.tab))
+            is RunEvent.DrawerChosen -> openDrawer(event.tab)
             is RunEvent.FrameChosen -> drawer.choose(event.thread, event.frame)
             is RunEvent.LogFiltered -> drawer.filter(event.filter)
             RunEvent.LogCopied -> copyLog()
@@ -165,7 +163,7 @@ class RunHolder(
         what()
     }
 
-    private fun run() = start(programs.state.shownProgram) {
+    private fun run() = start(programs.slotToRun) {
         player.play()
         bench.show(Pane.WORLD)
     }
@@ -190,10 +188,10 @@ class RunHolder(
     }
 
     private fun step(kind: StepKind) =
-        if (state.running) goOn { player.step(kind) } else start(programs.state.shownProgram) { player.pause() }
+        if (state.running) goOn { player.step(kind) } else start(programs.slotToRun) { player.pause() }
 
     private fun runTo(line: Breakpoint) =
-        if (state.running) goOn { player.play(line) } else start(programs.state.shownProgram) { player.play(line) }
+        if (state.running) goOn { player.play(line) } else start(programs.slotToRun) { player.play(line) }
 
     private fun goOn(how: () -> Unit) {
         drawer.variables.goesOn(player.session)
@@ -204,11 +202,6 @@ class RunHolder(
     private fun startOver() {
         whenRead = null
         beginAfresh(slotOnBrick())
-    }
-
-    private fun breakAt(lines: Set<Breakpoint>) {
-        breakpoints = lines
-        player.breakpoints = lines
     }
 
     private fun choose(speed: RunSpeed) {
@@ -255,10 +248,15 @@ class RunHolder(
         if (player.motion == Motion.Still && !state.running) player.play()
     }
 
+    private fun openDrawer(tab: DrawerTab?) {
+        state = state.copy(drawer = state.drawer.copy(tab = tab))
+        if (tab != null) bench.show(Pane.WORLD)
+    }
+
     private fun copyLog() {
         val text = state.drawer.log.entries.toLogText()
         bench.scope.launch {
-            val isDone = bench.platform.sharing.share(text)
+            val isDone = bench.platform.sharing.copy(text)
             bench.say(Notice(if (isDone) Res.string.run_log_copied else Res.string.run_log_not_copied, bad = !isDone))
         }
     }
@@ -266,7 +264,7 @@ class RunHolder(
     private fun saveLog() {
         val bytes = state.drawer.log.entries.toLogText().encodeToByteArray()
         bench.scope.launch {
-            val saving = bench.platform.files.save("${programs.state.program.name}.rom", FileKind.TEXT, bytes)
+            val saving = bench.platform.files.save("${programs.state.program.name}${FileKind.TEXT.extension}", FileKind.TEXT, bytes)
             if (saving is Saving.Failed) bench.say(Notice(null, plain = saving.reason, bad = true))
         }
     }
@@ -287,7 +285,6 @@ class RunHolder(
         loaded = programs.written
         player = newPlayer(slot, inputs).also {
             it.speed = state.speed
-            it.breakpoints = breakpoints
             if (state.watched in world.robots.indices) it.watched = state.watched
         }
         state = state.copy(watched = player.watched)
@@ -297,7 +294,7 @@ class RunHolder(
     }
 
     private fun newPlayer(slot: Int, inputs: List<RecordedInput> = emptyList()) =
-        RunPlayer(RunSetup(world, programs.loads(world, slot), physics), inputs)
+        RunPlayer(RunSetup(world, programs.loads(world, slot), physics, bench.language), inputs)
 
     private fun hearWhatIsNew() {
         val isHeard = state.speed != RunSpeed.FASTEST && (player.motion is Motion.Playing || player.motion is Motion.Stepping)
@@ -313,11 +310,14 @@ class RunHolder(
         }
         if (player.newFutures != futures) bench.say(Notice(Res.string.run_new_future))
         futures = player.newFutures
+        val changed = programs.written != loaded
+        // The lines of a program that was changed are not those of the one that runs.
+        if (!changed) player.breakpoints = breakpoints()
         state = state.copy(
             world = world,
             session = player.state,
             drawn = player.drawn,
-            changed = programs.written != loaded,
+            changed = changed,
             pace = paceOf(player.motion),
             time = player.time,
             length = player.length,
@@ -326,6 +326,9 @@ class RunHolder(
             awake = isAwake(),
         )
     }
+
+    private fun breakpoints(): Set<Breakpoint> =
+        programs.breakpoints(world.robots[player.watched].name, player.state.robots[player.watched].brick.selectedSlot)
 
     private fun isAwake(): Boolean = when (player.motion) {
         Motion.Still -> state.drawer.tab == DrawerTab.LOG && drawer.isBusy

@@ -10,12 +10,12 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.ui.workshop.Pane
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.WorkshopEvent
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 @OptIn(ExperimentalTestApi::class)
 class PhoneTest {
@@ -36,7 +36,7 @@ class PhoneTest {
             onNodeWithTag(tab).assertIsSelected()
             onNodeWithTag(pane).assertIsDisplayed()
             onNodeWithTag("run").assertIsDisplayed()
-            onNodeWithTag("sound").assertIsDisplayed()
+            onNodeWithTag("menu").assertIsDisplayed()
             for ((_, other) in panes.filter { it.second != pane }) {
                 assertEquals(0, onAllNodesWithTag(other).fetchSemanticsNodes().size, "$other beside $pane")
             }

@@ -2,9 +2,6 @@ package robotran.ui.screen
 
 import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
-import java.io.File
-import kotlin.test.Test
-import kotlin.test.assertTrue
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.EncodedImageFormat
 import robotran.rom.BrickButton
@@ -17,9 +14,12 @@ import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ProgramLanguage
 import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.WorkshopEvent
+import java.io.File
+import kotlin.test.Test
+import kotlin.test.assertTrue
 
 /** Writes pictures of the screen into build/pictures, to be looked at. */
 class ScreenPictures {

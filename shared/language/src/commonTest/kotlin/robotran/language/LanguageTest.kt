@@ -1,0 +1,37 @@
+package robotran.language
+
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNull
+
+class LanguageTest {
+    @Test
+    fun `a locale asks for the language it begins with`() {
+        assertEquals(Language.GERMAN, Language.of("de"))
+        assertEquals(Language.GERMAN, Language.of("de-AT"))
+        assertEquals(Language.SPANISH, Language.of("es_MX.UTF-8"))
+        assertEquals(Language.ENGLISH, Language.of("EN"))
+    }
+
+    @Test
+    fun `a locale of another language asks for none`() {
+        listOf("", "fr", "C.UTF-8", "POSIX", "eng", "deu_DE").forEach { assertNull(Language.of(it), it) }
+    }
+
+    @Test
+    fun `things are listed with commas and a word before the last`() {
+        assertEquals("", listed(emptyList(), "and"))
+        assertEquals("A", listed(listOf("A"), "and"))
+        assertEquals("A und B", listed(listOf("A", "B"), "und"))
+        assertEquals("A, B y C", listed(listOf("A", "B", "C"), "y"))
+    }
+
+    @Test
+    fun `a text with quotation marks gets no second ones`() {
+        assertEquals("\"end\"", quoted("end"))
+        assertEquals("show \"HI\"", quoted("show \"HI\""))
+    }
+
+    @Test
+    fun `a measured number has a comma where people write one`() = assertEquals("1,5", withComma("1.5"))
+}

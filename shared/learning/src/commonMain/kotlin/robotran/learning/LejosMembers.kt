@@ -1,0 +1,91 @@
+package robotran.learning
+
+import robotran.lejos.LejosLibrary
+
+/**
+ * Something of the brick's class library that a program can name.
+ *
+ * @property form how it is declared, without its modifiers.
+ * @property type what it is or gives, by the class's simple name.
+ */
+internal class LejosMember(val sentence: String, val form: String, val type: String)
+
+/**
+ * What a class of the brick's library offers, read off its source.
+ *
+ * @property about the class itself.
+ * @property superclass its simple name, null if it is none of the library that matters.
+ */
+internal class LejosClass(val about: LejosMember, val superclass: String?, val members: Map<String, LejosMember>)
+
+/** The class of the brick's library with that simple name; null if there is none. */
+internal fun lejosClass(simpleName: String): LejosClass? = classes.getOrPut(simpleName) { Found(readClass(simpleName)) }.lejosClass
+
+/** The member [name] of the class [simpleName] or of one it extends, with the class it is declared in; null if there is none. */
+internal fun lejosMember(simpleName: String, name: String): Pair<String, LejosMember>? {
+    var owner: String? = simpleName
+    while (owner != null) {
+        val found = lejosClass(owner) ?: return null
+        found.members[name]?.let { return owner to it }
+        owner = found.superclass
+    }
+    return null
+}
+
+private class Found(val lejosClass: LejosClass?)
+
+private val classes = mutableMapOf<String, Found>()
+
+private fun readClass(simpleName: String): LejosClass? {
+    val qualified = LejosLibrary.classNames.firstOrNull { it.substringAfterLast('/') == simpleName } ?: return null
+    val declarations = documented(LejosLibrary.source(qualified) ?: return null)
+    val head = declarations.firstOrNull { simpleName in it.words && (CLASS in it.words || INTERFACE in it.words) } ?: return null
+    val members = mutableMapOf<String, LejosMember>()
+    for (declaration in declarations) {
+        if (declaration !== head && PRIVATE !in declaration.words && declaration.name !in members) members[declaration.name] = declaration.member
+    }
+    val superclass = head.words.dropWhile { it != EXTENDS }.getOrNull(1)
+    return LejosClass(LejosMember(head.sentence, simpleName, simpleName), superclass, members)
+}
+
+/** A declaration with the comment above it. */
+private class Declaration(val sentence: String, code: String) {
+    private val signature = code.trim().substringBefore('{').substringBefore(" throws ").substringBefore(" = ").substringBefore(';').trim()
+    private val beforeBrackets = signature.substringBefore('(').trim()
+
+    val words: List<String> = beforeBrackets.split(' ')
+    val name: String get() = words.last()
+    val member: LejosMember get() = LejosMember(sentence, signature.substring(signature.lastIndexOf(name, beforeBrackets.length)), type)
+    private val type: String get() = words.dropLast(1).lastOrNull().orEmpty().removeSuffix("[]")
+}
+
+private fun documented(source: String): List<Declaration> {
+    val found = mutableListOf<Declaration>()
+    val lines = source.lines()
+    var place = 0
+    while (place < lines.size) {
+        if (!lines[place].trim().startsWith(OPENING)) {
+            place++
+            continue
+        }
+        val end = (place until lines.size).first { CLOSING in lines[it] }
+        val comment = lines.subList(place, end + 1).joinToString(" ") { line -> line.trim().removePrefix(OPENING).removePrefix("*").removeSuffix(CLOSING).trim() }
+        found += Declaration(firstSentence(comment), lines.getOrElse(end + 1) { "" })
+        place = end + 1
+    }
+    return found
+}
+
+/** The first sentence of a comment: up to a full stop before a space or the end. */
+private fun firstSentence(comment: String): String {
+    val text = comment.removeSuffix("/").trim()
+    val end = text.indexOf(". ")
+    return if (end < 0) text else text.take(end + 1)
+}
+
+private const val OPENING = "/**"
+private const val CLOSING = "*/"
+private const val CLASS = "class"
+private const val INTERFACE = "interface"
+private const val EXTENDS = "extends"
+private const val PRIVATE = "private"

@@ -1,0 +1,60 @@
+package robotran.learning
+
+import robotran.language.Language
+import robotran.world.BuiltInWorlds
+import robotran.world.World
+
+/** How hard the task of a world is. */
+enum class WorldLevel { EASY, MEDIUM, HARD }
+
+/**
+ * A world that comes with the app.
+ *
+ * @property name its file's name without its ending, such as `line-loop`.
+ */
+class GalleryWorld internal constructor(val name: String, val level: WorldLevel, val plainWorld: World) {
+    /** The world with title and task in [language]. */
+    fun world(language: Language): World {
+        val translated = translatedTitles(language)[name] ?: return plainWorld
+        return plainWorld.copy(title = translated.title, task = translated.task)
+    }
+}
+
+/** The worlds that come with the app, the easy ones first. */
+object WorldGallery {
+    val worlds: List<GalleryWorld> by lazy {
+        sections(worldTitleTexts.getValue("levels.md")).flatMap { section ->
+            val level = WorldLevel.valueOf(section.heading.uppercase())
+            section.body.lines().map { it.removePrefix("- ") }.map { name ->
+                GalleryWorld(name, level, worldOf(BuiltInWorlds.texts.getValue(name + WORLD_FILE)))
+            }
+        }
+    }
+
+    /** The one of [worlds] that [world] is, in whatever language, and whatever was changed about its chance; null if it is none of them. */
+    fun find(world: World): GalleryWorld? = worlds.firstOrNull { isSame(it.plainWorld, world) }
+
+    /** The one of [worlds] called [name]. */
+    fun named(name: String): GalleryWorld? = worlds.firstOrNull { it.name == name }
+
+    /** Those of [worlds] whose title or task, in [language], holds all words of [asked]; all if there are none. */
+    fun search(asked: String, language: Language): List<GalleryWorld> {
+        val words = asked.lowercase().split(' ').filter { it.isNotEmpty() }
+        return worlds.filter { found -> found.world(language).let { "${it.title} ${it.task}".lowercase() }.let { text -> words.all { it in text } } }
+    }
+
+    private fun isSame(one: World, other: World): Boolean =
+        one.copy(title = other.title, task = other.task, seed = other.seed, realism = other.realism) == other
+
+    internal const val WORLD_FILE = ".world.json"
+}
+
+internal class WorldTitle(val title: String, val task: String)
+
+/** Titles and tasks by the names of the worlds; empty for English, which the worlds themselves are written in. */
+internal fun translatedTitles(language: Language): Map<String, WorldTitle> = titles.getOrPut(language) {
+    val text = worldTitleTexts["${language.tag}.md"] ?: return@getOrPut emptyMap()
+    sections(text).associate { section -> section.heading to paragraphs(section.body).let { WorldTitle(it[0], it.drop(1).joinToString(" ")) } }
+}
+
+private val titles = mutableMapOf<Language, Map<String, WorldTitle>>()

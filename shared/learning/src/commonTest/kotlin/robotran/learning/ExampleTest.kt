@@ -1,0 +1,53 @@
+package robotran.learning
+
+import kotlinx.coroutines.test.runTest
+import robotran.language.Language
+import robotran.programs.Mistake
+import robotran.programs.ProgramReader
+import robotran.programs.ProgramResult
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.projects.ProgramLanguage
+import robotran.robolang.Calibration
+import robotran.rom.RcxProgram
+import robotran.rom.RunState
+import robotran.world.BuiltInWorlds
+import robotran.world.Penbot
+import robotran.world.Session
+import robotran.world.physics.loadPhysicsEngine
+import robotran.world.pressRun
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+
+/** The programs that the help offers to be tried. */
+class ExampleTest {
+    @Test
+    fun `every example in Robolang runs to its end on the plain sheet`() = runTest {
+        for (help in examples(ProgramLanguage.ROBOLANG)) runs(help.word, ProgramSource.Robolang("${help.word}.robo", help.example.orEmpty()))
+    }
+
+    @Test
+    fun `every example in Java runs to its end on the plain sheet`() = runTest {
+        for (help in examples(ProgramLanguage.JAVA)) runs(help.word, ProgramSource.Java("Try.java", listOf(SourceFile("Try.java", javaToTry(help.example.orEmpty())))))
+    }
+
+    private fun examples(code: ProgramLanguage): List<WordHelp> =
+        WordHelp.words(code).mapNotNull { WordHelp.of(Language.ENGLISH, code, it) }.filter { it.example != null }.distinctBy { it.example }
+
+    private suspend fun runs(word: String, source: ProgramSource) {
+        val result = reader.read(source)
+        val ready = assertIs<ProgramResult.Ready>(result, "$word: ${(result as? ProgramResult.Mistaken)?.mistakes}")
+        assertEquals(emptyList<Mistake>(), ready.warnings, word)
+        val session = Session(BuiltInWorlds.plain, listOf<RcxProgram?>(ready.program), loadPhysicsEngine())
+        session.pressRun()
+        session.advance(LONG_ENOUGH)
+        assertEquals(RunState.Ended(stopped = false), session.state.brick.run, "$word does not end")
+        session.close()
+    }
+
+    private companion object {
+        val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        const val LONG_ENOUGH = 30_000
+    }
+}

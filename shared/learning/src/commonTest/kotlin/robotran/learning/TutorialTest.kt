@@ -1,0 +1,97 @@
+package robotran.learning
+
+import kotlinx.coroutines.test.runTest
+import robotran.language.Language
+import robotran.programs.ProgramReader
+import robotran.programs.SourceFile
+import robotran.projects.Project
+import robotran.projects.RobotLoads
+import robotran.projects.readRobotLoads
+import robotran.robolang.Calibration
+import robotran.world.Penbot
+import robotran.world.Session
+import robotran.world.grade.Grade
+import robotran.world.grade.runForGoals
+import robotran.world.physics.loadPhysicsEngine
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertIs
+import kotlin.test.assertNotEquals
+import kotlin.test.assertTrue
+
+class TutorialTest {
+    @Test
+    fun `there are ten steps, each with its own name`() {
+        assertEquals(10, Tutorial.steps.map { it.name }.toSet().size)
+    }
+
+    @Test
+    fun `every step's solution reaches the goals and the program that is given does not`() = runTest {
+        for (step in Tutorial.steps) {
+            val solved = grade(step.project(Language.ENGLISH, listOf(step.solution)))
+            assertTrue(solved.passed, "${step.name} is not solved: ${solved.unmet}")
+            val given = grade(step.project(Language.ENGLISH))
+            assertFalse(given.passed, "${step.name} is solved before anybody has done anything")
+        }
+    }
+
+    @Test
+    fun `every step says as much in every language, each in its own words`() {
+        for (step in Tutorial.steps) {
+            val said = Language.entries.map { step.text(it) }
+            assertEquals(1, said.map { it.paragraphs.size }.toSet().size, step.name)
+            assertTrue(said.all { it.paragraphs.size in 2..4 && it.title.isNotBlank() && it.task.isNotBlank() && it.hint.isNotBlank() }, step.name)
+            assertEquals(said.size, said.map { it.task }.toSet().size, step.name)
+            assertTrue(said.none { '!' in it.task + it.hint + it.paragraphs.joinToString("").replace("!=", "") }, step.name)
+        }
+    }
+
+    @Test
+    fun `program text in the steps is the same in every language`() {
+        for (step in Tutorial.steps) {
+            val quoted = Language.entries.map { language -> step.text(language).run { paragraphs + task + hint }.map(::quoted) }
+            assertEquals(1, quoted.toSet().size, "${step.name}: $quoted")
+        }
+    }
+
+    @Test
+    fun `what a step quotes from Robolang is known to the help`() {
+        val words = Tutorial.steps.filter { it.program.name.endsWith(".robo") }.map { it.program.text }
+        assertTrue(words.all { text -> helpOn(Language.SPANISH, robotran.projects.ProgramLanguage.ROBOLANG, text, 0) != null })
+    }
+
+    @Test
+    fun `the world of a step carries its title and task in the pupil's language`() {
+        val step = Tutorial.steps.first()
+        assertEquals(step.text(Language.GERMAN).title, step.world(Language.GERMAN).title)
+        assertNotEquals(step.world(Language.ENGLISH).task, step.world(Language.GERMAN).task)
+        assertTrue(Tutorial.steps.none { '`' in it.world(Language.ENGLISH).task })
+    }
+
+    @Test
+    fun `the pupil's own version of a program takes the place of the one given`() {
+        val own = SourceFile("mine.robo", "beep\n")
+        val project = Tutorial.steps.first().project(Language.ENGLISH, listOf(own))
+        assertEquals(listOf(own), project.robots.single().programs.single().files)
+    }
+
+    @Test
+    fun `the written tutorial has the same steps in the same order`() {
+        val page = robolangPages.getValue("robolang.md").substringAfter("## Tutorial").substringBefore("## Reference")
+        val headings = Regex("### [0-9]+\\. (.+)").findAll(page).map { it.groupValues[1] }.toList()
+        assertEquals(Tutorial.steps.map { it.text(Language.ENGLISH).title }, headings)
+    }
+
+    private fun quoted(text: String): List<String> = text.split('`').filterIndexed { place, _ -> place % 2 == 1 }
+
+    private suspend fun grade(project: Project): Grade {
+        val loads = readRobotLoads(project, reader)
+        val session = Session(project.worldToRun, assertIs<RobotLoads.Ready>(loads, "$loads").loads, loadPhysicsEngine())
+        return session.runForGoals().also { session.close() }
+    }
+
+    private companion object {
+        val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    }
+}

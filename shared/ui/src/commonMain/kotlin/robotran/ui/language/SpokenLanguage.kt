@@ -1,0 +1,26 @@
+package robotran.ui.language
+
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.key
+import androidx.compose.runtime.remember
+import robotran.language.Language
+
+/**
+ * Everything inside is in [language], or in the machine's if that is null.
+ *
+ * The resources of Compose have no other way of being told a language than that of the whole process, which is why there is one only.
+ */
+@Composable
+internal fun InLanguage(language: Language?, content: @Composable () -> Unit) {
+    remember(language) { speak(language?.tag) }
+    key(language) { content() }
+}
+
+/** Makes [tag], such as `de`, the language of the process, or again the one that it began with if that is null. */
+internal expect fun speak(tag: String?)
+
+/** The language of the machine as the process began, such as `de-AT`. */
+internal expect fun machineLanguage(): String
+
+/** The language that the app speaks if [chosen] is: of the machine's the best there is, else English. */
+fun spokenLanguage(chosen: Language?): Language = chosen ?: Language.of(machineLanguage()) ?: Language.ENGLISH

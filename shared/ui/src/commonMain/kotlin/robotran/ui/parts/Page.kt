@@ -1,0 +1,84 @@
+package robotran.ui.parts
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.focusable
+import androidx.compose.foundation.interaction.MutableInteractionSource
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ColumnScope
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.paneTitle
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.page_close
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+
+/**
+ * A page over the workshop, with its [title] and a way back: a touch on the arrow, or Escape.
+ *
+ * @param mostWidth how wide its content gets at most; it stands in the middle of a wider screen.
+ */
+@Composable
+internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp = 720.dp, content: @Composable ColumnScope.() -> Unit) {
+    val colours = LocalRobotranColours.current
+    val focus = remember { FocusRequester() }
+    LaunchedEffect(Unit) { focus.requestFocus() }
+    Column(
+        Modifier
+            .fillMaxSize()
+            .background(colours.pane)
+            .testTag(tag)
+            .semantics { paneTitle = title }
+            .onKeyEvent { event ->
+                if (event.key != Key.Escape) return@onKeyEvent false
+                if (event.type == KeyEventType.KeyDown) onClose()
+                true
+            }
+            // What lies under the page is out of reach.
+            .clickable(remember { MutableInteractionSource() }, indication = null) { }
+            .focusRequester(focus)
+            .focusable(),
+    ) {
+        Row(Modifier.fillMaxWidth().padding(4.dp), verticalAlignment = Alignment.CenterVertically) {
+            IconTouch(Icon.BACK, stringResource(Res.string.page_close), "$tag-close", onClose)
+            Text(
+                title,
+                Modifier.weight(1f).padding(start = Measures.GRID).semantics { heading() },
+                color = colours.onPane,
+                fontSize = 22.sp,
+                fontWeight = FontWeight.SemiBold,
+            )
+        }
+        HorizontalDivider(color = colours.line)
+        Box(Modifier.weight(1f).fillMaxWidth(), Alignment.TopCenter) {
+            Column(Modifier.widthIn(max = mostWidth).fillMaxSize(), content = content)
+        }
+    }
+}

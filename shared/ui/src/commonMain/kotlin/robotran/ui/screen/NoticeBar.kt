@@ -1,0 +1,66 @@
+package robotran.ui.screen
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.resources.Res
+import robotran.ui.resources.notice_close
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.Notice
+import robotran.ui.workshop.WorkshopEvent
+
+/** What the app has to say, until it is read; it is read out by a screen reader when it comes. */
+@Composable
+internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+    val colours = LocalRobotranColours.current
+    val text = notice.text?.let { stringResource(it, *notice.arguments.toTypedArray()) } ?: notice.plain
+    val colour = if (notice.bad) colours.mistake else colours.onPane
+    Row(
+        modifier
+            .fillMaxWidth()
+            .background(if (notice.bad) colours.mistakePane else colours.desk)
+            .defaultMinSize(minHeight = Measures.TARGET)
+            .padding(start = 16.dp)
+            .testTag("notice"),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text(
+            text,
+            Modifier.weight(1f).padding(vertical = 8.dp).testTag("notice-text").semantics {
+                liveRegion = if (notice.bad) LiveRegionMode.Assertive else LiveRegionMode.Polite
+            },
+            color = colour,
+            fontSize = 16.sp,
+        )
+        notice.action?.let { action ->
+            TextButton(
+                { onEvent(WorkshopEvent.NoticeTaken) },
+                Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("notice-action").focusRing(),
+            ) {
+                Text(stringResource(action), color = colours.focus, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
+            }
+        }
+        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "notice-close", {
+            onEvent(WorkshopEvent.NoticeDismissed)
+        }, colour = colour)
+    }
+}

@@ -1,0 +1,58 @@
+package robotran.ui.screen
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.documents.WorkMenu
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.resources.Res
+import robotran.ui.resources.edit_world
+import robotran.ui.resources.edit_world_help
+import robotran.ui.resources.learn
+import robotran.ui.resources.learn_help
+import robotran.ui.resources.worlds
+import robotran.ui.resources.worlds_help
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningPage
+import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorkshopState
+import robotran.ui.workshop.WorldEditEvent
+
+/** At the top of a wide screen: the menu, what the work is called, and the ways to what there is besides. */
+@Composable
+internal fun TopStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+    val colours = LocalRobotranColours.current
+    BoxWithConstraints(modifier.fillMaxWidth().background(colours.pane)) {
+        val withWords = maxWidth >= WORDS_WIDTH * LocalDensity.current.fontScale
+        Row(Modifier.fillMaxWidth().defaultMinSize(minHeight = Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
+            MainMenu(state, onEvent, withWork = false)
+            Box(Modifier.weight(1f)) { WorkMenu(state.document, onEvent) }
+            IconTouch(Icon.BOOK, stringResource(Res.string.learn_help), "learn", {
+                onEvent(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+            }, label = stringResource(Res.string.learn).takeIf { withWords })
+            IconTouch(Icon.WORLDS, stringResource(Res.string.worlds_help), "worlds", {
+                onEvent(LearningEvent.PageWanted(LearningPage.WORLDS))
+            }, label = stringResource(Res.string.worlds).takeIf { withWords })
+            if (state.worldEdit == null) {
+                IconTouch(Icon.SHEET_EDIT, stringResource(Res.string.edit_world_help), "edit-world", {
+                    onEvent(WorldEditEvent.EditorOpened)
+                }, label = stringResource(Res.string.edit_world).takeIf { withWords })
+            }
+        }
+    }
+}
+
+/** From this width on, at usual text size, the buttons have words. */
+private val WORDS_WIDTH = 760.dp

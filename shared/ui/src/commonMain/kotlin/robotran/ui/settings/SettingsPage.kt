@@ -1,0 +1,83 @@
+package robotran.ui.settings
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.language.Language
+import robotran.ui.parts.Page
+import robotran.ui.resources.Res
+import robotran.ui.resources.settings_code_size
+import robotran.ui.resources.settings_language
+import robotran.ui.resources.settings_language_machine
+import robotran.ui.resources.settings_less_motion
+import robotran.ui.resources.settings_sound
+import robotran.ui.resources.settings_text_size
+import robotran.ui.resources.settings_theme
+import robotran.ui.resources.settings_title
+import robotran.ui.resources.theme_dark
+import robotran.ui.resources.theme_high_contrast
+import robotran.ui.resources.theme_high_contrast_dark
+import robotran.ui.resources.theme_light
+import robotran.ui.resources.theme_system
+import robotran.ui.workshop.AppTheme
+import robotran.ui.workshop.Settings
+import robotran.ui.workshop.SettingsEvent
+import kotlin.math.roundToInt
+
+/** How the app is to look and sound on this machine. What is chosen is seen at once. */
+@Composable
+internal fun SettingsPage(settings: Settings, onEvent: (SettingsEvent) -> Unit) {
+    val change = { changed: Settings -> onEvent(SettingsEvent.SettingsChanged(changed)) }
+    Page(stringResource(Res.string.settings_title), "settings", { onEvent(SettingsEvent.SettingsShown(false)) }) {
+        Column(Modifier.verticalScroll(rememberScrollState()).padding(24.dp), Arrangement.spacedBy(28.dp)) {
+            ChoiceOfOne(
+                stringResource(Res.string.settings_language),
+                listOf(null to stringResource(Res.string.settings_language_machine)) + Language.entries.map { it to it.ownName },
+                settings.language,
+                "language",
+            ) { change(settings.copy(language = it)) }
+            ChoiceOfOne(
+                stringResource(Res.string.settings_theme),
+                AppTheme.entries.map { it to stringResource(it.title) },
+                settings.theme,
+                "theme",
+            ) { change(settings.copy(theme = it)) }
+            SizeSlider(
+                stringResource(Res.string.settings_text_size),
+                settings.textScale,
+                1f..2f,
+                3,
+                { "${(it * 100).roundToInt()} %" },
+                "text-size",
+            ) { change(settings.copy(textScale = it)) }
+            SizeSlider(
+                stringResource(Res.string.settings_code_size),
+                settings.codeSize,
+                10f..40f,
+                29,
+                { "${it.roundToInt()}" },
+                "code-size",
+            ) { change(settings.copy(codeSize = it)) }
+            SwitchRow(stringResource(Res.string.settings_sound), settings.soundOn, "sound-setting") { change(settings.copy(soundOn = it)) }
+            SwitchRow(stringResource(Res.string.settings_less_motion), settings.lessMotion, "less-motion") {
+                change(settings.copy(lessMotion = it))
+            }
+        }
+    }
+}
+
+private val AppTheme.title: StringResource
+    get() = when (this) {
+        AppTheme.SYSTEM -> Res.string.theme_system
+        AppTheme.LIGHT -> Res.string.theme_light
+        AppTheme.DARK -> Res.string.theme_dark
+        AppTheme.HIGH_CONTRAST -> Res.string.theme_high_contrast
+        AppTheme.HIGH_CONTRAST_DARK -> Res.string.theme_high_contrast_dark
+    }

@@ -1,0 +1,141 @@
+package robotran.ui.settings
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.selection.selectableGroup
+import androidx.compose.foundation.selection.toggleable
+import androidx.compose.material3.RadioButton
+import androidx.compose.material3.RadioButtonDefaults
+import androidx.compose.material3.Slider
+import androidx.compose.material3.SliderDefaults
+import androidx.compose.material3.Switch
+import androidx.compose.material3.SwitchDefaults
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.focusRing
+
+/** One of [choices], each with its words. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun <T> ChoiceOfOne(title: String, choices: List<Pair<T, String>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Column(Modifier.selectableGroup().testTag(tag)) {
+        Heading(title)
+        FlowRow(horizontalArrangement = Arrangement.spacedBy(16.dp)) {
+            choices.forEachIndexed { place, (value, words) ->
+                val selected = value == chosen
+                Row(
+                    Modifier
+                        .testTag("$tag-$place")
+                        .defaultMinSize(minHeight = Measures.TARGET)
+                        .focusRing()
+                        .selectable(selected, role = Role.RadioButton) { onChoose(value) }
+                        .padding(end = 12.dp),
+                    verticalAlignment = Alignment.CenterVertically,
+                ) {
+                    RadioButton(
+                        selected,
+                        onClick = null,
+                        Modifier.padding(12.dp),
+                        colors = RadioButtonDefaults.colors(selectedColor = colours.focus, unselectedColor = colours.quiet),
+                    )
+                    Text(words, color = colours.onPane, fontSize = 16.sp)
+                }
+            }
+        }
+    }
+}
+
+/** A size within [range]; [words] tells it. */
+@Composable
+internal fun SizeSlider(
+    title: String,
+    value: Float,
+    range: ClosedFloatingPointRange<Float>,
+    steps: Int,
+    words: (Float) -> String,
+    tag: String,
+    onChange: (Float) -> Unit,
+) {
+    val colours = LocalRobotranColours.current
+    Column {
+        Heading(title)
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            Slider(
+                value,
+                onChange,
+                Modifier.weight(1f).testTag(tag).focusRing().semantics {
+                    contentDescription = title
+                    stateDescription = words(value)
+                },
+                valueRange = range,
+                steps = steps,
+                colors = SliderDefaults.colors(
+                    thumbColor = colours.onPane,
+                    activeTrackColor = colours.onPane,
+                    inactiveTrackColor = colours.line,
+                    activeTickColor = colours.pane,
+                    inactiveTickColor = colours.quiet,
+                ),
+            )
+            Text(words(value), Modifier.padding(start = 16.dp).defaultMinSize(minWidth = 64.dp), color = colours.onPane, fontSize = 16.sp)
+        }
+    }
+}
+
+/** Something that is on or off. */
+@Composable
+internal fun SwitchRow(title: String, on: Boolean, tag: String, onSwitch: (Boolean) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .testTag(tag)
+            .defaultMinSize(minHeight = Measures.TARGET)
+            .focusRing()
+            .toggleable(on, role = Role.Switch, onValueChange = onSwitch),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text(title, Modifier.weight(1f), color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.Medium)
+        Switch(
+            on,
+            onCheckedChange = null,
+            colors = SwitchDefaults.colors(
+                checkedTrackColor = RobotranColours.RUN_GREEN,
+                uncheckedThumbColor = colours.quiet,
+                uncheckedBorderColor = colours.quiet,
+                uncheckedTrackColor = colours.pane,
+            ),
+        )
+    }
+}
+
+@Composable
+private fun Heading(text: String) = Text(
+    text,
+    Modifier.padding(bottom = 4.dp).semantics { heading() },
+    color = LocalRobotranColours.current.onPane,
+    fontSize = 18.sp,
+    fontWeight = FontWeight.Medium,
+)
