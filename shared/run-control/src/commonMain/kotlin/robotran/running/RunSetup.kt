@@ -1,7 +1,6 @@
 package robotran.running
 
 import robotran.language.Language
-import robotran.language.Language
 import robotran.world.RobotLoad
 import robotran.world.Session
 import robotran.world.World
@@ -11,14 +10,12 @@ import robotran.world.physics.PhysicsEngine
  * What a run is made from, and can be made from again.
  *
  * @property loads what the robots are given, in the world's order.
- * @property language what goals, bricks and explanations are told in; nothing that happens depends on it.
  * @property language what the run is told in; nothing that happens in it depends on that.
  */
 class RunSetup(
     val world: World,
     val loads: List<RobotLoad>,
     val physics: PhysicsEngine,
-    val language: Language = Language.ENGLISH,
     val language: Language = Language.ENGLISH,
 ) {
     internal fun begin(): Session = Session(world, loads, physics, language)

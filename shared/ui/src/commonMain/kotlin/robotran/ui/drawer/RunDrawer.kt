@@ -42,6 +42,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_drawer_height
+import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.ui.workshop.DrawerTab
@@ -52,7 +53,6 @@ import robotran.ui.workshop.RunPaneState
  * The drawer under the world: its names are always seen; one that is touched slides up what it holds, which can be made higher or lower.
  *
  * @param most how high it may become.
- * @param lessMotion whether it is open at once.
  */
 @Composable
 internal fun RunDrawer(
@@ -60,7 +60,6 @@ internal fun RunDrawer(
     onEvent: (RunEvent) -> Unit,
     modifier: Modifier = Modifier,
     most: Dp = 560.dp,
-    lessMotion: Boolean = false,
 ) {
     val colours = LocalRobotranColours.current
     var height by rememberSaveable { mutableFloatStateOf(USUAL_HEIGHT) }
@@ -69,7 +68,7 @@ internal fun RunDrawer(
             .testTag("drawer")
             .fillMaxWidth()
             .background(colours.pane)
-            .animateContentSize(if (lessMotion) snap() else tween(MOTION_MILLISECONDS)),
+            .animateContentSize(if (LocalLessMotion.current) snap() else tween(MOTION_MILLISECONDS)),
     ) {
         val tab = state.drawer.tab
         if (tab != null) DrawerGrip(height, most.value, { height = it })

@@ -57,7 +57,7 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
                 }
                 Column(Modifier.weight(1f).fillMaxHeight()) {
                     Desk(state, onEvent, Modifier.weight(1f))
-                    RunDrawer(state.run, onEvent, most = tall * MOST_DRAWER_SHARE, lessMotion = state.settings.lessMotion)
+                    RunDrawer(state.run, onEvent, most = tall * MOST_DRAWER_SHARE)
                     KeepingBanner(state.document, onEvent)
                 state.notice?.let { NoticeBar(it, onEvent) }
                     RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
