@@ -21,7 +21,6 @@ import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
 import robotran.ui.brick.LEAST_BRICK_WIDTH
-import robotran.ui.documents.KeepingBanner
 import robotran.ui.drawer.DrawerPage
 import robotran.ui.drawer.GoalChip
 import robotran.ui.drawer.RunAnnouncer
@@ -50,7 +49,6 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
             Pane.WORLD -> if (state.run.drawer.tab == null) WorldWithStrip(state, onEvent, pane) else DrawerPage(state.run, onEvent, pane)
             Pane.BRICK -> BrickAlone(state, onEvent, pane)
         }
-        KeepingBanner(state.document, onEvent)
         state.notice?.let { NoticeBar(it, onEvent) }
         RunBar(state, onEvent)
         RunAnnouncer(state.run)

@@ -25,7 +25,6 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.LEAST_BRICK_WIDTH
-import robotran.ui.documents.KeepingBanner
 import robotran.ui.drawer.GoalChip
 import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.RunDrawer
@@ -58,7 +57,6 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
                 Column(Modifier.weight(1f).fillMaxHeight()) {
                     Desk(state, onEvent, Modifier.weight(1f))
                     RunDrawer(state.run, onEvent, most = tall * MOST_DRAWER_SHARE)
-                    KeepingBanner(state.document, onEvent)
                 state.notice?.let { NoticeBar(it, onEvent) }
                     RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
                 }

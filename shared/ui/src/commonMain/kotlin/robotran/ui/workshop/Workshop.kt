@@ -8,8 +8,8 @@ import kotlinx.coroutines.Dispatchers
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
-import robotran.ui.platform.MemoryPlatform
 import robotran.ui.language.spokenLanguage
+import robotran.ui.platform.MemoryPlatform
 import robotran.ui.platform.Platform
 import robotran.world.RecordedInput
 import robotran.world.RunReport
@@ -106,8 +106,9 @@ class Workshop(
     /** What came of the run up to now. */
     fun report(): RunReport = run.report()
 
-    /** Gives back what the session holds. Nothing may be called afterwards. */
+    /** Gives back what the session holds and what the document has claimed. Nothing may be called afterwards. */
     fun close() {
+        document.release()
         run.close()
     }
 
@@ -123,6 +124,14 @@ class Workshop(
         programs.worldChanged(world)
         run.changeWorld(opened.worldToRun)
         sheet.worldChanged()
+    }
+
+    override fun keepWorld(world: World) {
+        val before = opened.world.robots
+        opened = opened.copy(world = world)
+        // A robot with another name would be one without programs.
+        val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
+        if (isRenamed) programs.worldChanged(world)
     }
 
     override fun changeProjectSettings(settings: ProjectSettings) {
