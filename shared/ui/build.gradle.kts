@@ -22,6 +22,7 @@ kotlin {
             api(project(":shared:robolang"))
             api(project(":shared:programs"))
             api(project(":shared:world"))
+            api(project(":shared:run-control"))
             api(project(":shared:projects"))
             api(project(":shared:text-editing"))
             api(project(":shared:world-editing"))

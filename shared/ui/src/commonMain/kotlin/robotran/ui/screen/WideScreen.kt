@@ -25,6 +25,9 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.LEAST_BRICK_WIDTH
+import robotran.ui.drawer.GoalChip
+import robotran.ui.drawer.RunAnnouncer
+import robotran.ui.drawer.RunDrawer
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
@@ -35,6 +38,7 @@ import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.world.WorldPane
+import robotran.world.SessionInput
 
 /** Tablet and laptop: the program on the left, beside it the desk with paper and brick, the run bar under the desk. */
 @Composable
@@ -42,6 +46,7 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
     var share by rememberSaveable { mutableFloatStateOf(PROGRAM_SHARE) }
     BoxWithConstraints(Modifier.fillMaxSize()) {
         val whole = maxWidth
+        val tall = maxHeight
         Column(Modifier.fillMaxSize()) {
             TopStrip(state, onEvent)
             HorizontalDivider(color = LocalRobotranColours.current.line)
@@ -51,12 +56,14 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
                 }
                 Column(Modifier.weight(1f).fillMaxHeight()) {
                     Desk(state, onEvent, Modifier.weight(1f))
+                    RunDrawer(state.run, onEvent, most = tall * MOST_DRAWER_SHARE)
                 state.notice?.let { NoticeBar(it, onEvent) }
                     RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
                 }
             }
         }
         val pixels = with(LocalDensity.current) { whole.toPx() }
+        RunAnnouncer(state.run)
         PaneDivider(share, pixels, { share = it }, Modifier.padding(top = Measures.TARGET).offset(x = whole * share - 12.dp))
     }
 }
@@ -72,13 +79,16 @@ private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifie
                 Modifier.width(brickWidth + MARGIN).fillMaxHeight().padding(end = MARGIN, bottom = MARGIN),
                 Arrangement.spacedBy(MARGIN, Alignment.Bottom),
             ) {
-                BrickHint(state.session.brick)
+                GoalChip(state.session.goals, onEvent)
+                BrickHint(state.run.brick)
                 BrickFront(
-                    state.session.brick,
+                    state.run.brick,
                     state.down,
                     { onEvent(RunEvent.ButtonPressed(it)) },
                     { onEvent(RunEvent.ButtonReleased(it)) },
                     Modifier.width(brickWidth),
+                    state.world.robots[state.run.watched].ports,
+                    { port, pressed -> onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed))) },
                 )
             }
         }
@@ -87,6 +97,7 @@ private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifie
 
 private const val PROGRAM_SHARE = 0.32f
 private const val MOST_MISTAKES = 3
+private const val MOST_DRAWER_SHARE = 0.6f
 private const val BRICK_SHARE = 0.3f
 private val MOST_BRICK_WIDTH = 300.dp
 private val MARGIN: Dp = 16.dp

@@ -36,7 +36,7 @@ class Workshop(
 
     private val settingsHolder = SettingsHolder(this, settings)
     private val programs: ProgramsHolder = ProgramsHolder(project, this, ::programsRead)
-    private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this).also { it.hear(settings.soundOn) }
+    private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this, project.inputs).also { it.hear(settings.soundOn) }
     private val sheet = SheetHolder()
     private val worldEdit = WorldEditHolder(this)
     private val document = DocumentHolder(this)
@@ -118,7 +118,7 @@ class Workshop(
     override fun openProject(project: Project) {
         opened = project
         programs.open(project)
-        run.changeWorld(project.worldToRun)
+        run.changeWorld(project.worldToRun, project.inputs)
         sheet.worldChanged()
     }
 
@@ -139,6 +139,7 @@ class Workshop(
 
     override fun changeProjectSettings(settings: ProjectSettings) {
         opened = opened.copy(settings = settings)
+        programs.runJava(settings.java)
         run.changeWorld(opened.worldToRun)
     }
 
