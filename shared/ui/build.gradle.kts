@@ -25,6 +25,7 @@ kotlin {
             api(project(":shared:run-control"))
             api(project(":shared:projects"))
             api(project(":shared:text-editing"))
+            implementation(project(":shared:learning"))
             api(project(":shared:world-editing"))
             api(project(":shared:documents"))
             api(libs.compose.runtime)
