@@ -6,6 +6,7 @@ dependencies {
     implementation(project(":shared:ui"))
     implementation(project(":shared:programs"))
     implementation(project(":shared:projects"))
+    implementation(project(":shared:documents"))
     implementation(compose.desktop.currentOs)
     implementation(libs.coroutines.swing)
     implementation(libs.clikt)

@@ -25,6 +25,7 @@ kotlin {
             api(project(":shared:projects"))
             api(project(":shared:text-editing"))
             api(project(":shared:world-editing"))
+            api(project(":shared:documents"))
             api(libs.compose.runtime)
             api(libs.compose.foundation)
             api(libs.compose.material3)

@@ -1,6 +1,7 @@
 package robotran.documents
 
 import robotran.json.JsonLimits
+import robotran.language.Language
 import robotran.programs.SourceFile
 import robotran.projects.LinkResult
 import robotran.projects.ProgramLanguage
@@ -61,10 +62,14 @@ sealed interface OpeningTrouble {
     data class TooManyPrograms(val most: Int) : OpeningTrouble
 }
 
-/** Reads [files], which were chosen together: all `.java` files are one program, each `.robo` file is one. */
-suspend fun openFiles(files: List<GivenFile>): Opening {
+/**
+ * Reads [files], which were chosen together: all `.java` files are one program, each `.robo` file is one.
+ *
+ * @param language what is told in if something in a file is not as it must be.
+ */
+suspend fun openFiles(files: List<GivenFile>, language: Language = Language.ENGLISH): Opening {
     val parts = files.filterNot(::isJava).map { file ->
-        when (val part = partOf(file)) {
+        when (val part = partOf(file, language)) {
             is Part.Trouble -> return Opening.Refused(part.trouble)
             else -> part
         }
@@ -85,7 +90,7 @@ suspend fun openFiles(files: List<GivenFile>): Opening {
 }
 
 /** Opens what is behind [link], see [robotran.projects.openLink]. A project that comes so has the title of its world as its name. */
-suspend fun openLinkText(link: String): Opening = when (val result = openLink(link)) {
+suspend fun openLinkText(link: String, language: Language = Language.ENGLISH): Opening = when (val result = openLink(link, language)) {
     is LinkResult.OfProject -> Opening.Opened(listOf(OpenedProject(titleOf(result.project.world), result.project, null)), null, emptyList())
     is LinkResult.OfWorld -> Opening.Opened(emptyList(), result.world, emptyList())
     is LinkResult.Refused -> Opening.Refused(OpeningTrouble.InLink(result.message))
@@ -102,7 +107,7 @@ private sealed interface Part {
 }
 
 /** A browser or a mail may have changed how the name ends, so what is no program is known by what is in it. */
-private suspend fun partOf(file: GivenFile): Part {
+private suspend fun partOf(file: GivenFile, language: Language): Part {
     if (file.bytes.size > JsonLimits.MAXIMUM_BYTES) return Part.Trouble(OpeningTrouble.TooLong(file.name))
     val text = textOf(file) ?: return Part.Trouble(OpeningTrouble.NotText(file.name))
     return when {
@@ -114,23 +119,23 @@ private suspend fun partOf(file: GivenFile): Part {
             }
 
         text.trimStart().startsWith('{') || file.name.endsWith(FileKind.PROJECT.extension) || file.name.endsWith(FileKind.WORLD.extension) ->
-            jsonPartOf(file, text)
+            jsonPartOf(file, text, language)
 
-        isLink(text) -> linkedPartOf(text)
+        isLink(text) -> linkedPartOf(text, language)
 
         else -> Part.Trouble(OpeningTrouble.UnknownKind(file.name))
     }
 }
 
-private fun jsonPartOf(file: GivenFile, text: String): Part {
+private fun jsonPartOf(file: GivenFile, text: String, language: Language): Part {
     val isProject = PROJECT_MARK in text || file.name.endsWith(FileKind.PROJECT.extension)
     if (!isProject) {
-        return when (val result = readWorld(text)) {
+        return when (val result = readWorld(text, language)) {
             is WorldFileResult.Loaded -> Part.OfWorld(result.world)
             is WorldFileResult.Refused -> Part.Trouble(OpeningTrouble.InFile(file.name, result.message))
         }
     }
-    return when (val result = readProject(text)) {
+    return when (val result = readProject(text, language)) {
         is ProjectFileResult.Loaded ->
             Part.OfProject(OpenedProject(workNameOfFile(file.name), result.project, file.place?.let { WorkFile(it, FileStamp.of(file.bytes)) }))
 
@@ -138,7 +143,7 @@ private fun jsonPartOf(file: GivenFile, text: String): Part {
     }
 }
 
-private suspend fun linkedPartOf(text: String): Part = when (val opening = openLinkText(text)) {
+private suspend fun linkedPartOf(text: String, language: Language): Part = when (val opening = openLinkText(text, language)) {
     is Opening.Refused -> Part.Trouble(opening.trouble)
     is Opening.Opened -> opening.projects.firstOrNull()?.let(Part::OfProject) ?: Part.OfWorld(checkNotNull(opening.world))
 }

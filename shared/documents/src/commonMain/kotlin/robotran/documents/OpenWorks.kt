@@ -12,21 +12,25 @@ class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
         if (comesBack) store.write(nameOf(id), "$CLOSED $now") else store.remove(nameOf(id))
 
     /**
-     * Claims the work that is to come back first and reads it; null if none does. Works that cannot be read are passed over and stay where they are.
+     * Claims the work that is to come back and reads it; null if none does. It is the one that was opened last of those that no window has; the
+     * others do not come back by themselves, but are among all works. Works that cannot be read are passed over and stay where they are.
      */
     suspend fun takeBack(): ComingBack? {
+        var back: ComingBack? = null
+        var cutShort = 0
         for (open in orphans()) {
             val claim = shelf.claim(open.id) ?: continue
-            val reading = shelf.read(open.id)
-            if (reading is WorkReading.Found) return ComingBack(reading.work, claim, wasCutShort = open.wasRunning || reading.wasTorn)
-            claim.release()
-            if (reading is WorkReading.Missing) store.remove(nameOf(open.id))
+            val reading = if (back == null) shelf.read(open.id) else null
+            if (reading is WorkReading.Found) {
+                back = ComingBack(reading.work, claim, wasCutShort = open.wasRunning || reading.wasTorn)
+            } else {
+                claim.release()
+                if (back != null && open.wasRunning) cutShort++
+                if (reading !is WorkReading.Unusable) store.remove(nameOf(open.id))
+            }
         }
-        return null
+        return back?.copy(others = cutShort)
     }
-
-    /** The ids of the works that were open, the last one first, whether some window has them or not. */
-    suspend fun ids(): List<String> = orphans().map { it.id }
 
     private suspend fun orphans(): List<Open> =
         store.names().filter { it.startsWith(PREFIX) }.mapNotNull { name ->
@@ -50,5 +54,6 @@ class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
  *
  * @property claim this window's on it.
  * @property wasCutShort whether the app did not end as it should, so that the last second of work may be lost.
+ * @property others how many other works were cut short with it.
  */
-class ComingBack(val work: KeptWork, val claim: WorkClaim, val wasCutShort: Boolean)
+data class ComingBack(val work: KeptWork, val claim: WorkClaim, val wasCutShort: Boolean, val others: Int = 0)

@@ -19,9 +19,9 @@ class WorkShelf(private val store: WorkStore) {
     suspend fun read(id: String): WorkReading {
         val copies = copies(id)
         val whole = copies.filter { it.second is WorkCopy.Whole }
-        if (copies.any { it.second is WorkCopy.Newer }) return WorkReading.Unusable(NEWER)
+        if (copies.any { it.second is WorkCopy.Newer }) return WorkReading.Unusable { DocumentMessages.of(it).keptByNewer() }
         val (place, copy) = whole.newestWhole()
-            ?: return if (copies.isEmpty()) WorkReading.Missing else WorkReading.Unusable(BROKEN)
+            ?: return if (copies.isEmpty()) WorkReading.Missing else WorkReading.Unusable { DocumentMessages.of(it).copiesBroken() }
         newest[id] = Place(place, copy.order)
         val reading = copy.read()
         return if (reading is WorkReading.Found) reading.copy(wasTorn = copies.size > whole.size) else reading
@@ -53,7 +53,8 @@ class WorkShelf(private val store: WorkStore) {
     /** Claims the work [id] for this window; null if another window has it. */
     suspend fun claim(id: String): WorkClaim? = store.claim("$PREFIX$id")
 
-    private suspend fun ids(): List<String> =
+    /** The ids of all works, whether they can be used or not. */
+    suspend fun ids(): List<String> =
         store.names().filter { it.startsWith(PREFIX) && it.substringAfterLast('.', "") in COPIES }
             .map { it.removePrefix(PREFIX).substringBeforeLast('.') }.distinct()
 
@@ -72,7 +73,5 @@ class WorkShelf(private val store: WorkStore) {
     private companion object {
         const val PREFIX = "work-"
         val COPIES = listOf("a", "b")
-        const val NEWER = "It was kept by a newer Robotran."
-        const val BROKEN = "Both copies of it are broken."
     }
 }

@@ -14,13 +14,16 @@ class OpenWorksTest {
     private val open = OpenWorks(store, shelf)
 
     @Test
-    fun `works whose windows are gone come back one after the other, the last one first`() = runTest {
-        for (id in listOf("first", "second")) shelf.keep(workOf(id, id))
+    fun `of the works whose windows are gone the last one comes back and the others are counted`() = runTest {
+        for (id in listOf("first", "second", "third")) shelf.keep(workOf(id, id))
         open.opened("first", now = 1)
         open.opened("second", now = 2)
-        assertEquals("second", open.takeBack()?.work?.id)
-        assertEquals("first", open.takeBack()?.work?.id)
+        open.closed("third", now = 0, comesBack = true)
+        val back = assertNotNull(open.takeBack())
+        assertEquals("second", back.work.id)
+        assertEquals(1, back.others)
         assertNull(open.takeBack())
+        assertEquals(3, shelf.works().size)
     }
 
     @Test

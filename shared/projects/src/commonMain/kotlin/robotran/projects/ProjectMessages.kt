@@ -41,6 +41,7 @@ interface ProjectFileMessages {
     /** A lamp was moved in a world that has none. */
     fun noLamp(): String
 
+    /** A block was moved in a world that has none. */
     fun noBlock(): String
 }
 

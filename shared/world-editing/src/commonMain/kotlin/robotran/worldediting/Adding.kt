@@ -45,7 +45,7 @@ internal fun WorldEditing.added(pieces: List<Piece>, aside: Point): Outcome? {
         val name = piece.name?.let { freeName(it, taken) }
         if (name != null) taken += name
         val moved = piece.form?.movedBy(aside.x, aside.y)?.let(piece::withForm) ?: piece
-        val own = moved.named(name).separate()
+        val own = moved.named(name).tidied().separate()
         refusalOf(own)?.let { return Outcome.Not(it) }
         new += Thing(own.kind, now.count(own.kind))
         now = now.plus(own)

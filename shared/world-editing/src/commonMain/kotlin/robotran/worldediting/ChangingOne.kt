@@ -54,7 +54,7 @@ internal fun WorldEditing.cornersMade(thing: Thing): Outcome? {
 }
 
 /** As a file keeps it. */
-private fun Piece.tidied(): Piece {
+internal fun Piece.tidied(): Piece {
     val placed = form?.let { withForm(it) } ?: this
     return when (placed) {
         is Piece.OfRobot -> with(placed.robot) {

@@ -141,7 +141,10 @@ internal fun Form.withCorners(corners: List<Point>): Form = when (this) {
 val Form.isRound: Boolean get() = this is Form.Area || (this is Form.Way && closed)
 
 /** From each corner to the next. */
-internal fun Form.edges(): List<Pair<Point, Point>> = corners.zipWithNext() + if (isRound) listOf(corners.last() to corners.first()) else emptyList()
+internal fun Form.edges(): List<Pair<Point, Point>> {
+    val all = corners
+    return if (isRound && all.isNotEmpty()) all.zipWithNext() + (all.last() to all.first()) else all.zipWithNext()
+}
 
 private fun Form.Light.direction(degrees: Double) = if (turns) direction + degrees else direction
 

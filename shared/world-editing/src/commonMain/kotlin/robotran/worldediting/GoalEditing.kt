@@ -4,7 +4,7 @@ import robotran.world.Goal
 import robotran.world.MarkFigure
 
 /** The same goal once more, so that the two can be told apart. */
-internal fun Goal.separate(): Goal = withParts(parts.map { it.separate() }).saying(says)
+internal fun Goal.separate(): Goal = withParts(parts.map { it.separate() }).saying(says).tidied()
 
 internal fun WorldEditing.goalAdded(edit: Edit.AddGoal): Outcome? {
     val goal = edit.goal.separate()

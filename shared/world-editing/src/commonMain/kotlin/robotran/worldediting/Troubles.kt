@@ -1,5 +1,6 @@
 package robotran.worldediting
 
+import robotran.language.Language
 import robotran.world.Goal
 import robotran.world.MarkFigure
 import robotran.world.Outline
@@ -40,8 +41,11 @@ sealed interface Trouble {
     data class NothingToTrace(override val thing: Thing) : Trouble
 
     /** Something that none of the others is, as the reader of world files says it. */
-    data class Refused(val message: String) : Trouble {
+    data class Refused(private val world: World) : Trouble {
         override val thing: Thing? get() = null
+
+        /** A sentence; empty if nothing is wrong with the world after all. */
+        fun message(language: Language): String = (readWorld(writeWorld(world), language) as? WorldFileResult.Refused)?.message.orEmpty()
     }
 }
 
@@ -50,9 +54,9 @@ fun plainTroubles(world: World): List<Trouble> = startTroubles(world) + shapeTro
 
 /** All that is wrong with [world]: if this is empty, a file of it can be read again. */
 fun troublesOf(world: World): List<Trouble> = plainTroubles(world).ifEmpty {
-    when (val result = readWorld(writeWorld(world))) {
+    when (readWorld(writeWorld(world))) {
         is WorldFileResult.Loaded -> emptyList()
-        is WorldFileResult.Refused -> listOf(Trouble.Refused(result.message))
+        is WorldFileResult.Refused -> listOf(Trouble.Refused(world))
     }
 }
 

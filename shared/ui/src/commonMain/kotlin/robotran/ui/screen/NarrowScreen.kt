@@ -35,7 +35,7 @@ import robotran.ui.world.WorldPane
 internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
-            MainMenu(state, onEvent)
+            MainMenu(state, onEvent, withWork = true)
             PaneTabs(state.pane, state.mistakes.isNotEmpty(), { onEvent(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)

@@ -51,7 +51,7 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
                 }
                 Column(Modifier.weight(1f).fillMaxHeight()) {
                     Desk(state, onEvent, Modifier.weight(1f))
-                    state.notice?.let { NoticeBar(it, onEvent) }
+                state.notice?.let { NoticeBar(it, onEvent) }
                     RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
                 }
             }

@@ -3,6 +3,7 @@ package robotran.ui.workshop
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import robotran.language.Language
 import robotran.programs.ProgramReader
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
@@ -21,7 +22,7 @@ class ProgramsHolder(
     private val bench: Bench,
     private val onRead: (ProgramReading) -> Unit,
 ) {
-    private val reader = ProgramReader(PENBOT_CALIBRATION)
+    private var reader = ProgramReader(PENBOT_CALIBRATION, language = bench.language)
     private var robots = robotsOf(project)
     private var shownRobot = robots.first().place.name
     private var translationShown = false
@@ -98,6 +99,15 @@ class ProgramsHolder(
             known?.movedTo(place) ?: RobotPrograms(place, ProjectRobot(place.name), reader, emptyList())
         }
         if (robots.none { it.place.name == shownRobot }) shownRobot = robots.first().place.name
+        refresh()
+    }
+
+    /** Reads all programs again, to tell what is wrong with them in [language]. */
+    fun speak(language: Language) {
+        reader = reader.telling(language)
+        robots = robots.map { it.readBy(reader) }
+        reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
+        readingLoop.programsChanged()
         refresh()
     }
 

@@ -61,11 +61,23 @@ internal class RobotPrograms(
     fun movedTo(place: RobotPlace): RobotPrograms {
         val isOwn = isUntouched && ownProgramOf(place) != given
         val moved = RobotPrograms(place, kept.copy(name = place.name), reader, if (isOwn) emptyList() else shelf.programs)
-        if (!isOwn) shelf.entries.forEachIndexed { slot, entry -> moved.shelf.change(slot, entry) }
-        moved.shownProgram = if (isOwn) 0 else shownProgram
-        moved.shownFile = if (isOwn) 0 else shownFile
+        if (!isOwn) moved.remember(this) { it }
         moved.closed = closed
         return moved
+    }
+
+    /** The same programs, with all that is remembered of them, read again by [reader]. */
+    fun readBy(reader: ProgramReader): RobotPrograms {
+        val again = RobotPrograms(place, kept, reader, shelf.programs)
+        again.remember(this) { it.unread() }
+        again.closed = closed?.unread()
+        return again
+    }
+
+    private fun remember(other: RobotPrograms, change: (ShelfEntry) -> ShelfEntry) {
+        other.shelf.entries.forEachIndexed { slot, entry -> shelf.change(slot, change(entry)) }
+        shownProgram = other.shownProgram
+        shownFile = other.shownFile
     }
 }
 

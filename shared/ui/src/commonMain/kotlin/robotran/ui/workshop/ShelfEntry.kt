@@ -39,6 +39,9 @@ internal class ShelfEntry private constructor(
     /** The same program once [result] came of reading it. */
     fun read(result: ProgramResult): ShelfEntry = ShelfEntry(program, memories, result, notesOf(result), earlierTranslation)
 
+    /** The same program as if nobody had read it yet. */
+    fun unread(): ShelfEntry = ShelfEntry(program, memories, null, notes, knownTranslation)
+
     /** This program with [memory] for the file at [place]. */
     fun with(place: Int, memory: ProgramFileMemory): ShelfEntry {
         val before = memories[place]

@@ -5,8 +5,10 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
+import robotran.ui.language.spokenLanguage
 import robotran.ui.platform.MemoryPlatform
 import robotran.ui.platform.Platform
 import robotran.world.RecordedInput
@@ -56,8 +58,10 @@ class Workshop(
         )
 
     override val project: Project get() = opened.copy(robots = programs.projectRobots(opened.world), inputs = emptyList())
+    override val shownProgram: PupilProgram get() = programs.state.program
     override val inputs: List<RecordedInput> get() = run.inputs
     override val settings: Settings get() = settingsHolder.state
+    override val language: Language get() = spokenLanguage(settings.language)
 
     /** Something a person does. */
     fun handle(event: WorkshopEvent) {
@@ -78,6 +82,18 @@ class Workshop(
     /** Compiles Java programs in the pauses of typing, for ever; to be called once, for as long as the workshop is on a screen. */
     suspend fun keepReading() = programs.keepReading()
 
+    /** Brings back the work that was open last, or opens what was brought to this window; to be called once, before anything is shown. */
+    suspend fun startDocument() = document.start()
+
+    /** Keeps the work as it changes, for ever; to be called once, for as long as the workshop is on a screen. */
+    suspend fun keepDocument() = document.keepKeeping()
+
+    /** Keeps what has changed at once, since the window is out of sight and may be gone without a word. */
+    suspend fun restDocument() = document.rest()
+
+    /** Keeps what has changed at once; see [DocumentHolder.close] about the rest. */
+    suspend fun closeDocument(onLoss: () -> Unit): Boolean = document.close(onLoss)
+
     /** Reads all programs that were not read yet, and does what waited for it. */
     suspend fun readPrograms() = programs.readPrograms()
 
@@ -90,8 +106,9 @@ class Workshop(
     /** What came of the run up to now. */
     fun report(): RunReport = run.report()
 
-    /** Gives back what the session holds. Nothing may be called afterwards. */
+    /** Gives back what the session holds and what the document has claimed. Nothing may be called afterwards. */
     fun close() {
+        document.release()
         run.close()
     }
 
@@ -107,6 +124,14 @@ class Workshop(
         programs.worldChanged(world)
         run.changeWorld(opened.worldToRun)
         sheet.worldChanged()
+    }
+
+    override fun keepWorld(world: World) {
+        val before = opened.world.robots
+        opened = opened.copy(world = world)
+        // A robot with another name would be one without programs.
+        val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
+        if (isRenamed) programs.worldChanged(world)
     }
 
     override fun changeProjectSettings(settings: ProjectSettings) {
@@ -136,8 +161,12 @@ class Workshop(
     }
 
     private fun handleSettings(event: SettingsEvent) {
+        val before = language
         settingsHolder.handle(event)
         run.hear(settingsHolder.state.soundOn)
+        if (language == before) return
+        programs.speak(language)
+        run.programsRead(programs.state.reading)
     }
 
     private fun programsRead(reading: ProgramReading) = run.programsRead(reading)

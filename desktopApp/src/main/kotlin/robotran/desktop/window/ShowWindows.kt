@@ -1,0 +1,34 @@
+package robotran.desktop.window
+
+import androidx.compose.runtime.key
+import androidx.compose.runtime.mutableStateListOf
+import androidx.compose.runtime.remember
+import androidx.compose.ui.window.application
+import kotlinx.coroutines.runBlocking
+import robotran.desktop.platform.dataFolder
+import robotran.ui.platform.Arrival
+import robotran.ui.platform.FolderWorkStore
+import kotlin.coroutines.EmptyCoroutineContext
+
+/** Shows a window with what [arrival] brings or, without, with the work that was open last, and returns when all windows are closed. */
+internal fun showWindows(arrival: Arrival?) {
+    val store = FolderWorkStore(dataFolder(), EmptyCoroutineContext)
+    val place = runBlocking { store.read(PLACE) }?.let { WindowPlace.of(it) }
+    val windows = mutableStateListOf(OpenWindow(store, arrival, goesOn = true))
+    application(exitProcessOnExit = false) {
+        for (open in windows) {
+            key(open) {
+                val state = remember { windowStateFor(place.takeIf { open === windows.first() }) }
+                AppWindow(
+                    open,
+                    state,
+                    openAnother = { windows += OpenWindow(store, arrival = null, goesOn = false) },
+                    close = {
+                        windows -= open
+                        if (windows.isEmpty()) exitApplication()
+                    },
+                )
+            }
+        }
+    }
+}
