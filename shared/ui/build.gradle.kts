@@ -23,6 +23,7 @@ kotlin {
             api(project(":shared:programs"))
             api(project(":shared:world"))
             api(project(":shared:projects"))
+            api(project(":shared:learning"))
             api(libs.compose.runtime)
             api(libs.compose.foundation)
             api(libs.compose.material3)

@@ -6,6 +6,7 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
+import robotran.ui.learning.LearningPages
 import robotran.ui.settings.SettingsPage
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
@@ -23,6 +24,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         } else {
             NarrowScreen(state, onEvent)
         }
+        LearningPages(state.learning, onEvent)
         if (state.settingsShown) SettingsPage(state.settings, onEvent)
     }
 }

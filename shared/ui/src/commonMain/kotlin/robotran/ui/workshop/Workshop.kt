@@ -75,6 +75,9 @@ class Workshop(
         }
     }
 
+    /** Goes on with learning where somebody has stopped; on the very first start, says what there is to be tried if [welcoming]. */
+    suspend fun startLearning(welcoming: Boolean) = learning.start(welcoming)
+
     /** Compiles Java programs in the pauses of typing, for ever; to be called once, for as long as the workshop is on a screen. */
     suspend fun keepReading() = programs.keepReading()
 
@@ -82,10 +85,16 @@ class Workshop(
     suspend fun readPrograms() = programs.readPrograms()
 
     /** A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards: virtual time follows it while [WorkshopState.awake]. */
-    fun frame(nanoseconds: Long) = run.frame(nanoseconds)
+    fun frame(nanoseconds: Long) {
+        run.frame(nanoseconds)
+        learning.look(run.state.session)
+    }
 
     /** Lets [milliseconds] of virtual time pass at once, too quickly to be heard. */
-    fun advance(milliseconds: Int) = run.advance(milliseconds)
+    fun advance(milliseconds: Int) {
+        run.advance(milliseconds)
+        learning.look(run.state.session)
+    }
 
     /** What came of the run up to now. */
     fun report(): RunReport = run.report()
@@ -99,11 +108,13 @@ class Workshop(
         opened = project
         programs.replaceAll(pupilProgramsOf(project).ifEmpty { listOf(firstProgram()) })
         run.changeWorld(project.worldToRun)
+        learning.refresh()
     }
 
     override fun changeWorld(world: World) {
         opened = opened.copy(world = world)
         run.changeWorld(opened.worldToRun)
+        learning.refresh()
     }
 
     override fun changeProjectSettings(settings: ProjectSettings) {
@@ -113,8 +124,9 @@ class Workshop(
 
     override fun addProgram(program: PupilProgram, replacing: Boolean) {
         val place = programs.state.programs.indexOfFirst { it.name == program.name }
-        if (replacing && place >= 0) handle(ProgramEvent.ProgramClosed(place))
-        handle(ProgramEvent.ProgramAdded(program))
+        if (!replacing || place < 0 || program.files.size > 1) return handle(ProgramEvent.ProgramAdded(program))
+        handle(ProgramEvent.ProgramChosen(place))
+        handle(ProgramEvent.ProgramEdited(program.files.single().text))
     }
 
     override fun perform(event: WorkshopEvent) = handle(event)
