@@ -12,6 +12,9 @@ texts {
 
 kotlin {
     sourceSets {
+        commonMain.dependencies {
+            api(project(":shared:language"))
+        }
         commonTest.dependencies {
             implementation(project(":shared:lejos-library"))
         }

@@ -5,6 +5,7 @@ plugins {
 kotlin {
     sourceSets {
         commonMain.dependencies {
+            api(project(":shared:language"))
             api(libs.serialization.json)
         }
     }

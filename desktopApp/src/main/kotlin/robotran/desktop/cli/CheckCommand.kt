@@ -5,9 +5,11 @@ import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.desktop.ExitCode
+import robotran.desktop.messages.CommandMessages
 
 /** `robotran check FILE..`: tells all mistakes of all files. */
 internal class CheckCommand(
@@ -15,12 +17,15 @@ internal class CheckCommand(
 ) : CoreCliktCommand("check") {
     private val files by argument("FILE", help = "Robolang programs (.robo), or the files of a Java program (.java)")
         .multiple(required = true)
+    private val spoken by LanguageOption()
     private val asJson by option("--json", help = "tells the mistakes as JSON").flag()
+
+    private val messages get() = CommandMessages.of(spoken.language)
 
     override fun help(context: Context) = "Tells all mistakes of programs, without running them."
 
     override fun run() {
-        val results = checkFiles(files)
+        val results = checkFiles(files, spoken.language)
         if (asJson) console.say(diagnosticsJson(results)) else results.forEach { (name, file) -> tell(name, file) }
         throw ProgramResult(results.maxOf { statusOf(it.second).status })
     }
@@ -53,8 +58,8 @@ internal class CheckCommand(
         warnings: List<String>,
     ) {
         mistakes.forEach(console::complain)
-        warnings.forEach { console.say("$it (a warning)") }
-        if (mistakes.isEmpty()) console.say("$name has no mistakes.")
+        warnings.forEach { console.say(messages.warning(it)) }
+        if (mistakes.isEmpty()) console.say(messages.noMistakes(name))
     }
 
     private fun statusOf(file: CheckedFile): ExitCode =

@@ -5,6 +5,8 @@ import robotran.desktop.files.JAVA
 import robotran.desktop.files.ROBOLANG
 import robotran.desktop.files.TextFile
 import robotran.desktop.files.readTextFile
+import robotran.desktop.messages.CommandMessages
+import robotran.language.Language
 import robotran.programs.Mistake
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
@@ -25,26 +27,35 @@ internal sealed interface CheckedFile {
 }
 
 /** Checks the files [names], in their order: each `.robo` file by itself, all `.java` files together as one program. */
-internal fun checkFiles(names: List<String>): List<Pair<String, CheckedFile>> {
-    val java = checkJava(names.filter { it.endsWith(JAVA) }.distinct())
-    return names.map { name -> name to (java[name] ?: checkRobolang(name)) }
+internal fun checkFiles(
+    names: List<String>,
+    language: Language,
+): List<Pair<String, CheckedFile>> {
+    val java = checkJava(names.filter { it.endsWith(JAVA) }.distinct(), language)
+    return names.map { name -> name to (java[name] ?: checkRobolang(name, language)) }
 }
 
-private fun checkRobolang(name: String): CheckedFile =
+private fun checkRobolang(
+    name: String,
+    language: Language,
+): CheckedFile =
     if (name.endsWith(ROBOLANG)) {
-        when (val file = readRobolangFile(name)) {
+        when (val file = readRobolangFile(name, language)) {
             is RobolangFile.Unreadable -> CheckedFile.Unreadable(file.reason)
             else -> CheckedFile.Robolang(file)
         }
     } else {
-        CheckedFile.Unreadable("$name cannot be checked: its name does not end in $ROBOLANG or $JAVA.")
+        CheckedFile.Unreadable(CommandMessages.of(language).notToBeChecked(name, listOf(ROBOLANG, JAVA)))
     }
 
-private fun checkJava(names: List<String>): Map<String, CheckedFile> {
-    val read = names.associateWith(::readTextFile)
+private fun checkJava(
+    names: List<String>,
+    language: Language,
+): Map<String, CheckedFile> {
+    val read = names.associateWith { readTextFile(it, CommandMessages.of(language)) }
     val sources = read.mapNotNull { (name, file) -> (file as? TextFile.Read)?.let { SourceFile(name, it.text) } }
     if (sources.isEmpty()) return read.mapValues { (_, file) -> CheckedFile.Unreadable((file as TextFile.Refused).reason) }
-    val result = runBlocking { ProgramReader(PENBOT_CALIBRATION).read(ProgramSource.Java(sources.first().name, sources)) }
+    val result = runBlocking { ProgramReader(PENBOT_CALIBRATION, language = language).read(ProgramSource.Java(sources.first().name, sources)) }
     val mistakes = byFile((result as? ProgramResult.Mistaken)?.mistakes.orEmpty(), sources)
     val warnings = byFile((result as? ProgramResult.Ready)?.warnings.orEmpty(), sources)
     return read.mapValues { (name, file) ->

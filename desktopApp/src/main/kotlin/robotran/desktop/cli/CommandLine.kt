@@ -6,6 +6,7 @@ import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
 import robotran.desktop.ExitCode
 import robotran.desktop.cli.grade.GradeCommand
+import robotran.language.Language
 
 /**
  * The command line of Robotran.
@@ -44,6 +45,9 @@ class CommandLine(
 
 /** Where the command line's words go; tests give one that remembers them. */
 interface Console {
+    /** What is spoken at it. */
+    val language: Language get() = Language.ENGLISH
+
     /** Says what was asked for. */
     fun say(words: String)
 

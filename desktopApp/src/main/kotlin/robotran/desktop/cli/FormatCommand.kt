@@ -5,11 +5,14 @@ import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.desktop.ExitCode
 import robotran.desktop.files.TextFile
 import robotran.desktop.files.writeFile
+import robotran.desktop.messages.CommandMessages
+import robotran.robolang.RobolangMessages
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 
@@ -20,6 +23,9 @@ internal class FormatCommand(
     private val files by argument("FILE", help = "Robolang programs (.robo)").multiple(required = true)
     private val onlyChecks by option("--check", help = "changes nothing and tells which files would change").flag()
 
+    private val spoken by LanguageOption()
+    private val messages get() = CommandMessages.of(spoken.language)
+
     override fun help(context: Context) = "Lays programs out: indentation, spaces, small letters."
 
     override fun run() {
@@ -27,7 +33,7 @@ internal class FormatCommand(
     }
 
     private fun format(name: String): ExitCode =
-        when (val file = readRobolangText(name)) {
+        when (val file = readRobolangText(name, spoken.language)) {
             is TextFile.Refused -> refuse(file.reason)
             is TextFile.Read -> format(name, file.text)
         }
@@ -36,7 +42,7 @@ internal class FormatCommand(
         name: String,
         text: String,
     ): ExitCode =
-        when (val result = formatRobolang(text)) {
+        when (val result = formatRobolang(text, RobolangMessages.of(spoken.language))) {
             is FormatResult.Formatted -> {
                 settle(name, text, result.text)
             }
@@ -54,10 +60,10 @@ internal class FormatCommand(
     ): ExitCode {
         if (text == formatted) return ExitCode.DONE
         if (onlyChecks) {
-            console.complain("$name is not formatted.")
+            console.complain(messages.notFormatted(name))
             return ExitCode.PROGRAM_FAILED
         }
-        return writeFile(name, formatted.encodeToByteArray())?.let(::refuse) ?: ExitCode.DONE
+        return writeFile(name, formatted.encodeToByteArray(), messages)?.let(::refuse) ?: ExitCode.DONE
     }
 
     private fun refuse(reason: String): ExitCode {

@@ -6,6 +6,7 @@ import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.option
 import kotlinx.coroutines.runBlocking
 import robotran.desktop.ExitCode
@@ -23,11 +24,14 @@ import robotran.world.BuiltInWorlds
 
 /** `robotran link FILE..`: prints what to paste behind the address of the page, so that it opens with a world or a project. */
 internal class LinkCommand(
-    private val console: Console,
+    private val process: Console,
 ) : CoreCliktCommand("link") {
     private val files by argument("FILE", help = "a world (.world.json), a project (.robotran), or programs (.robo, .java) for one robot")
         .multiple(required = true)
     private val world by option("--world", metavar = "FILE", help = "the world of the programs (.world.json); a plain sheet if not given")
+
+    private val spoken by LanguageOption()
+    private val console get() = process.speaking(spoken.language)
 
     override fun help(context: Context) = "Prints a world, a project or programs as a link, to be pasted behind the page's address."
 
@@ -37,9 +41,9 @@ internal class LinkCommand(
         if (isWhole && world != null) throw UsageError("--world goes with programs only")
         val made =
             when {
-                !isWhole -> readPrograms()?.let { runBlocking { linkOf(it) } }
-                single.orEmpty().endsWith(WORLD) -> readWorldFile(single.orEmpty(), console)?.let { runBlocking { linkOf(it) } }
-                else -> readProjectFile(single.orEmpty(), console)?.let { runBlocking { linkOf(it) } }
+                !isWhole -> readPrograms()?.let { runBlocking { linkOf(it, spoken.language) } }
+                single.orEmpty().endsWith(WORLD) -> readWorldFile(single.orEmpty(), console)?.let { runBlocking { linkOf(it, spoken.language) } }
+                else -> readProjectFile(single.orEmpty(), console)?.let { runBlocking { linkOf(it, spoken.language) } }
             }
         throw ProgramResult(tell(made).status)
     }
@@ -64,7 +68,7 @@ internal class LinkCommand(
     /** The programs as a project, right or not: a link may ask for help with a mistake. */
     private fun readPrograms(): Project? {
         val programs =
-            when (val read = readProgramFiles(files)) {
+            when (val read = readProgramFiles(files, console.messages)) {
                 is ProgramFiles.Read -> {
                     read.programs.map { it to programOf(it) }
                 }
@@ -75,7 +79,7 @@ internal class LinkCommand(
                 }
             }
         programs.firstOrNull { it.second == null }?.let { (program, _) ->
-            console.complain("${program.path} is compiled: a link takes programs as they were written, .robo or .java.")
+            console.complain(console.messages.compiled(program.path))
             return null
         }
         val place = world?.let { readWorldFile(it, console) ?: return null } ?: BuiltInWorlds.plain

@@ -63,7 +63,7 @@ internal class ProgramRunner(
         outputs: RunOutputs,
     ): ExitCode {
         if (request.world != null || request.robots.isNotEmpty()) {
-            console.complain("A project has a world and programs of its own: --world and --robot do not go with it.")
+            console.complain(console.messages.projectHasItsOwn())
             return ExitCode.BAD_INPUT
         }
         val project = readProjectFile(name, console) ?: return ExitCode.BAD_INPUT
@@ -73,7 +73,7 @@ internal class ProgramRunner(
                 if (request.java.mode == usual.mode) project.settings.java.mode else request.java.mode,
                 if (request.java.speed == usual.speed) project.settings.java.speed else request.java.speed,
             )
-        return when (val result = runBlocking { readRobotLoads(project, ProgramReader(PENBOT_CALIBRATION, java)) }) {
+        return when (val result = runBlocking { readRobotLoads(project, ProgramReader(PENBOT_CALIBRATION, java, console.language)) }) {
             is RobotLoads.Ready -> {
                 run(request.changes.of(project.worldToRun), result.loads, request, outputs, project.inputs)
             }
@@ -92,7 +92,7 @@ internal class ProgramRunner(
         outputs: RunOutputs,
         inputs: List<RecordedInput> = emptyList(),
     ): ExitCode {
-        val session = runBlocking { Session(world, loads, loadPhysicsEngine()) }
+        val session = runBlocking { Session(world, loads, loadPhysicsEngine(), console.language) }
         try {
             letRun(session, request, inputs)
             val problems = RunResults(session, console).write(outputs)
@@ -138,7 +138,7 @@ internal class ProgramRunner(
 
     /** Null if any of them cannot be read; why is told. */
     private fun readPrograms(names: List<String>): List<NamedProgram>? =
-        when (val files = readProgramFiles(names)) {
+        when (val files = readProgramFiles(names, console.messages)) {
             is ProgramFiles.Read -> {
                 files.programs
             }
@@ -155,7 +155,7 @@ internal class ProgramRunner(
         programs: List<NamedProgram>,
         request: RunRequest,
     ): List<RobotLoad>? =
-        when (val loading = readLoads(world, ProgramReader(PENBOT_CALIBRATION, request.java), programs, request.robots)) {
+        when (val loading = readLoads(world, ProgramReader(PENBOT_CALIBRATION, request.java, console.language), programs, request.robots)) {
             is Loading.Loaded -> {
                 loading.loads
             }

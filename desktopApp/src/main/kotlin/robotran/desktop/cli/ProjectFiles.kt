@@ -26,7 +26,7 @@ private fun openProjectLink(
     link: String,
     console: Console,
 ): Project? =
-    when (val result = runBlocking { openLink(link) }) {
+    when (val result = runBlocking { openLink(link, console.language) }) {
         is LinkResult.OfProject -> {
             result.project
         }
@@ -45,14 +45,14 @@ private fun readProjectText(
     name: String,
     console: Console,
 ): Project? =
-    when (val file = readTextFile(name)) {
+    when (val file = readTextFile(name, console.messages)) {
         is TextFile.Refused -> {
             console.complain(file.reason)
             null
         }
 
         is TextFile.Read -> {
-            when (val result = readProject(file.text)) {
+            when (val result = readProject(file.text, console.language)) {
                 is ProjectFileResult.Loaded -> {
                     result.project
                 }

@@ -1,15 +1,18 @@
 package robotran.desktop.cli
 
+import kotlin.io.path.Path
+import kotlin.io.path.name
 import robotran.desktop.files.ROBOLANG
 import robotran.desktop.files.TextFile
 import robotran.desktop.files.readTextFile
+import robotran.desktop.messages.CommandMessages
+import robotran.language.Language
 import robotran.robolang.Diagnostic
+import robotran.robolang.RobolangMessages
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.ui.workshop.PENBOT_CALIBRATION
-import kotlin.io.path.Path
-import kotlin.io.path.name
 
 /** A Robolang file as the commands meet it. */
 internal sealed interface RobolangFile {
@@ -24,14 +27,17 @@ internal sealed interface RobolangFile {
 }
 
 /** Reads and checks the Robolang file [name]. */
-internal fun readRobolangFile(name: String): RobolangFile =
-    when (val file = readRobolangText(name)) {
+internal fun readRobolangFile(
+    name: String,
+    language: Language,
+): RobolangFile =
+    when (val file = readRobolangText(name, language)) {
         is TextFile.Refused -> {
             RobolangFile.Unreadable(file.reason)
         }
 
         is TextFile.Read -> {
-            when (val result = readRobolang(Path(name).name, file.text, PENBOT_CALIBRATION)) {
+            when (val result = readRobolang(Path(name).name, file.text, PENBOT_CALIBRATION, RobolangMessages.of(language))) {
                 is RobolangResult.Ready -> RobolangFile.Ready(file.text, result.program, result.warnings)
                 is RobolangResult.Mistaken -> RobolangFile.Mistaken(result.diagnostics)
             }
@@ -39,11 +45,14 @@ internal fun readRobolangFile(name: String): RobolangFile =
     }
 
 /** Reads the text of the Robolang file [name]. */
-internal fun readRobolangText(name: String): TextFile =
+internal fun readRobolangText(
+    name: String,
+    language: Language,
+): TextFile =
     if (name.endsWith(ROBOLANG)) {
-        readTextFile(name)
+        readTextFile(name, CommandMessages.of(language))
     } else {
-        TextFile.Refused("$name is not a Robolang program: its name does not end in $ROBOLANG.")
+        TextFile.Refused(CommandMessages.of(language).notRobolang(name, ROBOLANG))
     }
 
 /** [diagnostic] in one line for a person, with the place that editors jump to. */

@@ -4,6 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.desktop.files.NamedProgram
 import robotran.desktop.files.ProgramFiles
 import robotran.desktop.files.readProgramFiles
+import robotran.desktop.messages.CommandMessages
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.projects.RobotLoads
@@ -40,15 +41,16 @@ internal fun readLoads(
     own: List<NamedProgram>,
     others: List<RobotFile>,
 ): Loading {
+    val messages = CommandMessages.of(reader.language)
     val given = mutableMapOf<String, List<NamedProgram>>()
     for ((robot, files) in others.groupBy({ it.robot }, { it.file })) {
-        when (val read = readProgramFiles(files)) {
+        when (val read = readProgramFiles(files, messages)) {
             is ProgramFiles.Read -> given[robot] = read.programs
             is ProgramFiles.Refused -> return Loading.Refused(listOf(read.reason))
         }
     }
     val first = world.robots.first().name
-    if (first in given) return Loading.Refused(listOf("The robot $first is the first one: its programs are named without --robot."))
+    if (first in given) return Loading.Refused(listOf(messages.firstRobotNamed(first)))
     given[first] = own
     val result = runBlocking { readRobotLoads(world, reader, given.mapValues { (_, programs) -> programs.map { it.source } }) }
     return when (result) {

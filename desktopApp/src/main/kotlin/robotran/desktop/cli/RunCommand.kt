@@ -52,6 +52,7 @@ internal class RunCommand(
     private val explain by option("--explain", help = "says what has made the robots stray").flag()
     private val memory by option("--memory", metavar = "FILE|-", help = "writes what is in the brick's memory at the end")
     private val options by RunOptions()
+    private val spoken by LanguageOption()
 
     override fun help(context: Context) = "Runs programs on the brick: powered on, the first of them, Run pressed."
 
@@ -61,7 +62,7 @@ internal class RunCommand(
         val request = RunRequest(
             programs, options.robots, options.java, world, WorldChanges(seed, options.realism), options.milliseconds, presses,
         )
-        throw ProgramResult(ProgramRunner(console).run(request, outputs).status)
+        throw ProgramResult(ProgramRunner(console.speaking(spoken.language)).run(request, outputs).status)
     }
 
     private companion object {

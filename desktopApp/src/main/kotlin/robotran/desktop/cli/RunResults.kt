@@ -1,6 +1,8 @@
 package robotran.desktop.cli
 
+import kotlin.math.roundToInt
 import robotran.desktop.files.writeFile
+import robotran.rom.BrickMessages
 import robotran.rom.RomLogFilter
 import robotran.rom.toCsv
 import robotran.rom.toLogText
@@ -10,29 +12,30 @@ import robotran.world.RunReport
 import robotran.world.RunStatus
 import robotran.world.Session
 import robotran.world.report
-import kotlin.math.roundToInt
 
 /** Writes what a finished run is to leave behind. */
 internal class RunResults(
     private val session: Session,
     private val console: Console,
 ) {
+    private val messages = console.messages
+
     /** Writes all that [outputs] ask for and says in a sentence how the run ended; the answer is what could not be written. */
     fun write(outputs: RunOutputs): List<String> {
         val report = session.report()
         val problems =
             listOfNotNull(
-                outputs.picture?.let { writeFile(it, sheetPng(session.world, session.state)) },
+                outputs.picture?.let { writeFile(it, sheetPng(session.world, session.state), messages) },
                 outputs.romLog?.let { writeText(it, romLogText(outputs)) },
                 outputs.report?.let { writeText(it, report.toJson() + "\n") },
                 outputs.brickReport?.let { writeText(it, brickReport(session) + "\n") },
                 outputs.memory?.let { writeText(it, memoryListing(session.memory())) },
             )
         report.error?.let { console.complain(it) }
-        session.remarks.forEach { console.complain(listOfNotNull(it.place, it.message).joinToString(": ")) }
+        session.remarks.forEach { console.complain(listOfNotNull(it.place(BrickMessages.of(console.language)), it.message).joinToString(": ")) }
         val forgotten = session.romLog.total - session.romLog.entries.size
         if (outputs.romLog != null && forgotten > 0) {
-            console.complain("The ROM log lacks the first $forgotten calls: it keeps only the newest.")
+            console.complain(messages.romLogLacks(forgotten))
         }
         if (outputs.explains) explain()
         if (CONSOLE !in listOf(outputs.romLog, outputs.report, outputs.brickReport, outputs.memory)) console.say(summary(report))
@@ -42,7 +45,7 @@ internal class RunResults(
     /** Says for each robot what has made it stray. */
     private fun explain() {
         val influences = session.explain()
-        if (influences.isEmpty()) console.say("Nothing has made the robot stray.")
+        if (influences.isEmpty()) console.say(messages.nothingStrayed())
         val several = session.world.robots.size > 1
         for ((robot, told) in influences.groupBy { it.robot }) {
             if (several) console.say("$robot:")
@@ -63,21 +66,21 @@ internal class RunResults(
             console.say(text.trimEnd('\n'))
             null
         } else {
-            writeFile(name, text.encodeToByteArray())
+            writeFile(name, text.encodeToByteArray(), messages)
         }
 
     /** The run in one sentence, for a person at the console. */
     private fun summary(report: RunReport): String {
-        val how =
+        val seconds = "${report.seconds}"
+        val outcome =
             when (report.status) {
-                RunStatus.ENDED -> "The program ended"
-                RunStatus.RUNNING -> "The time was up"
-                RunStatus.FAILED -> "The program failed"
+                RunStatus.ENDED -> messages.ended(seconds)
+                RunStatus.RUNNING -> messages.timeUp(seconds)
+                RunStatus.FAILED -> messages.failed(seconds)
             }
-        val place = with(report.pose) { "x $x cm, y $y cm, heading $heading degrees" }
-        val outcome = "$how after ${report.seconds} s. The robot is at $place; it drew ${report.inkCentimetres} cm."
+        val place = with(report.pose) { messages.robotIsAt("$x", "$y", "$heading", "${report.inkCentimetres}") }
         val explanation = session.state.brick.explanation.takeIf { report.status == RunStatus.ENDED }
-        val sentences = listOfNotNull(outcome, explanation).joinToString(" ")
+        val sentences = listOfNotNull(outcome, place, explanation).joinToString(" ")
         return (listOf(sentences) + goalLines(report.goals, "")).joinToString("\n")
     }
 
@@ -86,8 +89,8 @@ internal class RunResults(
         indentation: String,
     ): List<String> =
         goals.flatMap { goal ->
-            val done = if (goal.met) "met:" else "not met (${(goal.progress * 100).roundToInt()} %):"
-            listOf("$indentation$done ${goal.goal}") + goalLines(goal.parts, "$indentation  ")
+            val told = if (goal.met) messages.goalMet(goal.goal) else messages.goalNotMet(goal.goal, (goal.progress * 100).roundToInt())
+            listOf("$indentation$told") + goalLines(goal.parts, "$indentation  ")
         }
 
     private companion object {

@@ -6,13 +6,15 @@ import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.option
-import robotran.desktop.ExitCode
-import robotran.desktop.files.writeFile
-import robotran.robolang.translate.kitFiles
-import robotran.robolang.translate.translateRobolang
 import kotlin.io.path.Path
 import kotlin.io.path.name
+import robotran.desktop.ExitCode
+import robotran.desktop.files.writeFile
+import robotran.desktop.messages.CommandMessages
+import robotran.robolang.translate.kitFiles
+import robotran.robolang.translate.translateRobolang
 
 /** `robotran translate FILE..`: writes programs as Java for leJOS, or one as a kit with all that a real brick takes. */
 internal class TranslateCommand(
@@ -22,6 +24,9 @@ internal class TranslateCommand(
     private val output by option("-o", "--output", metavar = "FILE", help = "where the Java goes; to the console if not given")
     private val kit by option("--kit", metavar = "FILE", help = "writes a kit for the real brick (.zip)")
 
+    private val spoken by LanguageOption()
+    private val messages get() = CommandMessages.of(spoken.language)
+
     override fun help(context: Context) = "Writes programs as leJOS Java for a real robot."
 
     override fun run() {
@@ -30,7 +35,7 @@ internal class TranslateCommand(
     }
 
     private fun translate(program: String): ExitCode =
-        when (val file = readRobolangFile(program)) {
+        when (val file = readRobolangFile(program, spoken.language)) {
             is RobolangFile.Ready -> {
                 write(program, file)
             }
@@ -53,8 +58,8 @@ internal class TranslateCommand(
         val translation = translateRobolang(file.program)
         val problems =
             listOfNotNull(
-                output?.let { writeFile(it, translation.java.encodeToByteArray()) },
-                kit?.let { writeFile(it, zip(kitFiles(translation, Path(program).name, file.source))) },
+                output?.let { writeFile(it, translation.java.encodeToByteArray(), messages) },
+                kit?.let { writeFile(it, zip(kitFiles(translation, Path(program).name, file.source)), messages) },
             )
         problems.forEach(console::complain)
         if (output == null && kit == null) console.say(translation.java.trimEnd('\n'))

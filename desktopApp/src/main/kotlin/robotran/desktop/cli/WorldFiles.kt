@@ -24,7 +24,7 @@ internal fun readWorldFile(
     console: Console,
 ): World? {
     val text =
-        when (val file = readTextFile(name)) {
+        when (val file = readTextFile(name, console.messages)) {
             is TextFile.Read -> {
                 file.text
             }
@@ -34,7 +34,7 @@ internal fun readWorldFile(
                 return null
             }
         }
-    return when (val result = readWorld(text)) {
+    return when (val result = readWorld(text, console.language)) {
         is WorldFileResult.Loaded -> {
             result.world
         }

@@ -1,7 +1,5 @@
 package robotran.desktop.files
 
-import robotran.programs.ProgramSource
-import robotran.tinyvm.TinyVmLimits
 import java.nio.file.Path
 import kotlin.io.path.extension
 import kotlin.io.path.fileSize
@@ -12,38 +10,50 @@ import kotlin.io.path.name
 import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readBytes
 import kotlin.io.path.walk
+import robotran.desktop.messages.FileMessages
+import robotran.programs.ProgramSource
+import robotran.tinyvm.TinyVmLimits
 
 /** Reads the class files [names], and those of the classes inside these, which lie beside them. */
-internal fun readClassFiles(names: List<String>): ReadProgram =
-    reading(names.first(), ReadProgram::Refused) {
+internal fun readClassFiles(
+    names: List<String>,
+    messages: FileMessages,
+): ReadProgram =
+    reading(names.first(), messages, ReadProgram::Refused) {
         val paths = names.map(Path::of).flatMap { listOf(it) + innerClassesOf(it) }.distinct()
         val areNamesUnique = paths.distinctBy { it.name }.size == paths.size
-        compiled(nameOf(names.first()), paths) { if (areNamesUnique) it.name else it.toString() }
+        compiled(nameOf(names.first()), paths, messages) { if (areNamesUnique) it.name else it.toString() }
     }
 
 /** Reads all class files in the folder [name] and the folders in it. */
-internal fun readClassFolder(name: String): ReadProgram =
-    reading(name, ReadProgram::Refused) {
+internal fun readClassFolder(
+    name: String,
+    messages: FileMessages,
+): ReadProgram =
+    reading(name, messages, ReadProgram::Refused) {
         val folder = Path.of(name)
         val paths = folder.walk().filter { it.isRegularFile() && isClassFile(folder.relativize(it).toString()) }
-        compiled(nameOf(name), paths.take(TinyVmLimits.CLASSES + 1).sorted().toList()) { folder.relativize(it).toString() }
+        compiled(nameOf(name), paths.take(TinyVmLimits.CLASSES + 1).sorted().toList(), messages) { folder.relativize(it).toString() }
     }
 
 /** The program of the class files [files] by the names they go by. [mainClass] is the class to begin with, null for the first that can be. */
 internal fun programOf(
     name: String,
     files: Map<String, ByteArray>,
+    messages: FileMessages,
     mainClass: String? = null,
 ): ReadProgram =
     when {
-        files.isEmpty() -> ReadProgram.Refused("There is no class file in $name.")
-        files.size > TinyVmLimits.CLASSES -> ReadProgram.Refused("$name has too many classes: a brick takes ${TinyVmLimits.CLASSES}.")
+        files.isEmpty() -> ReadProgram.Refused(messages.noClassFile(name))
+        files.size > TinyVmLimits.CLASSES -> ReadProgram.Refused(messages.tooManyClasses(name, TinyVmLimits.CLASSES))
         else -> ReadProgram.Read(ProgramSource.ClassFiles(name, files, mainClass))
     }
 
 /** Says that the class file [file] is longer than any can be. */
-internal fun tooLarge(file: String): ReadProgram =
-    ReadProgram.Refused("$file is too large: a class file can have ${TinyVmLimits.CLASS_FILE_BYTES} bytes at most.")
+internal fun tooLarge(
+    file: String,
+    messages: FileMessages,
+): ReadProgram = ReadProgram.Refused(messages.classFileTooLarge(file, TinyVmLimits.CLASS_FILE_BYTES))
 
 /** Whether [file], a path within a folder or a jar, is a class of a program: not one for newer machines only, and no description of a module. */
 internal fun isClassFile(file: String): Boolean =
@@ -52,10 +62,11 @@ internal fun isClassFile(file: String): Boolean =
 private fun compiled(
     name: String,
     paths: List<Path>,
+    messages: FileMessages,
     nameOf: (Path) -> String,
 ): ReadProgram {
-    paths.firstOrNull { it.fileSize() > TinyVmLimits.CLASS_FILE_BYTES }?.let { return tooLarge(nameOf(it)) }
-    return programOf(name, paths.associate { nameOf(it) to it.readBytes() })
+    paths.firstOrNull { it.fileSize() > TinyVmLimits.CLASS_FILE_BYTES }?.let { return tooLarge(nameOf(it), messages) }
+    return programOf(name, paths.associate { nameOf(it) to it.readBytes() }, messages)
 }
 
 private fun innerClassesOf(classFile: Path): List<Path> {

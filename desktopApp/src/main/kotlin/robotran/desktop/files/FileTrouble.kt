@@ -6,25 +6,27 @@ import java.nio.file.AccessDeniedException
 import java.nio.file.InvalidPathException
 import java.nio.file.NoSuchFileException
 import java.util.zip.ZipException
+import robotran.desktop.messages.FileMessages
 
 /** What [work] makes of the file [name], or what [refuse] makes of a sentence about why it cannot be read. */
 internal fun <T> reading(
     name: String,
+    messages: FileMessages,
     refuse: (String) -> T,
     work: () -> T,
 ): T =
     try {
         work()
     } catch (_: NoSuchFileException) {
-        refuse("There is no file $name.")
+        refuse(messages.noFile(name))
     } catch (_: InvalidPathException) {
-        refuse("There is no file $name.")
+        refuse(messages.noFile(name))
     } catch (_: AccessDeniedException) {
-        refuse("$name could not be read: that is not allowed.")
+        refuse(messages.notAllowed(name))
     } catch (_: CharacterCodingException) {
-        refuse("$name is not a text in UTF-8.")
+        refuse(messages.notUtf8(name))
     } catch (_: ZipException) {
-        refuse("$name is no jar, or a damaged one.")
+        refuse(messages.notAJar(name))
     } catch (problem: IOException) {
-        refuse("$name could not be read: ${problem.message}")
+        refuse(messages.unreadable(name, problem.message.orEmpty()))
     }

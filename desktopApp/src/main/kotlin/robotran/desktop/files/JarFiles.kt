@@ -1,32 +1,36 @@
 package robotran.desktop.files
 
-import robotran.tinyvm.TinyVmLimits
 import java.io.InputStream
 import java.util.jar.Attributes
 import java.util.jar.JarFile
 import java.util.jar.Manifest
 import java.util.zip.ZipEntry
 import java.util.zip.ZipFile
+import robotran.desktop.messages.FileMessages
+import robotran.tinyvm.TinyVmLimits
 
 /** Reads all class files in the jar [name]; its manifest may say which to begin with. Never unpacks more than a program can have. */
-internal fun readJar(name: String): ReadProgram =
-    reading(name, ReadProgram::Refused) {
+internal fun readJar(
+    name: String,
+    messages: FileMessages,
+): ReadProgram =
+    reading(name, messages, ReadProgram::Refused) {
         ZipFile(name).use { jar ->
             val entries = jar.entries().asSequence().filter { !it.isDirectory && isClassFile(it.name) }
             val files = LinkedHashMap<String, ByteArray>()
             var bytes = 0
             for (entry in entries.take(TinyVmLimits.CLASSES + 1)) {
                 val content = jar.open(entry) { it.readNBytes(TinyVmLimits.CLASS_FILE_BYTES + 1) }
-                if (content.size > TinyVmLimits.CLASS_FILE_BYTES) return@reading tooLarge("$name: ${entry.name}")
+                if (content.size > TinyVmLimits.CLASS_FILE_BYTES) return@reading tooLarge("$name: ${entry.name}", messages)
                 bytes += content.size
                 if (bytes >
                     MOST_JAR_BYTES
                 ) {
-                    return@reading ReadProgram.Refused("$name is too large: unpacked it can have $MOST_JAR_BYTES bytes at most.")
+                    return@reading ReadProgram.Refused(messages.jarTooLarge(name, MOST_JAR_BYTES))
                 }
                 files[entry.name] = content
             }
-            programOf(nameOf(name), files, mainClassOf(jar))
+            programOf(nameOf(name), files, messages, mainClassOf(jar))
         }
     }
 

@@ -1,12 +1,14 @@
 package robotran.desktop.files
 
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
-import robotran.rom.Brick
 import java.nio.file.Path
 import kotlin.io.path.isDirectory
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
+import robotran.desktop.messages.EnglishCommandMessages
+import robotran.desktop.messages.FileMessages
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.rom.Brick
 
 /** The programs that files named by a person hold. */
 internal sealed interface ProgramFiles {
@@ -31,14 +33,17 @@ internal data class NamedProgram(
  * Reads the files [names]: each `.robo` file, `.jar` file and folder of `.class` files is a program, all `.java` files together are one, and
  * so are all `.class` files. A file that is named twice counts once.
  */
-internal fun readProgramFiles(names: List<String>): ProgramFiles {
+internal fun readProgramFiles(
+    names: List<String>,
+    messages: FileMessages = EnglishCommandMessages,
+): ProgramFiles {
     val groups = names.distinct().groupBy { name -> FILES_OF_ONE_PROGRAM.firstOrNull { name.endsWith(it) } ?: name }.values
     if (groups.size > Brick.MOST_PROGRAMS) {
-        return ProgramFiles.Refused("A brick takes ${Brick.MOST_PROGRAMS} programs at most, and these are ${groups.size}.")
+        return ProgramFiles.Refused(messages.tooManyPrograms(Brick.MOST_PROGRAMS, groups.size))
     }
     val programs =
         groups.map { files ->
-            when (val result = readProgram(files)) {
+            when (val result = readProgram(files, messages)) {
                 is ReadProgram.Read -> NamedProgram(files.first(), result.source)
                 is ReadProgram.Refused -> return ProgramFiles.Refused(result.reason)
             }
@@ -46,28 +51,37 @@ internal fun readProgramFiles(names: List<String>): ProgramFiles {
     return ProgramFiles.Read(programs)
 }
 
-private fun readProgram(names: List<String>): ReadProgram {
+private fun readProgram(
+    names: List<String>,
+    messages: FileMessages,
+): ReadProgram {
     val first = names.first()
     return when {
-        first.endsWith(ROBOLANG) -> readRobolang(first)
-        first.endsWith(JAVA) -> readJava(names)
-        first.endsWith(CLASS) -> readClassFiles(names)
-        first.endsWith(JAR) -> readJar(first)
-        isFolder(first) -> readClassFolder(first)
-        else -> ReadProgram.Refused("$first is no program: its name does not end in $ROBOLANG, $JAVA, $CLASS or $JAR, and it is no folder.")
+        first.endsWith(ROBOLANG) -> readRobolang(first, messages)
+        first.endsWith(JAVA) -> readJava(names, messages)
+        first.endsWith(CLASS) -> readClassFiles(names, messages)
+        first.endsWith(JAR) -> readJar(first, messages)
+        isFolder(first) -> readClassFolder(first, messages)
+        else -> ReadProgram.Refused(messages.notAProgram(first, listOf(ROBOLANG, JAVA, CLASS, JAR)))
     }
 }
 
-private fun readRobolang(name: String): ReadProgram =
-    when (val file = readTextFile(name)) {
+private fun readRobolang(
+    name: String,
+    messages: FileMessages,
+): ReadProgram =
+    when (val file = readTextFile(name, messages)) {
         is TextFile.Read -> ReadProgram.Read(ProgramSource.Robolang(nameOf(name), file.text))
         is TextFile.Refused -> ReadProgram.Refused(file.reason)
     }
 
-private fun readJava(names: List<String>): ReadProgram {
+private fun readJava(
+    names: List<String>,
+    messages: FileMessages,
+): ReadProgram {
     val files =
         names.map { name ->
-            when (val file = readTextFile(name)) {
+            when (val file = readTextFile(name, messages)) {
                 is TextFile.Read -> SourceFile(name, file.text)
                 is TextFile.Refused -> return ReadProgram.Refused(file.reason)
             }

@@ -9,6 +9,8 @@ import kotlin.io.path.fileSize
 import kotlin.io.path.isDirectory
 import kotlin.io.path.readBytes
 import kotlin.io.path.writeBytes
+import robotran.desktop.messages.EnglishCommandMessages
+import robotran.desktop.messages.FileMessages
 
 /** What came of reading a text file. */
 internal sealed interface TextFile {
@@ -19,12 +21,15 @@ internal sealed interface TextFile {
 }
 
 /** Reads the UTF-8 file [name]; never more than [LARGEST_TEXT_BYTES] of it. */
-internal fun readTextFile(name: String): TextFile =
-    reading(name, TextFile::Refused) {
+internal fun readTextFile(
+    name: String,
+    messages: FileMessages = EnglishCommandMessages,
+): TextFile =
+    reading(name, messages, TextFile::Refused) {
         val path = Path.of(name)
         when {
-            path.isDirectory() -> TextFile.Refused("$name is a folder, not a file.")
-            path.fileSize() > LARGEST_TEXT_BYTES -> TextFile.Refused("$name is too large: it can have $LARGEST_TEXT_BYTES bytes at most.")
+            path.isDirectory() -> TextFile.Refused(messages.isFolder(name))
+            path.fileSize() > LARGEST_TEXT_BYTES -> TextFile.Refused(messages.fileTooLarge(name, LARGEST_TEXT_BYTES))
             else -> TextFile.Read(Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(path.readBytes())).toString())
         }
     }
@@ -33,14 +38,15 @@ internal fun readTextFile(name: String): TextFile =
 internal fun writeFile(
     name: String,
     bytes: ByteArray,
+    messages: FileMessages = EnglishCommandMessages,
 ): String? =
     try {
         Path.of(name).createParentDirectories().writeBytes(bytes)
         null
     } catch (_: InvalidPathException) {
-        "$name is not the name of a file."
+        messages.notAFileName(name)
     } catch (problem: IOException) {
-        "$name could not be written: ${problem.message}"
+        messages.unwritable(name, problem.message.orEmpty())
     }
 
 /** Far more than a program or a world may have; what they may have is checked by those who read them. */

@@ -1,5 +1,7 @@
 package robotran.java
 
+import robotran.language.quoted
+
 /** What is told in English about classes and methods as a whole. */
 internal object EnglishJavaClassMessages : JavaClassMessages {
     override fun wrongFileName(className: String) =

@@ -1,5 +1,7 @@
 package robotran.java
 
+import robotran.language.quoted
+
 /** What is told in English about programs that can be read but make no sense. */
 internal object EnglishJavaMeaningMessages : JavaMeaningMessages {
     override fun doesNotFit(given: String, needed: String) = "This is of type ${quoted(given)}, and ${quoted(needed)} is needed here."

@@ -8,6 +8,3 @@ object EnglishJavaMessages :
     JavaMeaningMessages by EnglishJavaMeaningMessages,
     JavaClassMessages by EnglishJavaClassMessages,
     BrickMessages by EnglishBrickMessages
-
-/** [text] between quotation marks, unless it has one itself. */
-internal fun quoted(text: String) = if ('"' in text) text else "\"$text\""

@@ -1,5 +1,7 @@
 package robotran.java
 
+import robotran.language.quoted
+
 /** What is told in English about names that nothing declares. */
 internal object EnglishJavaNameMessages : JavaNameMessages {
     override fun unknownClass(name: String) = "There is no class ${quoted(name)}."

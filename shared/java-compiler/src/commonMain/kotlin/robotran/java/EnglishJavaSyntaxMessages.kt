@@ -1,10 +1,12 @@
 package robotran.java
 
+import robotran.language.quoted
+
 /** What is told in English about sources that cannot be read. */
 internal object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
     override fun missingSemicolon() = "Put a \";\" at the end of this statement."
 
-    override fun missingBracket(bracket: String) = "There is a ${quoted(opening(bracket))} without its ${quoted(bracket)}."
+    override fun missingBracket(bracket: String) = "There is a ${quoted(openingOf(bracket))} without its ${quoted(bracket)}."
 
     override fun extraBracket(bracket: String) = "This ${quoted(bracket)} is one too many, or something before it is missing."
 
@@ -16,6 +18,8 @@ internal object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun somethingMissing(word: String) = "Something is missing after ${quoted(word)}."
 
+    override fun compilerSays(english: String) = english
+
     override fun unclosedText() = "This text has no closing quotation mark."
 
     override fun closeText() = "Put a quotation mark behind its last letter. A text cannot go on in the next line."
@@ -26,7 +30,7 @@ internal object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun noSuchWord(word: String) = "Java has no ${quoted(word)}. Leave it away."
 
-    override fun conditionInBrackets(word: String) = "What comes after ${quoted(word)} stands in brackets, as in: ${example(word)}"
+    override fun conditionInBrackets(word: String) = "What comes after ${quoted(word)} stands in brackets, as in: ${exampleOf(word)}"
 
     override fun semicolonsInFor() = "The three parts of a \"for\" have \";\" between them: for (int i = 0; i < 4; i++)"
 
@@ -67,15 +71,17 @@ internal object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
     override fun nestedTooDeeply() = "Too much is inside each other here. Use a method or a variable for a part."
 
     override fun compilerFailed() = "The compiler gave up on this program. Take away what you changed last, and try again."
+}
 
-    private fun opening(bracket: String) = when (bracket) {
-        ")" -> "("
-        "]" -> "["
-        else -> "{"
-    }
+/** The bracket that [bracket] closes. */
+internal fun openingOf(bracket: String) = when (bracket) {
+    ")" -> "("
+    "]" -> "["
+    else -> "{"
+}
 
-    private fun example(word: String) = when (word) {
-        "for" -> "for (int i = 0; i < 4; i++)"
-        else -> "$word (light < 40)"
-    }
+/** A condition behind [word], which is code in all languages. */
+internal fun exampleOf(word: String) = when (word) {
+    "for" -> "for (int i = 0; i < 4; i++)"
+    else -> "$word (light < 40)"
 }

@@ -1,15 +1,25 @@
 package robotran.java
 
+import robotran.language.Language
+
 /**
  * The table of everything the Java compiler says to a pupil, one function a message. Another language is another implementation.
- * Words of the program arrive as they were typed, already shortened. What no function is for is told in ECJ's own English.
+ * Words of the program arrive as they were typed, already shortened.
  */
 interface JavaMessages :
     JavaSyntaxMessages,
     JavaNameMessages,
     JavaMeaningMessages,
     JavaClassMessages,
-    BrickMessages
+    BrickMessages {
+    companion object {
+        fun of(language: Language): JavaMessages = when (language) {
+            Language.ENGLISH -> EnglishJavaMessages
+            Language.SPANISH -> SpanishJavaMessages
+            Language.GERMAN -> GermanJavaMessages
+        }
+    }
+}
 
 /** What is told about sources that cannot be read. */
 interface JavaSyntaxMessages {
@@ -28,6 +38,9 @@ interface JavaSyntaxMessages {
     fun notUnderstood(word: String): String
 
     fun somethingMissing(word: String): String
+
+    /** What no other message is for: [english] is the compiler's own sentence. */
+    fun compilerSays(english: String): String
 
     fun unclosedText(): String
 

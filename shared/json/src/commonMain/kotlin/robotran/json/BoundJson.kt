@@ -1,7 +1,9 @@
 package robotran.json
 
+import robotran.language.Language
+
 /** A file is not even to be taken apart. */
-internal class BoundExceeded(val sentence: String, val line: Int?) : Exception(sentence)
+internal class BoundExceeded(val sentence: (Language) -> String, val line: Int?) : Exception(sentence(Language.ENGLISH))
 
 /**
  * Refuses what is too long, nests too deep or has a text in quotes that goes beyond its line, which is nearly always a forgotten quote: the
@@ -9,7 +11,7 @@ internal class BoundExceeded(val sentence: String, val line: Int?) : Exception(s
  */
 internal fun boundJson(text: String) {
     if (text.length > JsonLimits.MAXIMUM_CHARACTERS) {
-        throw BoundExceeded("The file is too long: more than ${JsonLimits.MAXIMUM_CHARACTERS} characters.", null)
+        throw BoundExceeded(told { fileTooLong(JsonLimits.MAXIMUM_CHARACTERS) }, null)
     }
     var depth = 0
     var line = 1
@@ -17,7 +19,7 @@ internal fun boundJson(text: String) {
     var escaped = false
     for (character in text) {
         if (inString) {
-            if (character < ' ') throw BoundExceeded("Line $line has a text that is not closed with a quote.", line)
+            if (character < ' ') throw unclosedIn(line)
             inString = escaped || character != '"'
             escaped = !escaped && character == '\\'
         } else {
@@ -28,10 +30,14 @@ internal fun boundJson(text: String) {
                 '}', ']' -> depth--
             }
         }
-        if (depth > JsonLimits.MAXIMUM_DEPTH) throw BoundExceeded("Line $line opens too many brackets inside one another.", line)
+        if (depth > JsonLimits.MAXIMUM_DEPTH) throw tooDeepIn(line)
     }
-    if (inString) throw BoundExceeded("Line $line has a text that is not closed with a quote.", line)
+    if (inString) throw unclosedIn(line)
 }
+
+private fun unclosedIn(line: Int) = BoundExceeded(told { textNotClosed(line) }, line)
+
+private fun tooDeepIn(line: Int) = BoundExceeded(told { bracketsTooDeep(line) }, line)
 
 /** The line, from 1, that the character at [offset] is in. */
 internal fun lineAt(text: String, offset: Int): Int = 1 + (0..<minOf(offset, text.length)).count { text[it] == '\n' }

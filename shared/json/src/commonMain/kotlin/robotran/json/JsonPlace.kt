@@ -5,6 +5,7 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import robotran.language.Language
 
 /**
  * A value in a JSON file that knows where it is. Whatever is not as it is asked for ends the reading with a [JsonRefusal] that names the
@@ -15,7 +16,7 @@ class JsonPlace(val element: JsonElement, val path: JsonPath) {
     private var restTaken = false
 
     fun member(name: String): JsonPlace =
-        optional(name) ?: throw JsonRefusal(path + JsonStep.Member(name), "is missing")
+        optional(name) ?: throw JsonRefusal(path + JsonStep.Member(name), told { missing() })
 
     /** The member [name], or null if this has none. */
     fun optional(name: String): JsonPlace? {
@@ -48,27 +49,27 @@ class JsonPlace(val element: JsonElement, val path: JsonPath) {
 
     /** The places of a list with so many values. */
     fun items(count: IntRange): List<JsonPlace> {
-        val items = element as? JsonArray ?: refuse("must be a list in square brackets")
-        if (items.size > count.last) refuse("has ${items.size} entries, but at most ${count.last} are allowed")
-        if (items.size < count.first) refuse("has ${entries(items.size)}, but at least ${count.first} must be there")
+        val items = element as? JsonArray ?: refuse(told { mustBeList() })
+        if (items.size > count.last) refuse(told { tooManyEntries(items.size, count.last) })
+        if (items.size < count.first) refuse(told { tooFewEntries(items.size, count.first) })
         return items.mapIndexed { number, item -> JsonPlace(item, path + JsonStep.Item(number)) }
     }
 
     /** A text of at most [maximum] characters in one line, all of them visible; not a blank one unless [mayBeEmpty]. */
     fun text(maximum: Int, mayBeEmpty: Boolean = false): String {
-        val text = textOrNull() ?: refuse("must be a text in quotes")
-        if (!mayBeEmpty && text.isBlank()) refuse("must not be empty")
-        if (text.length > maximum) refuse("must not have more than $maximum characters")
+        val text = textOrNull() ?: refuse(told { mustBeText() })
+        if (!mayBeEmpty && text.isBlank()) refuse(told { mustNotBeEmpty() })
+        if (text.length > maximum) refuse(told { tooManyCharacters(maximum) })
         val isOrdinary = text.none { it.isISOControl() } && text.indices.none { isHalfCharacter(text, it) }
-        if (!isOrdinary) refuse("must be one line of ordinary characters")
+        if (!isOrdinary) refuse(told { mustBeOneOrdinaryLine() })
         return text
     }
 
     /** Any text at all of at most [maximum] characters, such as one of several lines. */
     fun longText(maximum: Int): String {
-        val text = textOrNull() ?: refuse("must be a text in quotes")
-        if (text.length > maximum) refuse("must not have more than $maximum characters")
-        if (text.indices.any { isHalfCharacter(text, it) }) refuse("must have ordinary characters only")
+        val text = textOrNull() ?: refuse(told { mustBeText() })
+        if (text.length > maximum) refuse(told { tooManyCharacters(maximum) })
+        if (text.indices.any { isHalfCharacter(text, it) }) refuse(told { mustBeOrdinary() })
         return text
     }
 
@@ -76,23 +77,23 @@ class JsonPlace(val element: JsonElement, val path: JsonPath) {
     fun textOrNull(): String? = (element as? JsonPrimitive)?.takeIf { it.isString }?.content
 
     fun number(range: ClosedRange<Double>): Double {
-        val number = numberOrNull() ?: refuse("must be a number")
-        if (number !in range) refuse("must be from ${writeDecimal(range.start)} to ${writeDecimal(range.endInclusive)}")
+        val number = numberOrNull() ?: refuse(told { mustBeNumber() })
+        if (number !in range) refuse(told { mustBeFrom(writeDecimal(range.start), writeDecimal(range.endInclusive)) })
         return number
     }
 
     fun wholeNumber(range: IntRange): Int {
-        val number = numberOrNull() ?: refuse("must be a number")
+        val number = numberOrNull() ?: refuse(told { mustBeNumber() })
         val isWhole = number == number.toInt().toDouble()
-        if (!isWhole || number.toInt() !in range) refuse("must be a whole number from ${range.first} to ${range.last}")
+        if (!isWhole || number.toInt() !in range) refuse(told { mustBeWholeFrom(range.first.toLong(), range.last.toLong()) })
         return number.toInt()
     }
 
     /** The same beyond what an `Int` holds. */
     fun longNumber(range: LongRange): Long {
-        val number = numberOrNull() ?: refuse("must be a number")
+        val number = numberOrNull() ?: refuse(told { mustBeNumber() })
         if (number != number.toLong().toDouble() || number.toLong() !in range) {
-            refuse("must be a whole number from ${range.first} to ${range.last}")
+            refuse(told { mustBeWholeFrom(range.first, range.last) })
         }
         return number.toLong()
     }
@@ -100,14 +101,14 @@ class JsonPlace(val element: JsonElement, val path: JsonPath) {
     fun flag(): Boolean = when ((element as? JsonPrimitive)?.takeIf { !it.isString }?.content) {
         "true" -> true
         "false" -> false
-        else -> refuse("must be true or false")
+        else -> refuse(told { mustBeTrueOrFalse() })
     }
 
     /** What one of a few words stands for. */
-    fun <T> choice(words: Map<String, T>): T = words[textOrNull()] ?: refuse("must be ${alternatives(words.keys)}")
+    fun <T> choice(words: Map<String, T>): T = words[textOrNull()] ?: refuse(told { mustBeOneOf(words.keys) })
 
-    /** Ends the reading; [reason] is read behind the path: `must be a number`. */
-    fun refuse(reason: String): Nothing = throw JsonRefusal(path, reason)
+    /** Ends the reading; [reason], in any language, is read behind the path: `must be a number`. */
+    fun refuse(reason: (Language) -> String): Nothing = throw JsonRefusal(path, reason)
 
     /** Refuses what the parser lets pass: words without quotes that are neither a number nor `true`, `false` or `null`. */
     internal fun checkLiterals() {
@@ -120,7 +121,7 @@ class JsonPlace(val element: JsonElement, val path: JsonPath) {
                 if (hasLiterals(value)) JsonPlace(value, path + JsonStep.Item(number)).checkLiterals()
             }
 
-            is JsonPrimitive -> if (hasLiterals(element)) refuse("must be a number, a text in quotes, true, false or null")
+            is JsonPrimitive -> if (hasLiterals(element)) refuse(told { mustBeKnownWord() })
         }
     }
 
@@ -130,16 +131,8 @@ class JsonPlace(val element: JsonElement, val path: JsonPath) {
         else -> true
     }
 
-    private val members: JsonObject get() = element as? JsonObject ?: refuse("must be an object in braces")
+    private val members: JsonObject get() = element as? JsonObject ?: refuse(told { mustBeObject() })
 
     private fun numberOrNull(): Double? =
         (element as? JsonPrimitive)?.takeIf { it !is JsonNull && !it.isString }?.let { readDecimal(it.content) }
-
-    private fun entries(count: Int) = if (count == 1) "1 entry" else "$count entries"
-}
-
-/** Such as `"down" or "forward"`. */
-fun alternatives(words: Collection<String>): String {
-    val quoted = words.map { "\"$it\"" }
-    return if (quoted.size < 2) quoted.joinToString() else quoted.dropLast(1).joinToString() + " or " + quoted.last()
 }

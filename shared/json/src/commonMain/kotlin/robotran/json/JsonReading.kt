@@ -2,6 +2,7 @@ package robotran.json
 
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
+import robotran.language.Language
 
 /** What came of reading a JSON file. */
 sealed interface JsonReading<out T> {
@@ -20,8 +21,10 @@ sealed interface JsonReading<out T> {
 /**
  * Reads a JSON file with [read], which takes what it wants from the whole file and refuses the rest with a [JsonRefusal]. Whatever the text is,
  * this ends quickly: its length and the depth of its brackets are bounded before it is taken apart.
+ *
+ * @param language what a refusal is told in.
  */
-fun <T> readJson(text: String, read: (JsonPlace) -> T): JsonReading<T> {
+fun <T> readJson(text: String, language: Language = Language.ENGLISH, read: (JsonPlace) -> T): JsonReading<T> {
     val json = text.removePrefix(BYTE_ORDER_MARK)
     return try {
         boundJson(json)
@@ -29,34 +32,34 @@ fun <T> readJson(text: String, read: (JsonPlace) -> T): JsonReading<T> {
         file.checkLiterals()
         JsonReading.Read(read(file))
     } catch (refusal: JsonRefusal) {
-        refusedBecause(refusal, json)
+        refusedBecause(refusal, json, language)
     } catch (mistake: SerializationException) {
         val line = lineAt(json, offsetOf(mistake) ?: json.length)
-        JsonReading.Refused("Line $line cannot be read: something is missing or out of place there.", line, "")
+        JsonReading.Refused(JsonMessages.of(language).notReadable(line), line, "")
     } catch (excess: BoundExceeded) {
-        JsonReading.Refused(excess.sentence, excess.line, "")
+        JsonReading.Refused(excess.sentence(language), excess.line, "")
     }
 }
 
 /** The same for a file as it lies on a disk: text in UTF-8, with or without a byte order mark. */
-fun <T> readJson(bytes: ByteArray, read: (JsonPlace) -> T): JsonReading<T> {
+fun <T> readJson(bytes: ByteArray, language: Language = Language.ENGLISH, read: (JsonPlace) -> T): JsonReading<T> {
     val text = if (bytes.size > JsonLimits.MAXIMUM_BYTES) {
-        return JsonReading.Refused("The file is too long: more than ${JsonLimits.MAXIMUM_CHARACTERS} characters.", null, "")
+        return JsonReading.Refused(JsonMessages.of(language).fileTooLong(JsonLimits.MAXIMUM_CHARACTERS), null, "")
     } else {
         try {
             bytes.decodeToString(throwOnInvalidSequence = true)
         } catch (_: CharacterCodingException) {
-            return JsonReading.Refused("The file is not a text in UTF-8; an editor can save it as one.", null, "")
+            return JsonReading.Refused(JsonMessages.of(language).notUtf8(), null, "")
         }
     }
-    return readJson(text, read)
+    return readJson(text, language, read)
 }
 
-private fun refusedBecause(refusal: JsonRefusal, text: String): JsonReading.Refused {
-    val path = refusal.path ?: return JsonReading.Refused(refusal.reason, null, "")
+private fun refusedBecause(refusal: JsonRefusal, text: String, language: Language): JsonReading.Refused {
+    val path = refusal.path ?: return JsonReading.Refused(refusal.reason(language), null, "")
     val line = lineOf(path, text)
-    val what = path.toString().ifEmpty { "the file" }
-    return JsonReading.Refused("Line $line: $what ${refusal.reason}.", line, path.toString())
+    val sentence = JsonMessages.of(language).refused(line, path.toString(), refusal.reason(language))
+    return JsonReading.Refused(sentence, line, path.toString())
 }
 
 /** The parser tells the place of a mistake only in its message, and not at all if the file ends too early. */

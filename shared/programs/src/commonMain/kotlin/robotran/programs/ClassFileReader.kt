@@ -2,16 +2,20 @@ package robotran.programs
 
 import robotran.robolang.SourceRange
 import robotran.tinyvm.Refusal
+import robotran.tinyvm.TinyVmMessages
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.linkTinyVm
 
 /** Links class files, from our own compiler or from another. */
-internal class ClassFileReader(private val settings: JavaSettings) {
+internal class ClassFileReader(
+    private val settings: JavaSettings,
+    private val messages: TinyVmMessages,
+) {
     fun read(source: ProgramSource.ClassFiles): ProgramResult = link(source.name, source.classFiles, source.mainClass) { it.sourceFile }
 
     /** @param fileOf the source that a refused class is in, null if that is not known. */
     fun link(name: String, classFiles: Map<String, ByteArray>, mainClass: String?, fileOf: (Refusal) -> String?): ProgramResult {
-        val result = linkTinyVm(name, classFiles, BrickLibrary.classFiles, mainClass, settings.mode, speed = settings.speed)
+        val result = linkTinyVm(name, classFiles, BrickLibrary.classFiles, mainClass, settings.mode, messages, settings.speed)
         return when (result) {
             is TinyVmResult.Ready -> ProgramResult.Ready(result.program)
             is TinyVmResult.Refused -> ProgramResult.Mistaken(listOf(mistakeOf(result.refusal, fileOf(result.refusal))))

@@ -1,8 +1,12 @@
 package robotran.programs
 
 import robotran.java.JavaCompiler
+import robotran.java.JavaMessages
 import robotran.java.loadJavaCompiler
+import robotran.language.Language
 import robotran.robolang.Calibration
+import robotran.robolang.RobolangMessages
+import robotran.tinyvm.TinyVmMessages
 
 /**
  * Makes what a brick can run of what a pupil has written, in either language. The compiler for Java is loaded when it is first needed, which takes
@@ -10,14 +14,21 @@ import robotran.robolang.Calibration
  *
  * @param calibration the figures of the robot that Robolang programs run on.
  * @param java how Java programs are to run.
+ * @property language what mistakes are told in, and what programs tell while they run.
  */
 class ProgramReader(
-    calibration: Calibration,
-    java: JavaSettings = JavaSettings(),
+    private val calibration: Calibration,
+    private val java: JavaSettings = JavaSettings(),
+    val language: Language = Language.ENGLISH,
 ) {
-    private val robolang = RobolangReader(calibration)
-    private val classFiles = ClassFileReader(java)
+    private val robolang = RobolangReader(calibration, RobolangMessages.of(language))
+    private val classFiles = ClassFileReader(java, TinyVmMessages.of(language))
     private var compiler: JavaCompiler? = null
+
+    /** A reader like this that tells everything in [language], with the compiler for Java if this one has loaded it. */
+    fun telling(language: Language): ProgramReader = ProgramReader(calibration, java, language).also {
+        it.compiler = compiler?.telling(JavaMessages.of(language))
+    }
 
     /**
      * Loads what reading [source] takes.
@@ -26,7 +37,7 @@ class ProgramReader(
      * platform to platform.
      */
     suspend fun prepareFor(source: ProgramSource) {
-        if (source is ProgramSource.Java && compiler == null) compiler = loadJavaCompiler()
+        if (source is ProgramSource.Java && compiler == null) compiler = loadJavaCompiler(JavaMessages.of(language))
     }
 
     /** Reads [source], whatever it holds, which it must be ready for. Not to be used from two threads at once. */

@@ -2,13 +2,17 @@ package robotran.programs
 
 import robotran.robolang.Calibration
 import robotran.robolang.Diagnostic
+import robotran.robolang.RobolangMessages
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 
 /** Reads programs in Robolang. */
-internal class RobolangReader(private val calibration: Calibration) {
+internal class RobolangReader(
+    private val calibration: Calibration,
+    private val messages: RobolangMessages,
+) {
     fun read(source: ProgramSource.Robolang): ProgramResult =
-        when (val result = readRobolang(source.name, source.text, calibration)) {
+        when (val result = readRobolang(source.name, source.text, calibration, messages)) {
             is RobolangResult.Ready -> ProgramResult.Ready(result.program, result.warnings.map { mistakeOf(source.name, it) })
             is RobolangResult.Mistaken -> ProgramResult.Mistaken(result.diagnostics.map { mistakeOf(source.name, it) })
         }

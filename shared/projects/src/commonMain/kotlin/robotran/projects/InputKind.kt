@@ -6,6 +6,7 @@ internal object InputKind {
     const val RELEASE = "release"
     const val STOP = "stop"
     const val PLACE_ROBOT = "placeRobot"
+    const val PLACE_BLOCK = "placeBlock"
     const val MOVE_LAMP = "moveLamp"
     const val SWITCH_LAMP = "switchLamp"
     const val LIGHT = "light"
@@ -22,6 +23,7 @@ internal object InputKind {
         RELEASE to setOf("button", "robot"),
         STOP to emptySet(),
         PLACE_ROBOT to setOf("robot", "x", "y", "heading"),
+        PLACE_BLOCK to setOf("block", "x", "y", "heading"),
         MOVE_LAMP to setOf("lamp", "x", "y"),
         SWITCH_LAMP to setOf("lamp", "on"),
         LIGHT to setOf("light"),

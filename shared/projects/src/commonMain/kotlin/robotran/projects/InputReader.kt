@@ -1,7 +1,7 @@
 package robotran.projects
 
+import robotran.json.JsonMessages
 import robotran.json.JsonPlace
-import robotran.json.alternatives
 import robotran.world.Point
 import robotran.world.Pose
 import robotran.world.RecordedInput
@@ -14,7 +14,7 @@ internal class InputReader(private val world: World) {
         val places = place.items(0..ProjectLimits.MAXIMUM_INPUTS)
         val inputs = places.map { RecordedInput(it.member("at").longNumber(0..ProjectLimits.MAXIMUM_MILLISECONDS), inputIn(it)) }
         inputs.indices.drop(1).firstOrNull { inputs[it].milliseconds < inputs[it - 1].milliseconds }?.let {
-            places[it].member("at").refuse("must not be before the input above it")
+            places[it].member("at").refuse(told { beforeInputAbove() })
         }
         return inputs
     }
@@ -22,13 +22,14 @@ internal class InputReader(private val world: World) {
     private fun inputIn(place: JsonPlace): SessionInput {
         // An input is what was done, and nothing can be added to that.
         val kind = place.member("kind").textOrNull()
-        val fields = InputKind.FIELDS[kind] ?: place.member("kind").refuse("must be ${alternatives(InputKind.FIELDS.keys)}")
-        (place.names - fields - InputKind.COMMON).firstOrNull()?.let { place.refuse("must not have \"$it\"") }
+        val fields = InputKind.FIELDS[kind] ?: place.member("kind").refuse { JsonMessages.of(it).mustBeOneOf(InputKind.FIELDS.keys) }
+        (place.names - fields - InputKind.COMMON).firstOrNull()?.let { field -> place.refuse(told { mustNotHave(field) }) }
         return when (kind) {
             InputKind.PRESS -> SessionInput.Press(place.member("button").choice(BUTTONS), robot(place))
             InputKind.RELEASE -> SessionInput.Release(place.member("button").choice(BUTTONS), robot(place))
             InputKind.STOP -> SessionInput.Stop
             InputKind.PLACE_ROBOT -> SessionInput.PlaceRobot(robot(place), pose(place))
+            InputKind.PLACE_BLOCK -> SessionInput.PlaceBlock(block(place), pose(place))
             InputKind.MOVE_LAMP -> SessionInput.MoveLamp(lamp(place), Point(number(place, "x"), number(place, "y")))
             InputKind.SWITCH_LAMP -> SessionInput.SwitchLamp(lamp(place), place.member("on").flag())
             InputKind.LIGHT -> SessionInput.ChangeAmbientLight(number(place, "light"))
@@ -40,14 +41,20 @@ internal class InputReader(private val world: World) {
     private fun robot(place: JsonPlace): Int {
         val name = place.optional("robot") ?: return 0
         val number = world.robots.indexOfFirst { it.name == name.textOrNull() }
-        if (number < 0) name.refuse("must be the name of a robot of the world")
+        if (number < 0) name.refuse(told { mustNameRobotOfWorld() })
         return number
     }
 
     private fun lamp(place: JsonPlace): Int {
         val lamp = place.member("lamp")
-        if (world.lamps.isEmpty()) lamp.refuse("cannot be, since the world has no lamp")
+        if (world.lamps.isEmpty()) lamp.refuse(told { noLamp() })
         return lamp.wholeNumber(1..world.lamps.size) - 1
+    }
+
+    private fun block(place: JsonPlace): Int {
+        val block = place.member("block")
+        if (world.blocks.isEmpty()) block.refuse(told { noBlock() })
+        return block.wholeNumber(1..world.blocks.size) - 1
     }
 
     private fun pose(place: JsonPlace) = Pose(number(place, "x"), number(place, "y"), number(place, "heading"))

@@ -3,6 +3,7 @@ package robotran.projects
 import kotlinx.serialization.json.JsonElement
 import robotran.json.JsonLimits
 import robotran.json.writeCompactJson
+import robotran.language.Language
 import robotran.world.World
 import robotran.world.WorldFileResult
 import robotran.world.file.elementOf
@@ -31,52 +32,55 @@ sealed interface LinkResult {
 /**
  * The link to [world]: its file, deflated, in letters that every program takes for part of an address. Nothing of it is ever sent to a server, since a
  * browser keeps to itself what is behind the `#`.
+ *
+ * @param language what is told in if it is too long.
  */
-suspend fun linkOf(world: World): LinkMaking = linkOf(LinkKind.WORLD, elementOf(world))
+suspend fun linkOf(world: World, language: Language = Language.ENGLISH): LinkMaking =
+    linkOf(LinkKind.WORLD, elementOf(world), ProjectMessages.of(language)::worldTooLong)
 
 /** The same for [project]. */
-suspend fun linkOf(project: Project): LinkMaking = linkOf(LinkKind.PROJECT, elementOf(project))
+suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): LinkMaking =
+    linkOf(LinkKind.PROJECT, elementOf(project), ProjectMessages.of(language)::projectTooLong)
 
 /**
  * Opens a link that [linkOf] has made.
  *
  * @param link a whole address with a fragment, or the fragment alone, with blanks around it or none. Whatever it is, this ends quickly and with a
  * result.
+ * @param language what a refusal is told in.
  */
-suspend fun openLink(link: String): LinkResult {
+suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkResult {
+    val messages = ProjectMessages.of(language)
     val fragment = link.trim().substringAfter('#')
     val kind = LinkKind.entries.firstOrNull { fragment.startsWith(it.start) }
-        ?: return LinkResult.Refused("This is not a link to a world or a project of Robotran.")
+        ?: return LinkResult.Refused(messages.notALink())
     if (link.length > ProjectLimits.MAXIMUM_LINK_CHARACTERS) {
-        return LinkResult.Refused("The link is too long: more than ${ProjectLimits.MAXIMUM_LINK_CHARACTERS} characters.")
+        return LinkResult.Refused(messages.linkTooLong(ProjectLimits.MAXIMUM_LINK_CHARACTERS))
     }
     val data = fragment.removePrefix(kind.start)
     if (data.isNotEmpty() && !data.startsWith(SCHEME) &&
         data[0] in 'b'..'z'
     ) {
-        return LinkResult.Refused("This link was made by a newer Robotran.")
+        return LinkResult.Refused(messages.newerLink())
     }
     val bytes = if (data.startsWith(SCHEME)) unpack(data.removePrefix(SCHEME)) else null
     return when {
-        bytes == null -> LinkResult.Refused("The link is broken or not whole; perhaps a part of it was lost when it was copied.")
-        kind == LinkKind.WORLD -> resultOf(readWorld(bytes))
-        else -> resultOf(readProject(bytes))
+        bytes == null -> LinkResult.Refused(messages.linkBroken())
+        kind == LinkKind.WORLD -> resultOf(readWorld(bytes, language), messages)
+        else -> resultOf(readProject(bytes, language), messages)
     }
 }
 
 /** Whether [text] looks like a link of Robotran's, or a part of one, and not like the name of a file. */
 fun isLink(text: String): Boolean = LinkKind.entries.any { "#${it.start}" in text }
 
-private enum class LinkKind(val start: String, val word: String) { WORLD("w=", "world"), PROJECT("p=", "project") }
+private enum class LinkKind(val start: String) { WORLD("w="), PROJECT("p=") }
 
-private suspend fun linkOf(kind: LinkKind, element: JsonElement): LinkMaking {
+private suspend fun linkOf(kind: LinkKind, element: JsonElement, tooLong: (Int, Int) -> String): LinkMaking {
     val bytes = writeCompactJson(element).encodeToByteArray()
     val fragment = "#${kind.start}$SCHEME${LETTERS.encode(deflate(bytes))}"
     if (fragment.length <= ProjectLimits.MAXIMUM_LINK_CHARACTERS) return LinkMaking.Made(fragment)
-    return LinkMaking.TooLong(
-        "This ${kind.word} is too long for a link: it would take ${fragment.length} characters, " +
-            "and ${ProjectLimits.MAXIMUM_LINK_CHARACTERS} are the most. Share its file instead.",
-    )
+    return LinkMaking.TooLong(tooLong(fragment.length, ProjectLimits.MAXIMUM_LINK_CHARACTERS))
 }
 
 private suspend fun unpack(data: String): ByteArray? {
@@ -88,14 +92,14 @@ private suspend fun unpack(data: String): ByteArray? {
     return inflate(compressed, JsonLimits.MAXIMUM_BYTES)
 }
 
-private fun resultOf(result: WorldFileResult): LinkResult = when (result) {
+private fun resultOf(result: WorldFileResult, messages: LinkMessages): LinkResult = when (result) {
     is WorldFileResult.Loaded -> LinkResult.OfWorld(result.world)
-    is WorldFileResult.Refused -> LinkResult.Refused("What the link holds cannot be used. ${result.message}")
+    is WorldFileResult.Refused -> LinkResult.Refused(messages.linkUnusable(result.message))
 }
 
-private fun resultOf(result: ProjectFileResult): LinkResult = when (result) {
+private fun resultOf(result: ProjectFileResult, messages: LinkMessages): LinkResult = when (result) {
     is ProjectFileResult.Loaded -> LinkResult.OfProject(result.project)
-    is ProjectFileResult.Refused -> LinkResult.Refused("What the link holds cannot be used. ${result.message}")
+    is ProjectFileResult.Refused -> LinkResult.Refused(messages.linkUnusable(result.message))
 }
 
 /** Says how a link is packed: the file's shortest JSON, raw deflate, Base64 with `-` and `_` and without `=`. Another way will have another letter. */

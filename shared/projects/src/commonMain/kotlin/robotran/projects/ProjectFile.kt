@@ -3,6 +3,7 @@ package robotran.projects
 import robotran.json.JsonReading
 import robotran.json.readJson
 import robotran.json.writeJson
+import robotran.language.Language
 import robotran.world.file.TALL_LISTS
 
 /** What came of reading a project file. */
@@ -19,11 +20,17 @@ sealed interface ProjectFileResult {
     data class Refused(val message: String, val line: Int? = null, val path: String = "") : ProjectFileResult
 }
 
-/** Reads a project file, `.robotran`; `docs/worlds.md` describes the format. Whatever the text is, this ends quickly and with a result. */
-fun readProject(text: String): ProjectFileResult = resultOf(readJson(text, ::projectIn))
+/**
+ * Reads a project file, `.robotran`; `docs/worlds.md` describes the format. Whatever the text is, this ends quickly and with a result.
+ *
+ * @param language what a refusal is told in.
+ */
+fun readProject(text: String, language: Language = Language.ENGLISH): ProjectFileResult =
+    resultOf(readJson(text, language, ::projectIn))
 
 /** The same for a file as it lies on a disk: in UTF-8, with or without a byte order mark. */
-fun readProject(bytes: ByteArray): ProjectFileResult = resultOf(readJson(bytes, ::projectIn))
+fun readProject(bytes: ByteArray, language: Language = Language.ENGLISH): ProjectFileResult =
+    resultOf(readJson(bytes, language, ::projectIn))
 
 /**
  * [project] as a file, for people to read and to merge. [readProject] makes the same project of it, if all its numbers have no more than fifteen

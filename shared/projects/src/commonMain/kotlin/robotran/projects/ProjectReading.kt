@@ -1,5 +1,6 @@
 package robotran.projects
 
+import robotran.json.JsonMessages
 import robotran.json.JsonPlace
 import robotran.json.JsonRefusal
 import robotran.programs.JavaSettings
@@ -17,14 +18,11 @@ import robotran.world.file.worldIn
  */
 internal fun projectIn(file: JsonPlace): Project {
     if (file.optional("format")?.textOrNull() != PROJECT_FORMAT) {
-        throw JsonRefusal(null, "This is not a Robotran project: a project file says \"format\": \"$PROJECT_FORMAT\".")
+        throw JsonRefusal(null, told { notAProject(PROJECT_FORMAT) })
     }
     val version = file.member("version").wholeNumber(1..Int.MAX_VALUE)
     if (version > PROJECT_VERSION) {
-        throw JsonRefusal(
-            null,
-            "This project was made by a newer Robotran (it has version $version, this Robotran reads up to $PROJECT_VERSION).",
-        )
+        throw JsonRefusal(null, told { newerProject(version, PROJECT_VERSION) })
     }
     val world = worldIn(file.member("world"))
     return Project(
@@ -40,14 +38,14 @@ private fun robotsIn(file: JsonPlace, world: World): List<ProjectRobot> {
     val places = file.optional("robots")?.items(0..world.robots.size).orEmpty()
     val robots = places.map { robotIn(it, world) }
     robots.indices.firstOrNull { number -> robots.take(number).any { it.name == robots[number].name } }?.let {
-        places[it].refuse("is about \"${robots[it].name}\", and one before is so already")
+        places[it].refuse(told { robotTwice(robots[it].name) })
     }
     return robots
 }
 
 private fun robotIn(place: JsonPlace, world: World): ProjectRobot {
     val name = place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
-    if (world.robots.none { it.name == name }) place.member("name").refuse("must be the name of a robot of the world")
+    if (world.robots.none { it.name == name }) place.member("name").refuse(told { mustNameRobotOfWorld() })
     val programs = place.optional("programs")?.items(0..Brick.MOST_PROGRAMS).orEmpty().map(::programIn)
     val first = place.optional("firstProgram")?.wholeNumber(1..maxOf(1, programs.size)) ?: 1
     val facing = place.optional("lightSensor")?.choice(FACINGS)
@@ -66,14 +64,14 @@ private fun programIn(place: JsonPlace): ProjectProgram {
 
 private fun fileIn(place: JsonPlace): SourceFile {
     // There is nowhere to keep anything else of a file.
-    (place.names - FILE_FIELDS).firstOrNull()?.let { place.refuse("must not have \"$it\"") }
+    (place.names - FILE_FIELDS).firstOrNull()?.let { field -> place.refuse(told { mustNotHave(field) }) }
     return SourceFile(place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS), textIn(place.member(TEXT)))
 }
 
 /** Its lines as they are, whatever they hold and however they end. */
 private fun textIn(place: JsonPlace): String = place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
-    val text = line.textOrNull() ?: line.refuse("must be a text in quotes")
-    if ('\n' in text) line.refuse("must be one line")
+    val text = line.textOrNull() ?: line.refuse { JsonMessages.of(it).mustBeText() }
+    if ('\n' in text) line.refuse(told { mustBeOneLine() })
     text
 }
 

@@ -8,6 +8,7 @@ import robotran.json.jsonObject
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
 import robotran.rom.BrickButton
+import robotran.world.Pose
 import robotran.world.RecordedInput
 import robotran.world.SessionInput
 import robotran.world.World
@@ -64,6 +65,7 @@ private fun isPossible(input: SessionInput, world: World): Boolean = when (input
     is SessionInput.Release -> input.robot in world.robots.indices
     is SessionInput.PlaceRobot -> input.robot in world.robots.indices
     is SessionInput.TouchSensor -> input.robot in world.robots.indices && input.port in 0..<InputKind.PORTS
+    is SessionInput.PlaceBlock -> input.block in world.blocks.indices
     is SessionInput.MoveLamp -> input.lamp in world.lamps.indices
     is SessionInput.SwitchLamp -> input.lamp in world.lamps.indices
     is SessionInput.Stop, is SessionInput.ChangeAmbientLight, is SessionInput.ChangeTemperature -> true
@@ -72,6 +74,12 @@ private fun isPossible(input: SessionInput, world: World): Boolean = when (input
 /** An input as project files tell it; one of something that [world] does not have cannot be told. */
 fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
     fun robot(number: Int) = text("robot", world.robots[number].name, usual = world.robots.first().name)
+
+    fun pose(pose: Pose) {
+        number("x", pose.x)
+        number("y", pose.y)
+        number("heading", pose.heading)
+    }
 
     fun button(button: BrickButton) = text("button", BUTTONS.entries.single { it.value == button }.key)
 
@@ -96,9 +104,13 @@ fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
         is SessionInput.PlaceRobot -> {
             text("kind", InputKind.PLACE_ROBOT)
             robot(input.robot)
-            number("x", input.pose.x)
-            number("y", input.pose.y)
-            number("heading", input.pose.heading)
+            pose(input.pose)
+        }
+
+        is SessionInput.PlaceBlock -> {
+            text("kind", InputKind.PLACE_BLOCK)
+            number("block", input.block + 1)
+            pose(input.pose)
         }
 
         is SessionInput.MoveLamp -> {

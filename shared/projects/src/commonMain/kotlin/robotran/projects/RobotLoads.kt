@@ -4,8 +4,11 @@ import robotran.programs.Mistake
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
+import robotran.robolang.LightSensorFacing
+import robotran.robolang.RobolangProgram
 import robotran.rom.Brick
 import robotran.rom.RcxProgram
+import robotran.world.LightFacing
 import robotran.world.RobotLoad
 import robotran.world.RobotPlace
 import robotran.world.World
@@ -13,7 +16,7 @@ import robotran.world.World
 /** What came of reading the programs of all robots of a world. */
 sealed interface RobotLoads {
     /**
-     * @property loads one for each robot, in the world's order; without a turned light sensor, which is up to the pupil.
+     * @property loads one for each robot, in the world's order; with the light sensor turned as the first program's header says.
      * @property warnings what is doubtful in the programs that were given; in a world's own there is nothing a pupil could mend.
      */
     data class Ready(val loads: List<RobotLoad>, val warnings: List<Mistake>) : RobotLoads
@@ -35,7 +38,7 @@ sealed interface RobotLoads {
  * @throws Throwable as [ProgramReader.prepareFor] does.
  */
 suspend fun readRobotLoads(world: World, reader: ProgramReader, given: Map<String, List<ProgramSource>>): RobotLoads {
-    mistakeOfGiving(world, given)?.let { return it }
+    mistakeOfGiving(world, given, ProjectMessages.of(reader.language))?.let { return it }
     val loads = mutableListOf<RobotLoad>()
     val warnings = mutableListOf<Mistake>()
     for (robot in world.robots) {
@@ -44,7 +47,7 @@ suspend fun readRobotLoads(world: World, reader: ProgramReader, given: Map<Strin
         val mistakes = results.filterIsInstance<ProgramResult.Mistaken>().flatMap { it.mistakes }
         if (mistakes.isNotEmpty()) return RobotLoads.Mistaken(robot.name, mistakes)
         val ready = results.filterIsInstance<ProgramResult.Ready>()
-        loads += RobotLoad(ready.map<ProgramResult.Ready, RcxProgram?> { it.program })
+        loads += RobotLoad(ready.map<ProgramResult.Ready, RcxProgram?> { it.program }, lightFacing = ready.firstOrNull()?.let { lightFacingOf(it.program) })
         if (sources.isNotEmpty()) warnings += ready.flatMap { it.warnings }
     }
     return RobotLoads.Ready(loads, warnings)
@@ -58,26 +61,35 @@ suspend fun readRobotLoads(project: Project, reader: ProgramReader): RobotLoads 
         is RobotLoads.Ready -> result.copy(
             loads = project.world.robots.zip(result.loads) { place, load ->
                 val robot = project.robots.firstOrNull { it.name == place.name }
-                load.copy(firstSlot = robot?.firstProgram ?: 0, lightFacing = robot?.lightFacing)
+                val first = robot?.firstProgram ?: 0
+                val facing = robot?.lightFacing ?: load.programs.getOrNull(first)?.let(::lightFacingOf)
+                load.copy(firstSlot = first, lightFacing = facing)
             },
         )
     }
+
+/** Where [program] says that the light sensor of its robot looks; null if it says nothing, as a program in Java. */
+fun lightFacingOf(program: RcxProgram): LightFacing? = when ((program as? RobolangProgram)?.lightSensorFacing) {
+    LightSensorFacing.DOWN -> LightFacing.DOWN
+    LightSensorFacing.FORWARD -> LightFacing.FORWARD
+    null -> null
+}
 
 /** These programs for the pupil's own robot, to be given to [readRobotLoads]. */
 fun World.forFirstRobot(programs: List<ProgramSource>): Map<String, List<ProgramSource>> = mapOf(robots.first().name to programs)
 
 private fun ownProgram(robot: RobotPlace): ProgramSource? = robot.program?.let { ProgramSource.Robolang("${robot.name}.robo", it) }
 
-private fun mistakeOfGiving(world: World, given: Map<String, List<ProgramSource>>): RobotLoads.Mistaken? {
+private fun mistakeOfGiving(
+    world: World,
+    given: Map<String, List<ProgramSource>>,
+    messages: RobotMessages,
+): RobotLoads.Mistaken? {
     val names = world.robots.map { it.name }
     given.keys.firstOrNull { it !in names }?.let { name ->
-        val only = names.singleOrNull()
-        val known =
-            if (only != null) "There is only one, called $only." else "There are ${names.dropLast(1).joinToString()} and ${names.last()}."
-        return RobotLoads.Mistaken(name, listOf(Mistake("", null, "No robot in this world is called $name. $known")))
+        return RobotLoads.Mistaken(name, listOf(Mistake("", null, messages.unknownRobot(name, names))))
     }
     return given.entries.firstOrNull { it.value.size > Brick.MOST_PROGRAMS }?.let { (name, programs) ->
-        val message = "The robot $name has been given ${programs.size} programs, but a brick has room for ${Brick.MOST_PROGRAMS}."
-        RobotLoads.Mistaken(name, listOf(Mistake("", null, message)))
+        RobotLoads.Mistaken(name, listOf(Mistake("", null, messages.tooManyPrograms(name, programs.size, Brick.MOST_PROGRAMS))))
     }
 }

@@ -2,6 +2,8 @@ package robotran.projects
 
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.world.Pose
+import robotran.world.RecordedInput
 import robotran.world.SessionInput
 import kotlin.random.Random
 import kotlin.test.Test
@@ -45,7 +47,8 @@ class ProjectFileTest {
 
     @Test
     fun `what is done to something that is not there is left out`() {
-        val inputs = FULL_PROJECT.inputs.map { it.copy(input = SessionInput.SwitchLamp(2, true)) }
+        val inputs = FULL_PROJECT.inputs.map { it.copy(input = SessionInput.SwitchLamp(2, true)) } +
+            RecordedInput(6_000_000, SessionInput.PlaceBlock(2, Pose(0.0, 0.0, 0.0)))
         assertEquals(FULL_PROJECT.copy(inputs = emptyList()), loaded(writeProject(FULL_PROJECT.copy(inputs = inputs))))
     }
 
@@ -121,7 +124,8 @@ class ProjectFileTest {
             refusalWith("\"placeRobot\", \"robot\": \"bob\"", "\"placeRobot\", \"robot\": 1"),
         )
         assertEquals("inputs[4].lamp must be a whole number from 1 to 2.", refusalWith("\"lamp\": 2", "\"lamp\": 3"))
-        assertEquals("inputs[8].port must be a whole number from 1 to 3.", refusalWith("\"port\": 3", "\"port\": 4"))
+        assertEquals("inputs[8].block must be a whole number from 1 to 2.", refusalWith("\"block\": 2", "\"block\": 0"))
+        assertEquals("inputs[9].port must be a whole number from 1 to 3.", refusalWith("\"port\": 3", "\"port\": 4"))
         assertEquals("inputs[2] must not have \"x\".", refusalWith("\"stop\"", "\"stop\", \"x\": 1"))
         assertTrue(refusalWith("\"stop\"", "\"halt\"").startsWith("inputs[2].kind must be \"press\", \"release\""))
     }

@@ -5,6 +5,7 @@ import robotran.programs.SourceFile
 import robotran.rom.BrickButton
 import robotran.tinyvm.TinyVmMode
 import robotran.tinyvm.TinyVmSpeed
+import robotran.world.Block
 import robotran.world.BuiltInWorlds
 import robotran.world.Lamp
 import robotran.world.LightFacing
@@ -14,6 +15,7 @@ import robotran.world.RecordedInput
 import robotran.world.RobotColour
 import robotran.world.RobotPlace
 import robotran.world.SessionInput
+import robotran.world.Shape
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
@@ -21,6 +23,7 @@ import kotlin.test.assertTrue
 internal val FULL_PROJECT = Project(
     world = BuiltInWorlds.plain.copy(
         robots = listOf(RobotPlace(Pose(20.0, 20.0, 0.0), "ann"), RobotPlace(Pose(60.0, 20.0, 0.0), "bob", RobotColour.BLUE)),
+        blocks = listOf(Block(Shape.Circle(Point(50.0, 50.0), 3.0)), Block(Shape.Rectangle(Point(70.0, 50.0), 4.0, 6.0))),
         lamps = listOf(Lamp(Point(1.0, 2.0)), Lamp(Point(3.0, 4.0))),
     ),
     robots = listOf(
@@ -45,6 +48,7 @@ internal val FULL_PROJECT = Project(
         RecordedInput(40, SessionInput.SwitchLamp(0, false)),
         RecordedInput(50, SessionInput.ChangeAmbientLight(-0.5)),
         RecordedInput(60, SessionInput.ChangeTemperature(30.0)),
+        RecordedInput(70, SessionInput.PlaceBlock(1, Pose(80.25, 1.0, -30.0))),
         RecordedInput(5_000_000, SessionInput.TouchSensor(1, 2, true)),
     ),
 )

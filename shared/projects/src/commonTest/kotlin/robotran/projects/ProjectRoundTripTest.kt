@@ -73,11 +73,12 @@ class ProjectRoundTripTest {
         }
     }
 
-    private fun input(): SessionInput = when (random.nextInt(9)) {
+    private fun input(): SessionInput = when (random.nextInt(10)) {
         0 -> SessionInput.Press(BrickButton.entries.random(random), robot())
         1 -> SessionInput.Release(BrickButton.entries.random(random), robot())
         2 -> SessionInput.Stop
         3 -> SessionInput.PlaceRobot(robot(), Pose(far(), far(), far()))
+        8 -> SessionInput.PlaceBlock(block(), Pose(far(), far(), far()))
         4 -> SessionInput.MoveLamp(lamp(), Point(far(), far()))
         5 -> SessionInput.SwitchLamp(lamp(), random.nextBoolean())
         6 -> SessionInput.ChangeAmbientLight(far())
@@ -86,6 +87,8 @@ class ProjectRoundTripTest {
     }
 
     private fun robot() = random.nextInt(2)
+
+    private fun block() = random.nextInt(2)
 
     private fun lamp() = random.nextInt(2)
 

@@ -1,10 +1,20 @@
 package robotran.rom
 
+import robotran.language.Language
+
 /**
  * What is said of a brick, in some language: of its ROM calls in the log, which may be part of a sentence and has no full stop; and of
  * what its display cannot say.
  */
 interface BrickMessages {
+    /**
+     * Where in a program something happened, at the beginning of a sentence: `Line 7`.
+     *
+     * @param line from 1.
+     * @param file null if the program has only one.
+     */
+    fun place(line: Int, file: String?): String
+
     /** What it means that the display shows the numbers of [failure], and what to do; whole sentences. */
     fun failureShown(failure: ProgramFailure): String
 
@@ -57,6 +67,9 @@ interface BrickMessages {
 
     /** @param code one of those at [RomCode] that begin with `SEGMENT_`. */
     fun segment(code: Int, shown: Boolean): String
+
+    /** What is lit on the display, for somebody who cannot see it. */
+    fun icon(icon: LcdIcon): String
 
     /**
      * @param text the number with its sign and point.
@@ -113,4 +126,22 @@ interface BrickMessages {
 
     /** @param longest how many bytes a short message has at most. */
     fun wrongMessageLength(bytes: Int, longest: Int): String
+
+    companion object {
+        fun of(language: Language): BrickMessages = when (language) {
+            Language.ENGLISH -> EnglishBrickMessages
+            Language.SPANISH -> SpanishBrickMessages
+            Language.GERMAN -> GermanBrickMessages
+        }
+    }
 }
+
+/** As it is printed on the brick. */
+internal fun buttonName(button: BrickButton) = when (button) {
+    BrickButton.ON_OFF -> "On-Off"
+    BrickButton.VIEW -> "View"
+    BrickButton.PRGM -> "Prgm"
+    BrickButton.RUN -> "Run"
+}
+
+internal fun hexadecimal(value: Int) = RomCallText.hexadecimal(value)

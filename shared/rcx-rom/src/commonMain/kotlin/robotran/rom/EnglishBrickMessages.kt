@@ -2,13 +2,15 @@ package robotran.rom
 
 /** The messages in English. */
 object EnglishBrickMessages : BrickMessages {
+    override fun place(line: Int, file: String?) = if (file == null) "Line $line" else "$file, line $line"
+
     override fun failureShown(failure: ProgramFailure) =
         "The program cannot go on. ${placed(failure)} Press On-Off to go back to the start."
 
     override fun threadFailureShown(failure: ProgramFailure) =
         "A thread of the program cannot go on. ${placed(failure)} Press On-Off to let the others go on."
 
-    private fun placed(failure: ProgramFailure) = listOfNotNull(failure.place, failure.message).joinToString(": ")
+    private fun placed(failure: ProgramFailure) = listOfNotNull(failure.place(this), failure.message).joinToString(": ")
 
     override fun motorsBrakedAtEnd() = "The program has come to its end, so the brick stopped the motors, as a real one does. " +
         "To let the robot drive on, let the program go on, too: with a wait, or with a loop that never ends."
@@ -52,6 +54,8 @@ object EnglishBrickMessages : BrickMessages {
     override fun refreshDisplay() = "refresh the LCD"
 
     override fun segment(code: Int, shown: Boolean) = "LCD ${if (shown) "show" else "hide"} ${segmentName(code)}"
+
+    override fun icon(icon: LcdIcon) = icon.words
 
     override fun displayNumber(text: String, shortened: Int?, unknownPoint: Int?) = buildString {
         append("LCD number $text")
@@ -109,13 +113,6 @@ object EnglishBrickMessages : BrickMessages {
 
     override fun wrongMessageLength(bytes: Int, longest: Int) = "nothing is sent, a message has 1 to $longest bytes, not $bytes"
 
-    private fun buttonName(button: BrickButton) = when (button) {
-        BrickButton.ON_OFF -> "On-Off"
-        BrickButton.VIEW -> "View"
-        BrickButton.PRGM -> "Prgm"
-        BrickButton.RUN -> "Run"
-    }
-
     private fun segmentName(code: Int): String = when (code) {
         RomCode.SEGMENT_DATALOG -> "datalog circle"
         RomCode.SEGMENT_DOWNLOAD -> "download dots"
@@ -125,8 +122,6 @@ object EnglishBrickMessages : BrickMessages {
     }
 
     private fun bytes(count: Int) = if (count == 1) "1 byte" else "$count bytes"
-
-    private fun hexadecimal(value: Int) = RomCallText.hexadecimal(value)
 
     private val SYSTEM_SOUNDS = listOf("beep", "two beeps", "melody down", "melody up", "buzz", "fast melody up")
 }

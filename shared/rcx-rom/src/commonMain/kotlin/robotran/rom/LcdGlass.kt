@@ -51,8 +51,11 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
      * Everything there is to see, for somebody who cannot: the [text] and the names of the [iconsBesideText], such as
      * `9.0 0, standing man`; empty on a clear display.
      */
-    val description: String
-        get() = (listOf(text) + iconsBesideText.map { it.words }).filter { it.isNotEmpty() }.joinToString()
+    val description: String get() = describe(EnglishBrickMessages)
+
+    /** The same in another language. */
+    fun describe(messages: BrickMessages): String =
+        (listOf(text) + iconsBesideText.map(messages::icon)).filter { it.isNotEmpty() }.joinToString()
 
     /**
      * Whether a reader would say that the display shows [text], which a program has shown as a number or as a text: `42` also where leJOS

@@ -68,7 +68,7 @@ data class ProgramFailure(
     val sourceFile: String? = null,
 ) {
     /** Where it happened in words, such as `Line 7` or `Robot.java, line 7`; null if there is no line. */
-    val place: String? get() = placeText(sourceLine, sourceFile)
+    fun place(messages: BrickMessages = EnglishBrickMessages): String? = placeText(sourceLine, sourceFile, messages)
 }
 
 /**
@@ -80,11 +80,7 @@ data class ProgramFailure(
  */
 data class ProgramRemark(val message: String, val sourceLine: Int, val sourceFile: String? = null) {
     /** Where it happened in words, as [ProgramFailure.place]. */
-    val place: String? get() = placeText(sourceLine, sourceFile)
+    fun place(messages: BrickMessages = EnglishBrickMessages): String? = placeText(sourceLine, sourceFile, messages)
 }
 
-private fun placeText(line: Int, file: String?): String? = when {
-    line == 0 -> null
-    file == null -> "Line $line"
-    else -> "$file, line $line"
-}
+private fun placeText(line: Int, file: String?, messages: BrickMessages): String? = if (line == 0) null else messages.place(line, file)

@@ -1,5 +1,7 @@
 package robotran.robolang
 
+import robotran.language.quoted
+
 /** What is told in English about lines that make no sense. */
 internal object EnglishMeaningMessages : MeaningMessages {
     override fun countNotWhole(count: String) = "A block cannot be repeated $count times. Use a whole number."

@@ -1,5 +1,7 @@
 package robotran.robolang
 
+import robotran.language.quoted
+
 /** The messages in English. */
 object EnglishMessages :
     RobolangMessages,
@@ -7,9 +9,6 @@ object EnglishMessages :
     MeaningMessages by EnglishMeaningMessages,
     WarningMessages by EnglishWarningMessages,
     RunMessages by EnglishRunMessages
-
-/** [text] between quotation marks, unless it is or has one itself. */
-internal fun quoted(text: String) = if ('"' in text) text else "\"$text\""
 
 internal fun didYouMean(suggestion: String?) = if (suggestion == null) "" else " Did you mean ${quoted(suggestion)}?"
 

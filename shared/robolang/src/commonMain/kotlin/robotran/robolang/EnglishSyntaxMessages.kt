@@ -1,5 +1,7 @@
 package robotran.robolang
 
+import robotran.language.quoted
+
 /** What is told in English about lines that cannot be read. */
 internal object EnglishSyntaxMessages : SyntaxMessages {
     override fun unknownCommand(word: String, suggestion: String?) =

@@ -1,5 +1,7 @@
 package robotran.robolang
 
+import robotran.language.quoted
+
 /** What is told in English about what is probably not meant so. */
 internal object EnglishWarningMessages : WarningMessages {
     override fun unusedVariable(name: String) = "${quoted(name)} is never used."

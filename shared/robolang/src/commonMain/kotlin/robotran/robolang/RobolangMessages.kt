@@ -1,5 +1,7 @@
 package robotran.robolang
 
+import robotran.language.Language
+
 /**
  * The table of everything Robolang says to a learner, one function a message. Another language is another implementation.
  * Words of the program arrive as they were typed, already shortened.
@@ -8,4 +10,12 @@ interface RobolangMessages :
     SyntaxMessages,
     MeaningMessages,
     WarningMessages,
-    RunMessages
+    RunMessages {
+    companion object {
+        fun of(language: Language): RobolangMessages = when (language) {
+            Language.ENGLISH -> EnglishMessages
+            Language.SPANISH -> SpanishMessages
+            Language.GERMAN -> GermanMessages
+        }
+    }
+}

@@ -3,6 +3,7 @@ package robotran.robolang
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.run.RobolangRun
 import robotran.robolang.run.lower
+import robotran.robolang.syntax.Facing
 import robotran.rom.DebuggableRun
 import robotran.rom.RcxProgram
 import robotran.rom.Rom
@@ -15,6 +16,14 @@ class RobolangProgram internal constructor(
     private val messages: RunMessages,
 ) : RcxProgram {
     private val code by lazy(LazyThreadSafetyMode.PUBLICATION) { lower(checked, name) }
+
+    /** Where its header says that the light sensor looks; null if it says nothing. */
+    val lightSensorFacing: LightSensorFacing?
+        get() = when (checked.tree.robot?.lightSensor?.facing) {
+            Facing.DOWN -> LightSensorFacing.DOWN
+            Facing.FORWARD -> LightSensorFacing.FORWARD
+            null -> null
+        }
 
     override fun start(rom: Rom): DebuggableRun = RobolangRun(code, calibration, rom, messages)
 }

@@ -1,10 +1,20 @@
 package robotran.tinyvm
 
+import robotran.language.Language
+
 /** The table of everything the virtual machine says to a learner, one function a message. Another language is another implementation. */
 interface TinyVmMessages :
     ClassFileMessages,
     LinkMessages,
-    RunMessages
+    RunMessages {
+    companion object {
+        fun of(language: Language): TinyVmMessages = when (language) {
+            Language.ENGLISH -> EnglishTinyVmMessages
+            Language.SPANISH -> SpanishTinyVmMessages
+            Language.GERMAN -> GermanTinyVmMessages
+        }
+    }
+}
 
 /** What is said of a file that is no usable class. */
 interface ClassFileMessages {

@@ -85,7 +85,7 @@ class DebuggingTest {
             }.map { it.text.substringAfter(' ') },
         )
         val failure = assertIs<RunState.Failed>(brick.state.run).failure
-        assertEquals("Helper.java, line 5", failure.place)
+        assertEquals("Helper.java, line 5", failure.place())
     }
 
     @Test

@@ -26,5 +26,5 @@ suspend fun openWorkshop(
 ): Workshop {
     val world = BuiltInWorlds.plain
     val project = Project(world, listOf(ProjectRobot(world.robots.first().name, programs.map { it.asProject() })))
-    return Workshop(project, loadPhysicsEngine(), platform, SettingsHolder.readFrom(platform.store), scope)
+    return Workshop(project, loadPhysicsEngine(), platform, SettingsHolder.readFrom(platform.store), scope).also { it.startDocument() }
 }

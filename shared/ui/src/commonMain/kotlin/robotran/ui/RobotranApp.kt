@@ -21,6 +21,7 @@ fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme()) {
         }
     }
     LaunchedEffect(workshop) { workshop.keepReading() }
+    LaunchedEffect(workshop) { workshop.keepDocument() }
     val settings = workshop.settings
     InLanguage(settings.language) {
         RobotranTheme(dark, settings) { WorkshopScreen(workshop.state, workshop::handle) }

@@ -4,7 +4,7 @@ import robotran.world.physics.Trigonometry
 import kotlin.math.PI
 
 /** A [Shape] made ready for being asked about places: turned where it is turned, with all angles worked out. */
-internal sealed class Outline {
+sealed class Outline {
     /** The smallest upright rectangle around it. */
     abstract val bounds: Bounds
 
@@ -51,7 +51,7 @@ internal sealed class Outline {
 }
 
 /** An upright rectangle, its edges included. */
-internal data class Bounds(
+data class Bounds(
     val left: Double,
     val bottom: Double,
     val right: Double,
@@ -80,7 +80,7 @@ private fun Shape.Rectangle.corners(trigonometry: Trigonometry): List<Point> {
 }
 
 /** Twice the area within [corners]: positive if they go round counter-clockwise. */
-internal fun signedArea(corners: List<Point>): Double =
+fun signedArea(corners: List<Point>): Double =
     corners.indices.sumOf { number ->
         val corner = corners[number]
         val next = corners[(number + 1) % corners.size]

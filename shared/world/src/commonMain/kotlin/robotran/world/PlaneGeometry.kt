@@ -3,14 +3,14 @@ package robotran.world
 import kotlin.math.sqrt
 
 /** The same direction, above -180 and up to 180 degrees; [degrees] may be up to a full turn. */
-internal fun normalHeading(degrees: Double): Double = when {
+fun normalHeading(degrees: Double): Double = when {
     degrees > HALF_TURN -> degrees - FULL_TURN
     degrees <= -HALF_TURN -> degrees + FULL_TURN
     else -> degrees
 }
 
 /** How far [point] is from the nearest point of the line between [from] and [to]. */
-internal fun distance(point: Point, from: Point, to: Point): Double {
+fun distance(point: Point, from: Point, to: Point): Double {
     val alongX = to.x - from.x
     val alongY = to.y - from.y
     val squaredLength = alongX * alongX + alongY * alongY
@@ -28,7 +28,7 @@ internal fun cross(from: Point, to: Point, otherFrom: Point, otherTo: Point): Bo
     side(from, to, otherFrom) * side(from, to, otherTo) < 0 && side(otherFrom, otherTo, from) * side(otherFrom, otherTo, to) < 0
 
 /** Written out, since `hypot` may round differently from platform to platform and `sqrt` may not. */
-internal fun length(x: Double, y: Double): Double = sqrt(x * x + y * y)
+fun length(x: Double, y: Double): Double = sqrt(x * x + y * y)
 
 private const val FULL_TURN = 360.0
 private const val HALF_TURN = 180.0

@@ -1,6 +1,8 @@
 package robotran.world
 
+import robotran.language.Language
 import robotran.rom.Brick
+import robotran.rom.BrickMessages
 import robotran.rom.InfraredAir
 import robotran.rom.MotorPort
 import robotran.rom.RomLog
@@ -17,8 +19,9 @@ internal class RobotInSession(
     load: RobotLoad,
     private val simulation: Simulation,
     air: InfraredAir,
+    private val language: Language,
 ) {
-    val brick = Brick(load.programs, air, firstSlot = load.firstSlot)
+    val brick = Brick(load.programs, air, BrickMessages.of(language), load.firstSlot)
     val machine = simulation.machines[number]
     val ports = InputPorts(world.robots[number], brick, NoiseStreams(world.seed, number), world.realism)
     private val facing = world.robots[number].lightFacing ?: load.lightFacing ?: LightFacing.DOWN
@@ -31,10 +34,10 @@ internal class RobotInSession(
         get() = RobotSnapshot(brick.state, machine.state, machine.bumps, brick.remarks, romLog.total.toInt())
 
     /** What has made it stray so far. */
-    fun influences(messages: InfluenceMessages): List<Influence> {
+    fun influences(): List<Influence> {
         val hasLightSensor = world.robots[number].ports.any { PortSensor.LIGHT in it }
         val realism = if (hasLightSensor) world.realism else 0.0
-        return Explanation(world.robots[number], machine, if (hasLightSensor) ports.lightBias else 0.0, realism, messages).influences()
+        return Explanation(world.robots[number], machine, if (hasLightSensor) ports.lightBias else 0.0, realism, InfluenceMessages.of(language)).influences()
     }
 
     /** Measures what is plugged in; to be done just before the firmware reads it. */

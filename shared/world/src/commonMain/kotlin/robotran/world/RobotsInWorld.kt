@@ -1,27 +1,28 @@
 package robotran.world
 
+import robotran.language.Language
 import robotran.rom.InfraredAir
 import robotran.rom.InfraredRange
 import robotran.rom.SensorCode
 import robotran.rom.SoundEvent
-import robotran.world.explain.EnglishInfluenceMessages
 import robotran.world.explain.Influence
 import robotran.world.goal.GoalJudge
+import robotran.world.goal.GoalMessages
 import robotran.world.physics.PhysicsEngine
 
 /** All robots of a session with their bricks, in their world, moved on millisecond by millisecond. */
-internal class RobotsInWorld(private val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) {
+internal class RobotsInWorld(private val world: World, loads: List<RobotLoad>, physics: PhysicsEngine, language: Language) {
     private val simulation = Simulation(world, physics)
     private val air = InfraredAir(::reaches)
     private val hash = TraceHash()
-    private val judge = GoalJudge(world, physics.trigonometry)
+    private val judge = GoalJudge(world, physics.trigonometry, GoalMessages.of(language))
     private val tonesJudged = LongArray(world.robots.size)
     private var nextToTick = 0
     private var latest: SessionState? = null
 
     /** In the world's order. */
     val robots = world.robots.indices.map {
-        RobotInSession(it, world, loads.getOrElse(it) { RobotLoad(emptyList()) }, simulation, air)
+        RobotInSession(it, world, loads.getOrElse(it) { RobotLoad(emptyList()) }, simulation, air, language)
     }
 
     /** Virtual time since the beginning. */
@@ -61,6 +62,7 @@ internal class RobotsInWorld(private val world: World, loads: List<RobotLoad>, p
             is SessionInput.Release -> robots.getOrNull(input.robot)?.brick?.release(input.button)
             SessionInput.Stop -> robots.forEach { it.brick.stopProgram() }
             is SessionInput.PlaceRobot -> if (input.robot in robots.indices) simulation.place(input.robot, input.pose)
+            is SessionInput.PlaceBlock -> if (input.block in world.blocks.indices) simulation.placeBlock(input.block, input.pose)
             is SessionInput.MoveLamp -> changeLamp(input.lamp) { it.copy(place = input.place) }
             is SessionInput.SwitchLamp -> changeLamp(input.lamp) { it.copy(on = input.on) }
             is SessionInput.ChangeAmbientLight -> simulation.light.changeAmbient(maxOf(0.0, input.light))
@@ -75,7 +77,7 @@ internal class RobotsInWorld(private val world: World, loads: List<RobotLoad>, p
         latest = latest?.copy(goals = judge.progress)
     }
 
-    fun explain(): List<Influence> = robots.flatMap { it.influences(EnglishInfluenceMessages) }
+    fun explain(): List<Influence> = robots.flatMap { it.influences() }
 
     fun close() = simulation.close()
 
@@ -119,6 +121,8 @@ internal class RobotsInWorld(private val world: World, loads: List<RobotLoad>, p
         lamps = simulation.light.lamps,
         ink = simulation.ink,
         goals = judge.progress,
+        surroundings = Surroundings(simulation.light.ambient, simulation.temperature),
+        trail = simulation.trail,
     )
 
     private companion object {

@@ -3,6 +3,7 @@ package robotran.world
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
+import robotran.rom.BrickMessages
 import robotran.rom.RunState
 
 /**
@@ -109,7 +110,7 @@ fun Session.report(): RunReport {
         lcd = now.brick.glass.text,
         romCalls = now.romCalls,
         traceHash = traceHash,
-        error = (run as? RunState.Failed)?.failure?.let { failure -> listOfNotNull(failure.place, failure.message).joinToString(": ") },
+        error = (run as? RunState.Failed)?.failure?.let { listOfNotNull(it.place(BrickMessages.of(language)), it.message).joinToString(": ") },
         goals = now.goals.map(GoalReport::of),
     )
 }

@@ -1,5 +1,6 @@
 package robotran.world
 
+import robotran.language.Language
 import robotran.rom.Brick
 import robotran.rom.CallFrame
 import robotran.rom.MemorySnapshot
@@ -23,16 +24,23 @@ import robotran.world.physics.PhysicsEngine
  * nothing about the session but when its time passes.
  *
  * @param loads what the robots are given, in the world's order; those without one get no program.
+ * @param language what goals, bricks and [explain] are told in; nothing that happens depends on it.
  */
-class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) {
+class Session(
+    val world: World,
+    loads: List<RobotLoad>,
+    physics: PhysicsEngine,
+    val language: Language = Language.ENGLISH,
+) {
     /** A session in which only the first robot is given programs: [programs] are its brick's slots, Run starts that in [firstSlot]. */
     constructor(world: World, programs: List<RcxProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) :
         this(world, listOf(RobotLoad(programs, firstSlot)), physics)
 
-    private val running = RobotsInWorld(world, loads, physics)
+    private val running = RobotsInWorld(world, loads, physics, language)
     private val brick: Brick get() = running.robots[watched].brick
     private val recorded = mutableListOf<RecordedInput>()
     private var closed = false
+    private var step: Stepping? = null
 
     /** The number of the robot whose program can be stopped and looked into, and whose ROM calls and sounds these are. */
     var watched = 0
@@ -50,6 +58,15 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
 
     /** Everything that was done to the session so far, in order; with it [replay] makes the same session again. */
     val inputs: List<RecordedInput> get() = recorded.toList()
+
+    /** Virtual time since the session began; the same as in [state], but cheaper. */
+    val milliseconds: Long get() = running.milliseconds
+
+    /** Whether a program runs that can be looked into; the same as whether there are [threads], but cheaper. */
+    val isDebuggable: Boolean get() = brick.debuggableRun != null
+
+    /** Whether the program was stopped in the middle of a millisecond. */
+    val isPaused: Boolean get() = brick.isPaused
 
     /** The session as it is now. */
     val state: SessionState get() = running.state
@@ -85,8 +102,13 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
      * Lets the program make one step, and all the time pass that it takes, but [milliseconds] at most. The step is one of the thread that
      * is being executed; what others do meanwhile does not end it, unless its own thread cannot come to that any more.
      */
-    fun stepStatement(kind: StepKind, milliseconds: Int = SimulationLimits.LONGEST_STEP_MILLISECONDS): StopReason =
-        brick.debuggableRun?.let { advanceUntilStop(Stepping(it, breakpoints, kind, brick.isPaused), milliseconds) } ?: StopReason.Ended
+    fun stepStatement(kind: StepKind, milliseconds: Int = SimulationLimits.LONGEST_STEP_MILLISECONDS): StopReason {
+        step = brick.debuggableRun?.let { Stepping(it, breakpoints, kind, brick.isPaused) }
+        return continueStep(milliseconds)
+    }
+
+    /** Goes on with the step that was begun last, whose time was up, for [milliseconds] at most; one that is over is not begun again. */
+    fun continueStep(milliseconds: Int): StopReason = step?.let { advanceUntilStop(it, milliseconds) } ?: StopReason.Ended
 
     /** Lets [milliseconds] pass, or less if the program comes to a breakpoint or to its end before. With no program, all of them pass. */
     fun runUntilStop(milliseconds: Int): StopReason {
@@ -123,11 +145,11 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
 
     private fun advanceUntilStop(stepping: Stepping, milliseconds: Int): StopReason {
         check(!closed) { "The session is closed." }
-        val run = brick.debuggableRun
+        val run = stepping.run
         val end = running.milliseconds + milliseconds
-        run?.watch = stepping.takeIf { it.canStop }
+        run.watch = stepping.takeIf { it.canStop }
         while (running.milliseconds < end && stepping.reason == null && brick.debuggableRun === run) running.tick()
-        run?.watch = null
+        run.watch = null
         return stepping.reason ?: if (brick.debuggableRun === run) StopReason.TimeUp else StopReason.Ended
     }
 
@@ -144,8 +166,9 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine) 
             physics: PhysicsEngine,
             inputs: List<RecordedInput>,
             milliseconds: Long,
+            language: Language = Language.ENGLISH,
         ): Session {
-            val session = Session(world, loads, physics)
+            val session = Session(world, loads, physics, language)
             inputs.filter { it.milliseconds <= milliseconds }.forEach { recorded ->
                 session.advanceTo(recorded.milliseconds)
                 session.apply(recorded.input)

@@ -3,8 +3,8 @@ package robotran.world
 import robotran.rom.BrickButton
 
 /**
- * What a person does to a running session from outside; recorded with its time, so that a run can be repeated. Robots and lamps are known by their
- * numbers in the world, from 0; an input for one that is not there does nothing.
+ * What a person does to a running session from outside; recorded with its time, so that a run can be repeated. Robots, blocks and lamps are known by
+ * their numbers in the world, from 0; an input for one that is not there does nothing.
  */
 sealed interface SessionInput {
     /** A finger goes down on a button of a brick. */
@@ -21,6 +21,12 @@ sealed interface SessionInput {
 
     /** A robot is picked up and put down elsewhere; what is beside the paper counts as its nearest edge. */
     data class PlaceRobot(val robot: Int, val pose: Pose) : SessionInput
+
+    /**
+     * A block is picked up and put down elsewhere, at rest: its middle, see [Shape.centre], at the place of [pose], turned by the heading from how the
+     * world has it. Beside the paper counts as its nearest edge; where something is in the way, the block comes to lie beside it.
+     */
+    data class PlaceBlock(val block: Int, val pose: Pose) : SessionInput
 
     /** A lamp is moved. */
     data class MoveLamp(val lamp: Int, val place: Point) : SessionInput
@@ -40,11 +46,9 @@ sealed interface SessionInput {
 
 /** The input with its places, angles and amounts in thousandths, as a file can keep them, so that a run is the same after it was saved. */
 internal fun SessionInput.inThousandths(): SessionInput = when (this) {
-    is SessionInput.PlaceRobot -> copy(
-        pose = with(pose) {
-            Pose(roundToThousandths(x), roundToThousandths(y), roundToThousandths(heading))
-        },
-    )
+    is SessionInput.PlaceRobot -> copy(pose = pose.inThousandths())
+
+    is SessionInput.PlaceBlock -> copy(pose = pose.inThousandths())
 
     is SessionInput.MoveLamp -> copy(place = Point(roundToThousandths(place.x), roundToThousandths(place.y)))
 
@@ -54,3 +58,5 @@ internal fun SessionInput.inThousandths(): SessionInput = when (this) {
 
     is SessionInput.Press, is SessionInput.Release, is SessionInput.SwitchLamp, is SessionInput.TouchSensor, SessionInput.Stop -> this
 }
+
+private fun Pose.inThousandths() = Pose(roundToThousandths(x), roundToThousandths(y), roundToThousandths(heading))

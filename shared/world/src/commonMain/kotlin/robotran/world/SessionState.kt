@@ -12,6 +12,8 @@ import robotran.rom.ProgramRemark
  * @property lamps the world's lamps, in its order, as they stand and shine now.
  * @property ink what has been drawn so far.
  * @property goals how the world's goals stand, in its order.
+ * @property surroundings light and warmth as they are now.
+ * @property trail where the robots have driven, with their pens down or up.
  */
 data class SessionState(
     val milliseconds: Long,
@@ -20,6 +22,8 @@ data class SessionState(
     val lamps: List<LampState>,
     val ink: Ink,
     val goals: List<GoalProgress>,
+    val surroundings: Surroundings = Surroundings(),
+    val trail: List<TrailPiece> = emptyList(),
 ) {
     /** The first robot, the pupil's own. */
     private val first: RobotSnapshot get() = robots.first()
@@ -47,6 +51,17 @@ data class RobotSnapshot(
     val bumps: Int,
     val remarks: List<ProgramRemark>,
     val romCalls: Int,
+)
+
+/**
+ * What is the same everywhere in a world.
+ *
+ * @property light the light that is everywhere, in the units of [Light].
+ * @property celsius how warm it is.
+ */
+data class Surroundings(
+    val light: Double = Light.DIM_ROOM,
+    val celsius: Double = World.ROOM_TEMPERATURE,
 )
 
 /** Where a lamp is now and whether it shines. */

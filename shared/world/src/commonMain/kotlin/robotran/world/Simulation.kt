@@ -17,7 +17,9 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
     private val blockBodies: List<Int>
     private var blockMotions: List<BodyMotion>
     private val pens = InkWriter(world.paper, world.robots.size)
+    private val trails = TrailWriter(world.robots.size)
     private val lightSensors: List<LightSensor>
+    private val freePlaces by lazy { FreePlaces(world, trigonometry) }
 
     /** In the world's order. */
     val machines: List<RobotMachine>
@@ -40,6 +42,7 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
     }
 
     val ink: Ink get() = pens.ink
+    val trail: List<TrailPiece> get() = trails.pieces
 
     /** How far each block has moved and turned. */
     val blocks: List<Pose>
@@ -71,10 +74,19 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
 
     /** Somebody has picked up the robot with the number [robot] and put it down elsewhere. */
     fun place(robot: Int, pose: Pose) {
-        val width = 0.0..world.paper.width
-        val height = 0.0..world.paper.height
-        machines[robot].body.place(Pose(pose.x.coerceIn(width), pose.y.coerceIn(height), pose.heading))
+        machines[robot].body.place(pose.onPaper())
         pens.lift(robot)
+        trails.lift(robot)
+        for (sensor in lightSensors) sensor.forget()
+    }
+
+    /** The same with the block with the number [block]; see [SessionInput.PlaceBlock] for what its pose says. */
+    fun placeBlock(block: Int, pose: Pose) {
+        val centre = blockCentres[block]
+        val wanted = with(pose.onPaper()) { copy(x = x - centre.x, y = y - centre.y) }
+        val free = freePlaces.nearest(block, wanted, machines.map { it.body.pose }, blocks)
+        physics.place(blockBodies[block], centre.x + free.x, centre.y + free.y, free.heading * RADIANS_PER_DEGREE)
+        blockMotions = blockBodies.map(physics::motion)
         for (sensor in lightSensors) sensor.forget()
     }
 
@@ -86,8 +98,11 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
 
     fun close() = physics.close()
 
+    private fun Pose.onPaper() = copy(x = x.coerceIn(0.0, world.paper.width), y = y.coerceIn(0.0, world.paper.height))
+
     private fun draw(number: Int) {
         val machine = machines[number]
+        trails.move(number, machine.body.motion.x, machine.body.motion.y)
         val drawn = pens.move(number, machine.body.motion.x, machine.body.motion.y, machine.penIsDown)
         if (drawn != null) surface.ink.draw(drawn.first, drawn.second)
     }

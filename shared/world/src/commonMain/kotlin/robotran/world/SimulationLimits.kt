@@ -38,4 +38,7 @@ internal object SimulationLimits {
 
     /** Corners of all strokes together, enough for days of drawing by hand; whatever is drawn after that is measured but not kept. */
     const val MAXIMUM_INK_POINTS = 200_000
+
+    /** Corners of all trails together; how robots drive on after that is not remembered. */
+    const val MAXIMUM_TRAIL_POINTS = 100_000
 }

@@ -13,7 +13,7 @@ import robotran.rom.ThreadActivity
  * @param isPaused whether the run was stopped before that statement, so that it does not ask about it again.
  */
 internal class Stepping(
-    private val run: DebuggableRun,
+    val run: DebuggableRun,
     private val breakpoints: Set<Breakpoint>,
     private val step: StepKind? = null,
     isPaused: Boolean = false,

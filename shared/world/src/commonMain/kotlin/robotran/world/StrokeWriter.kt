@@ -25,7 +25,10 @@ internal class StrokeWriter(start: Point) {
     }
 
     /** The stroke as it is now, drawn by the robot with the number [robot]. */
-    fun stroke(robot: Int) = InkStroke(corners.view(listOfNotNull(end)), robot)
+    fun stroke(robot: Int) = InkStroke(points(), robot)
+
+    /** Its corners up to now. */
+    fun points(): List<Point> = corners.view(listOfNotNull(end))
 
     /** Whether the piece from the last corner can reach [place]; if so it does. */
     private fun extend(place: Point): Boolean {

@@ -3,6 +3,7 @@ package robotran.world
 import robotran.json.JsonReading
 import robotran.json.readJson
 import robotran.json.writeJson
+import robotran.language.Language
 import robotran.world.file.TALL_LISTS
 import robotran.world.file.elementOf
 import robotran.world.file.worldIn
@@ -10,11 +11,13 @@ import robotran.world.file.worldIn
 /**
  * Reads a world file; `docs/worlds.md` describes the format. Whatever the text is, this ends quickly and with a result: a file
  * is either read as it is meant or refused. Fields that this version does not know are kept in the world's [UnknownFields].
+ *
+ * @param language what a refusal is told in.
  */
-fun readWorld(text: String): WorldFileResult = resultOf(readJson(text, ::worldIn))
+fun readWorld(text: String, language: Language = Language.ENGLISH): WorldFileResult = resultOf(readJson(text, language, ::worldIn))
 
 /** The same for a file as it lies on a disk: in UTF-8, with or without a byte order mark. */
-fun readWorld(bytes: ByteArray): WorldFileResult = resultOf(readJson(bytes, ::worldIn))
+fun readWorld(bytes: ByteArray, language: Language = Language.ENGLISH): WorldFileResult = resultOf(readJson(bytes, language, ::worldIn))
 
 /**
  * [world] as a file of the newest version, for people to read and to merge: what is as usual is left out, unknown fields are kept. [readWorld] makes

@@ -40,6 +40,26 @@ class WorldRunProperties : StringSpec({
         checkAll(100, arbitraryWorlds()) { run(it, physics) }
     }
 
+    "blocks and robots can be put anywhere in every arbitrary world" {
+        val physics = loadPhysicsEngine()
+        val poses = Arb.bind(Arb.double(-500.0, 1500.0), Arb.double(-500.0, 1500.0), Arb.double(-720.0, 720.0)) { x, y, heading ->
+            Pose(x, y, heading)
+        }
+        checkAll(100, arbitraryWorlds(), Arb.list(poses, 1..12)) { world, places ->
+            val session = Session(world, emptyList<RobotLoad>(), physics)
+            for ((number, pose) in places.withIndex()) {
+                session.apply(SessionInput.PlaceBlock(number % maxOf(1, world.blocks.size), pose))
+                session.apply(SessionInput.PlaceRobot(number % world.robots.size, pose))
+                session.advance(20)
+            }
+            session.state.blocks.all { it.x.isFinite() && it.y.isFinite() && it.heading in -180.0..180.0 } shouldBe true
+            val again = Session.replay(world, emptyList(), physics, session.inputs, session.state.milliseconds)
+            again.traceHash shouldBe session.traceHash
+            again.close()
+            session.close()
+        }
+    }
+
     "a polygon that is not refused can be a barrier, a block, a mark and a region" {
         val physics = loadPhysicsEngine()
         // On a grid many edges meet, touch and lie on one another.

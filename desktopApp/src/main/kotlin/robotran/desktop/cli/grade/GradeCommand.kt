@@ -9,9 +9,11 @@ import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.desktop.cli.Console
+import robotran.desktop.cli.LanguageOption
 import robotran.desktop.cli.MOST_SEEDS
 import robotran.desktop.cli.RunOptions
 import robotran.desktop.cli.readSeeds
+import robotran.desktop.cli.speaking
 import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 
 /** `robotran grade WORLD PROGRAM..`: runs programs in a world and tells whether they meet its goals, seed by seed. */
@@ -38,6 +40,7 @@ internal class GradeCommand(
     private val junit by option("--junit", metavar = "FILE|-", help = "writes the grades as JUnit's XML")
     private val report by option("--report", metavar = "FILE|-", help = "writes the grades as JSON")
     private val options by RunOptions()
+    private val spoken by LanguageOption()
 
     override fun help(context: Context) = "Grades programs by the goals of a world."
 
@@ -47,7 +50,7 @@ internal class GradeCommand(
 
     override fun run() {
         val request = GradeRequest(world, programs, seeds, jobs, options, junit, report)
-        throw ProgramResult(ProgramGrader(console).run(request).status)
+        throw ProgramResult(ProgramGrader(console.speaking(spoken.language)).run(request).status)
     }
 
     private companion object {

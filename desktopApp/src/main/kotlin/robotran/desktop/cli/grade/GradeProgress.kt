@@ -1,6 +1,7 @@
 package robotran.desktop.cli.grade
 
 import robotran.desktop.cli.Console
+import robotran.desktop.cli.messages
 
 /**
  * Tells how far the grading is: as a bar that grows where there is somebody to see it, otherwise with a line for every tenth.
@@ -21,13 +22,13 @@ internal class GradeProgress(
     }
 
     private fun tellTenth() {
-        if (done * TENTHS / total > (done - 1) * TENTHS / total) console.mention("${done * 100 / total} %: $done of $total runs\n")
+        if (done * TENTHS / total > (done - 1) * TENTHS / total) console.mention("${done * 100 / total} %: ${console.messages.runsDone(done, total)}\n")
     }
 
     /** Goes back to the begin of the line first; the last one leaves the line empty. */
     private fun bar(): String {
         val filled = done * WIDTH / total
-        val bar = "[" + "#".repeat(filled) + " ".repeat(WIDTH - filled) + "] $done of $total runs"
+        val bar = "[" + "#".repeat(filled) + " ".repeat(WIDTH - filled) + "] ${console.messages.runsDone(done, total)}"
         return if (done == total) "\r" + " ".repeat(bar.length) + "\r" else "\r$bar"
     }
 

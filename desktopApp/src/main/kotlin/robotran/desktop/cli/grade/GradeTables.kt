@@ -9,6 +9,7 @@ import com.github.ajalt.mordant.table.Borders
 import com.github.ajalt.mordant.table.table
 import com.github.ajalt.mordant.terminal.Terminal
 import robotran.desktop.files.nameOf
+import robotran.desktop.messages.GradeMessages
 import robotran.world.GoalProgress
 import robotran.world.GoalStatus
 import robotran.world.grade.Grade
@@ -20,12 +21,13 @@ import robotran.world.grade.Grade
  */
 internal class GradeTables(
     private val seeds: IntRange,
+    private val messages: GradeMessages,
     private val commandFor: (program: String, seed: Int) -> String,
 ) {
     /** One program in full: goal by goal, then the seeds that failed. */
     fun ofProgram(program: ProgramGrades.Graded): String {
         val rows = goalRows(program.grades.map { it.goals }, "")
-        val table = render(listOf("goal", "seeds met", "worst"), rows)
+        val table = render(messages.goalColumns(), rows)
         val failed = program.grades.filterNot { it.passed }
         val told = failed.take(MOST_TOLD).flatMap { failure(program.name, it) }
         return (listOf(table, sentence(program)) + told + rest(failed)).joinToString("\n")
@@ -36,7 +38,7 @@ internal class GradeTables(
         val names = programs.map { nameOf(it.name) }
         val areUnique = names.toSet().size == names.size
         val rows = programs.zip(names) { program, name -> listOf(if (areUnique) name else program.name) + classRow(program) }
-        val table = render(listOf("program", "seeds passed", "first goal that was missed"), rows)
+        val table = render(messages.programColumns(), rows)
         val failures = programs.filterIsInstance<ProgramGrades.Graded>().mapNotNull { program ->
             program.grades.firstOrNull { !it.passed }?.let { "${program.name}: ${commandFor(program.name, it.seed)}" }
         }
@@ -47,11 +49,11 @@ internal class GradeTables(
         when (program) {
             is ProgramGrades.Graded -> {
                 val missed = program.grades.firstNotNullOfOrNull { firstUnmet(it.goals) }
-                listOf("${program.passed} of ${program.grades.size}", missed?.sentence.orEmpty())
+                listOf(messages.countOf(program.passed, program.grades.size), missed?.sentence.orEmpty())
             }
 
             is ProgramGrades.Refused -> {
-                listOf("-", "It cannot run: it has mistakes.")
+                listOf("-", messages.cannotRun())
             }
         }
 
@@ -63,14 +65,14 @@ internal class GradeTables(
         runs.first().indices.flatMap { number ->
             val goals = runs.map { it[number] }
             val least = goals.minBy { it.progress }
-            val met = "${goals.count { it.status == GoalStatus.MET }} of ${goals.size}"
+            val met = messages.countOf(goals.count { it.status == GoalStatus.MET }, goals.size)
             listOf(listOf(indentation + least.sentence, met, percent(least))) + goalRows(goals.map { it.parts }, "$indentation  ")
         }
 
     private fun sentence(program: ProgramGrades.Graded): String =
         when (program.passed) {
-            program.grades.size -> "${program.name} meets all goals with ${inWords(seeds)}."
-            else -> "${program.name} meets all goals with ${program.passed} of ${program.grades.size} seeds (${inWords(seeds)})."
+            program.grades.size -> messages.meetsAll(program.name, inWords())
+            else -> messages.meetsSome(program.name, program.passed, program.grades.size, inWords())
         }
 
     private fun failure(
@@ -78,14 +80,16 @@ internal class GradeTables(
         grade: Grade,
     ): List<String> {
         val goal = firstUnmet(grade.goals)
-        val missed = if (goal == null) "no goal" else "\"${goal.sentence}\" was not met (${percent(goal)})"
-        val error = grade.report.error?.let { ". The program failed: $it" }.orEmpty()
-        return listOf("Seed ${grade.seed}: $missed$error", "  ${commandFor(program, grade.seed)}")
+        val missed = messages.seedMissed(grade.seed, goal?.sentence, goal?.let(::percent).orEmpty())
+        val told = grade.report.error?.let { messages.seedFailed(missed, it) } ?: missed
+        return listOf(told, "  ${commandFor(program, grade.seed)}")
     }
+
+    private fun inWords() = messages.seeds(seeds.first, seeds.last)
 
     private fun rest(failed: List<Grade>): List<String> {
         val others = failed.drop(MOST_TOLD)
-        return if (others.isEmpty()) emptyList() else listOf("And ${others.size} more: seeds ${others.joinToString { "${it.seed}" }}.")
+        return if (others.isEmpty()) emptyList() else listOf(messages.moreSeeds(others.size, others.joinToString { "${it.seed}" }))
     }
 
     private fun render(

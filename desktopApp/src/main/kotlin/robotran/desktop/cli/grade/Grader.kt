@@ -1,20 +1,22 @@
 package robotran.desktop.cli.grade
 
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.Executors
+import java.util.concurrent.Future
+import robotran.language.Language
 import robotran.world.RobotLoad
 import robotran.world.Session
 import robotran.world.World
 import robotran.world.grade.Grade
 import robotran.world.grade.runForGoals
 import robotran.world.physics.PhysicsEngine
-import java.util.concurrent.ExecutionException
-import java.util.concurrent.Executors
-import java.util.concurrent.Future
 
 /**
  * Runs programs in [world], each run by itself, several at a time.
  *
  * @param milliseconds how much virtual time a run may take.
  * @param jobs how many run at the same time.
+ * @param language what goals and failures are told in.
  * @param onDone is called after each run, from this thread.
  */
 internal class Grader(
@@ -22,6 +24,7 @@ internal class Grader(
     private val milliseconds: Int,
     private val physics: PhysicsEngine,
     private val jobs: Int,
+    private val language: Language,
     private val onDone: () -> Unit,
 ) {
     /** For each of [loads] the grades of all [seeds], in their order. */
@@ -42,7 +45,7 @@ internal class Grader(
         loads: List<RobotLoad>,
         seed: Int,
     ): Grade {
-        val session = Session(world.copy(seed = seed), loads, physics)
+        val session = Session(world.copy(seed = seed), loads, physics, language)
         try {
             return session.runForGoals(milliseconds)
         } finally {

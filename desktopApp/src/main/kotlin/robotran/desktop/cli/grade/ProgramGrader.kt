@@ -5,6 +5,7 @@ import robotran.desktop.ExitCode
 import robotran.desktop.cli.Console
 import robotran.desktop.cli.Loading
 import robotran.desktop.cli.WorldChanges
+import robotran.desktop.cli.messages
 import robotran.desktop.cli.readLoads
 import robotran.desktop.cli.readWorldFile
 import robotran.desktop.files.ProgramFiles
@@ -26,7 +27,7 @@ internal class ProgramGrader(
             readWorldFile(request.world, console)?.let { WorldChanges(realism = request.options.realism).of(it) }
                 ?: return ExitCode.BAD_INPUT
         if (world.goals.isEmpty()) {
-            console.complain("The world ${request.world} has no goals, so there is nothing to grade.")
+            console.complain(console.messages.noGoals(request.world))
             return ExitCode.BAD_INPUT
         }
         val names = request.programs.distinct()
@@ -61,9 +62,9 @@ internal class ProgramGrader(
         world: World,
         request: GradeRequest,
     ): Loading =
-        when (val files = readProgramFiles(filesOfProgram(name))) {
+        when (val files = readProgramFiles(filesOfProgram(name), console.messages)) {
             is ProgramFiles.Read -> {
-                val reader = ProgramReader(PENBOT_CALIBRATION, request.options.java)
+                val reader = ProgramReader(PENBOT_CALIBRATION, request.options.java, console.language)
                 readLoads(world, reader, files.programs, request.options.robots)
             }
 
@@ -79,7 +80,7 @@ internal class ProgramGrader(
         milliseconds: Int,
         jobs: Int,
     ) = GradeProgress(console, isTerminal = System.getProperty(TERMINAL) == "true", total = loads.size * seeds.count()).let { progress ->
-        val grader = Grader(world, milliseconds, runBlocking { loadPhysicsEngine() }, jobs, progress::runIsDone)
+        val grader = Grader(world, milliseconds, runBlocking { loadPhysicsEngine() }, jobs, console.language, progress::runIsDone)
         loads.keys.zip(grader.grade(loads.values.toList(), seeds)).toMap()
     }
 
@@ -102,7 +103,7 @@ internal class ProgramGrader(
             console.say(text)
             null
         } else {
-            writeFile(name, "$text\n".encodeToByteArray())
+            writeFile(name, "$text\n".encodeToByteArray(), console.messages)
         }
 
     private fun words(
@@ -110,7 +111,7 @@ internal class ProgramGrader(
         seeds: IntRange,
         run: GradedRun,
     ): String {
-        val tables = GradeTables(seeds, run::command)
+        val tables = GradeTables(seeds, console.messages, run::command)
         val single = programs.singleOrNull()
         return if (single is ProgramGrades.Graded) tables.ofProgram(single) else tables.ofClass(programs)
     }

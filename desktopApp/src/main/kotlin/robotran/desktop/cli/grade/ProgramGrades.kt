@@ -35,7 +35,3 @@ internal fun firstUnmet(goals: List<GoalProgress>): GoalProgress? {
 
 /** How much of it is done, such as `62 %`. */
 internal fun percent(goal: GoalProgress): String = "${Math.round(goal.progress * 100)} %"
-
-/** The seeds in words, such as `seeds 1 to 20`. */
-internal fun inWords(seeds: IntRange): String =
-    if (seeds.first == seeds.last) "seed ${seeds.first}" else "seeds ${seeds.first} to ${seeds.last}"

@@ -62,7 +62,7 @@ internal class Diagnosis(
             ?: members.advice(problem, source)
             ?: meaning.advice(problem, source)
             ?: syntax.advice(problem, source)
-            ?: Advice(problem.message.trim().removeSuffix(".") + ".")
+            ?: Advice(messages.compilerSays(problem.message.trim().removeSuffix(".") + "."))
         val place = advice.at ?: Place(problem.start, problem.end)
         return JavaDiagnostic(
             path = source.path,

@@ -3,7 +3,7 @@ package robotran.ui.language
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.runtime.remember
-import robotran.ui.workshop.AppLanguage
+import robotran.language.Language
 
 /**
  * Everything inside is in [language], or in the machine's if that is null.
@@ -11,7 +11,7 @@ import robotran.ui.workshop.AppLanguage
  * The resources of Compose have no other way of being told a language than that of the whole process, which is why there is one only.
  */
 @Composable
-internal fun InLanguage(language: AppLanguage?, content: @Composable () -> Unit) {
+internal fun InLanguage(language: Language?, content: @Composable () -> Unit) {
     remember(language) { speak(language?.tag) }
     key(language) { content() }
 }
@@ -23,7 +23,4 @@ internal expect fun speak(tag: String?)
 internal expect fun machineLanguage(): String
 
 /** The language that the app speaks if [chosen] is: of the machine's the best there is, else English. */
-fun spokenLanguage(chosen: AppLanguage?): AppLanguage {
-    val machine = machineLanguage().substringBefore('-').substringBefore('_').lowercase()
-    return chosen ?: AppLanguage.entries.firstOrNull { it.tag == machine } ?: AppLanguage.ENGLISH
-}
+fun spokenLanguage(chosen: Language?): Language = chosen ?: Language.of(machineLanguage()) ?: Language.ENGLISH

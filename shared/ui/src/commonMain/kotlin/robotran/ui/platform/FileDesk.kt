@@ -7,23 +7,18 @@ interface FileDesk {
 
     /** Lets a person choose where [bytes] go, as a file of [kind], with [name] to begin with. */
     suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving
-}
 
-/** What a file holds, by the end of its name. */
-enum class FileKind(val extension: String) {
-    PROJECT(".robotran"),
-    WORLD(".world.json"),
-    ROBOLANG(".robo"),
-    JAVA(".java"),
-    PNG(".png"),
-    SVG(".svg"),
-    ZIP(".zip"),
-    TEXT(".txt"),
+    /** Writes [bytes] to the [OpenedFile.place] or [Saving.Saved.place] of a file, wholly or not at all. */
+    suspend fun write(place: String, name: String, bytes: ByteArray): Saving = Saving.Failed("")
+
+    /** What is in the file at [place] now; null if it is not there or cannot be read. */
+    suspend fun read(place: String): ByteArray? = null
 }
 
 /**
  * A file as it was opened.
  *
+ * @property name without folders.
  * @property place where it lies, for saving it there again; null where the platform does not tell.
  */
 class OpenedFile(val name: String, val bytes: ByteArray, val place: String? = null)
@@ -36,8 +31,13 @@ sealed interface Saving {
     /** The person changed their mind. */
     data object GivenUp : Saving
 
-    /** It could not be saved; [reason] is one sentence that says why. */
-    data class Failed(val reason: String) : Saving
+    /**
+     * It could not be saved, and what was there before still is.
+     *
+     * @property reason what the platform says about it.
+     * @property isFull whether there was no room for it.
+     */
+    data class Failed(val reason: String, val isFull: Boolean = false) : Saving
 }
 
 /** Where there are no files to choose from. */

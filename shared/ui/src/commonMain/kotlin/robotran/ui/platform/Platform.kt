@@ -2,13 +2,15 @@ package robotran.ui.platform
 
 import robotran.ui.sound.LoudSpeaker
 import robotran.ui.sound.NoLoudSpeaker
+import kotlin.coroutines.CoroutineContext
+import kotlin.coroutines.EmptyCoroutineContext
 
-/** What the app needs of the machine it runs on. */
+/** What the app needs of the machine it runs on; one for each window. */
 interface Platform {
     /** Plays the brick's tones; is closed with the workshop. */
     val speaker: LoudSpeaker
 
-    /** Where work is kept without anybody asking. */
+    /** Where work is kept without anybody asking; one for all windows. */
     val store: WorkStore
 
     /** Where files are opened and saved by a person. */
@@ -16,6 +18,20 @@ interface Platform {
 
     /** How text such as a link leaves the app. */
     val sharing: Sharing
+
+    val clock: WallClock
+
+    /** What is brought to this window. */
+    val arrivals: Arrivals
+
+    /** Whether this window is the first, which goes on with the work that was open last; others begin afresh. */
+    val goesOn: Boolean get() = true
+
+    /** The address of the page this runs in, without a fragment; empty where there is none. */
+    val pageAddress: String get() = ""
+
+    /** Where long work is done, away from the thread of the screen where there is another. */
+    val background: CoroutineContext get() = EmptyCoroutineContext
 }
 
 /** A platform that keeps everything in memory and asks nobody: for tests, and where nothing else is there. */
@@ -24,4 +40,6 @@ class MemoryPlatform(
     override val store: WorkStore = MemoryStore(),
     override val files: FileDesk = NoFileDesk,
     override val sharing: Sharing = NoSharing,
+    override val clock: WallClock = StandingClock(),
+    override val arrivals: Arrivals = Arrivals(),
 ) : Platform

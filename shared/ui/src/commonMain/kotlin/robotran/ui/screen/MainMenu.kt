@@ -18,6 +18,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.documents.WorkMenuItems
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
@@ -38,9 +39,13 @@ import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorldEditEvent
 
-/** The button with three lines: what is done seldom. */
+/**
+ * The button with three lines: what is done seldom.
+ *
+ * @param withWork whether what can be done with the work as a whole is in it too, where its name has no place of its own.
+ */
 @Composable
-internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, withWork: Boolean) {
     var open by remember { mutableStateOf(false) }
     val choose = { event: WorkshopEvent ->
         open = false
@@ -54,6 +59,10 @@ internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
             modifier = Modifier.widthIn(min = 260.dp).heightIn(max = MOST_HEIGHT),
             containerColor = LocalRobotranColours.current.pane,
         ) {
+            if (withWork) {
+                WorkMenuItems(state.document, onEvent, { open = false })
+                MenuDivider()
+            }
             MenuItem(stringResource(Res.string.learn), "menu-learn") { choose(LearningEvent.PageWanted(LearningPage.TUTORIAL)) }
             MenuItem(stringResource(Res.string.worlds), "menu-worlds") { choose(LearningEvent.PageWanted(LearningPage.WORLDS)) }
             if (state.worldEdit == null) {

@@ -21,6 +21,7 @@ import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
 import robotran.ui.brick.LEAST_BRICK_WIDTH
+import robotran.ui.documents.KeepingBanner
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
@@ -44,7 +45,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
     }
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
-            MainMenu(state, onEvent)
+            MainMenu(state, onEvent, withWork = true)
             PaneTabs(state.pane, state.mistakes.isNotEmpty(), { perform(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
@@ -54,6 +55,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
             if (tutorial != null) TutorialStrip(state.learning, onEvent)
             PaneAlone(state, onEvent, Modifier.weight(1f))
         }
+        KeepingBanner(state.document, onEvent)
         state.notice?.let { NoticeBar(it, onEvent) }
         RunBar(state, perform)
     }
@@ -86,14 +88,14 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
         if (maxWidth > maxHeight) {
             Row(Modifier.fillMaxSize(), verticalAlignment = Alignment.Bottom) {
                 Column(Modifier.weight(1f)) {
-                    WorldPane(state, Modifier.weight(1f))
+                    WorldPane(state, onEvent, Modifier.weight(1f))
                     EndExplained(state)
                 }
                 strip()
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
-                WorldPane(state, Modifier.weight(1f))
+                WorldPane(state, onEvent, Modifier.weight(1f))
                 EndExplained(state)
                 strip()
             }

@@ -26,6 +26,7 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.LEAST_BRICK_WIDTH
+import robotran.ui.documents.KeepingBanner
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
@@ -76,6 +77,7 @@ private fun ProgramAndDesk(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             }
             Column(Modifier.weight(1f).fillMaxHeight()) {
                 Desk(state, onEvent, Modifier.weight(1f))
+                KeepingBanner(state.document, onEvent)
                 state.notice?.let { NoticeBar(it, onEvent) }
                 RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
             }
@@ -91,7 +93,7 @@ private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifie
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.desk)) {
         val brickWidth = (maxWidth * BRICK_SHARE).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
         Row(Modifier.fillMaxSize()) {
-            WorldPane(state, Modifier.weight(1f).fillMaxHeight())
+            WorldPane(state, onEvent, Modifier.weight(1f).fillMaxHeight())
             Column(
                 Modifier.width(brickWidth + MARGIN).fillMaxHeight().padding(end = MARGIN, bottom = MARGIN),
                 Arrangement.spacedBy(MARGIN, Alignment.Bottom),

@@ -5,7 +5,10 @@ import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.platform.LocalDensity
+import robotran.ui.documents.DocumentDialogs
+import robotran.ui.documents.documentShortcut
 import robotran.ui.learning.LearningPages
 import robotran.ui.settings.SettingsPage
 import robotran.ui.theme.LocalRobotranColours
@@ -16,7 +19,7 @@ import robotran.ui.workshop.WorkshopState
 /** The one screen: side by side where there is room, one pane at a time where there is not; pages lie over it. */
 @Composable
 internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
-    BoxWithConstraints(modifier.fillMaxSize().background(LocalRobotranColours.current.pane)) {
+    BoxWithConstraints(modifier.fillMaxSize().background(LocalRobotranColours.current.pane).shortcuts(onEvent)) {
         // Larger text needs the room of a larger screen.
         val scale = state.settings.textScale.coerceAtMost(LocalDensity.current.fontScale)
         if (maxWidth >= Measures.WIDE_WIDTH * widthScale(scale) && maxHeight >= Measures.WIDE_HEIGHT) {
@@ -25,8 +28,16 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             NarrowScreen(state, onEvent)
         }
         LearningPages(state.learning, onEvent)
+        DocumentDialogs(state.document, onEvent)
         if (state.settingsShown) SettingsPage(state.settings, onEvent)
     }
+}
+
+/** What keys do wherever the focus is. */
+private fun Modifier.shortcuts(onEvent: (WorkshopEvent) -> Unit): Modifier = onPreviewKeyEvent { pressed ->
+    val event = documentShortcut(pressed) ?: return@onPreviewKeyEvent false
+    onEvent(event)
+    true
 }
 
 /** Half of what text grows by goes into the width that two panes beside each other need; the other half they lose in words a line. */

@@ -10,6 +10,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.Language
 import robotran.ui.parts.Page
 import robotran.ui.resources.Res
 import robotran.ui.resources.settings_code_size
@@ -25,7 +26,6 @@ import robotran.ui.resources.theme_high_contrast
 import robotran.ui.resources.theme_high_contrast_dark
 import robotran.ui.resources.theme_light
 import robotran.ui.resources.theme_system
-import robotran.ui.workshop.AppLanguage
 import robotran.ui.workshop.AppTheme
 import robotran.ui.workshop.Settings
 import robotran.ui.workshop.SettingsEvent
@@ -39,7 +39,7 @@ internal fun SettingsPage(settings: Settings, onEvent: (SettingsEvent) -> Unit) 
         Column(Modifier.verticalScroll(rememberScrollState()).padding(24.dp), Arrangement.spacedBy(28.dp)) {
             ChoiceOfOne(
                 stringResource(Res.string.settings_language),
-                listOf(null to stringResource(Res.string.settings_language_machine)) + AppLanguage.entries.map { it to it.ownName },
+                listOf(null to stringResource(Res.string.settings_language_machine)) + Language.entries.map { it to it.ownName },
                 settings.language,
                 "language",
             ) { change(settings.copy(language = it)) }

@@ -1,7 +1,6 @@
 package robotran.ui.sheet
 
-import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.StrokeJoin
 import androidx.compose.ui.graphics.drawscope.DrawScope
@@ -12,36 +11,46 @@ import robotran.world.Penbot
 import robotran.world.RobotPlace
 import kotlin.math.max
 
-/** Remembers what the strokes drawn last look like: all but the one being drawn are the same in the next frame. */
+/** Remembers what the strokes drawn last look like: all but those being drawn are the same in the next frame. */
 internal class InkDrawing(private val transform: SheetTransform) {
     private var drawn: List<DrawnStroke> = emptyList()
     private var latest: Ink? = null
 
-    val width = max(Penbot.PEN_LINE_WIDTH.toFloat() * transform.pixelsPerCentimetre, LEAST_WIDTH_PIXELS)
+    val width = max(transform.toPixels(Penbot.PEN_LINE_WIDTH), LEAST_WIDTH_PIXELS)
 
     fun strokes(ink: Ink): List<DrawnStroke> {
         if (ink !== latest) {
-            drawn = ink.strokes.mapIndexed { number, stroke ->
-                drawn.getOrNull(number)?.takeIf { it.stroke === stroke } ?: DrawnStroke(stroke, transform)
-            }
+            drawn = ink.strokes.mapIndexed { number, stroke -> drawn.getOrNull(number)?.takeIf { it.show(stroke) } ?: newStroke(stroke) }
             latest = ink
         }
         return drawn
     }
+
+    private fun newStroke(stroke: InkStroke) = DrawnStroke(stroke, LinePaths(transform).apply { show(stroke.points) })
 }
 
-/** @property dot where a pen was only put down and lifted; null where it drew a line. */
-internal class DrawnStroke(val stroke: InkStroke, transform: SheetTransform) {
-    val dot: Offset? = stroke.points.singleOrNull()?.let { transform.toPixels(it.x, it.y) }
-    val path = Path().apply { addLine(stroke.points.map { transform.toPixels(it.x, it.y) }) }
+internal class DrawnStroke(stroke: InkStroke, val line: LinePaths) {
+    var stroke = stroke
+        private set
+
+    /** Shows [later] if that is this stroke, or what has become of it. */
+    fun show(later: InkStroke): Boolean {
+        if (later === stroke) return true
+        if (later.robot != stroke.robot || !line.continues(later.points)) return false
+        line.show(later.points)
+        stroke = later
+        return true
+    }
 }
 
-/** The lines the pens have left, as wide as a pen is. */
-internal fun DrawScope.drawInk(drawing: InkDrawing, ink: Ink, robots: List<RobotPlace>) {
+/** The lines the pens have left, as wide as a pen is; what is not in [visible] is left out. */
+internal fun DrawScope.drawInk(drawing: InkDrawing, ink: Ink, robots: List<RobotPlace>, visible: Rect) {
     val line = Stroke(drawing.width, cap = StrokeCap.Round, join = StrokeJoin.Round)
     for (drawn in drawing.strokes(ink)) {
         val colour = RobotColours.ink(drawn.stroke.robot, robots)
-        if (drawn.dot != null) drawCircle(colour, drawing.width / 2, drawn.dot) else drawPath(drawn.path, colour, style = line)
+        drawn.line.dot?.let { drawCircle(colour, drawing.width / 2, it) }
+        if (drawn.line.dot != null) continue
+        for (piece in drawn.line.pieces) if (piece.isIn(visible, drawing.width)) drawPath(piece.path, colour, style = line)
     }
 }
 

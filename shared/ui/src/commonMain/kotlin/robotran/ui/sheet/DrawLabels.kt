@@ -11,18 +11,53 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
+import robotran.world.MarkFigure
 import robotran.world.Penbot
+import robotran.world.Point
 import robotran.world.RobotPlace
 import robotran.world.SessionState
+import robotran.world.World
+import robotran.world.centre
 import kotlin.math.max
 
 /** The name of each robot below it, with the colour of its brick before it. */
 internal fun DrawScope.drawRobotNames(robots: List<RobotPlace>, state: SessionState, transform: SheetTransform, labels: TextMeasurer) {
-    val height = max(NAME_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_NAME_PIXELS)
+    val height = nameHeight(transform)
     for ((robot, now) in robots.zip(state.robots)) {
         val pose = now.robot.pose
         drawName(robot, transform.toPixels(pose.x, pose.y - Penbot.OVERALL_WIDTH / 2 - NAME_CENTIMETRES), height, labels)
     }
+}
+
+/** What blocks, barriers, lamps and marks are called, those that have a name. */
+internal fun DrawScope.drawThingNames(world: World, state: SessionState, transform: SheetTransform, labels: TextMeasurer) {
+    val height = nameHeight(transform)
+
+    fun name(name: String?, place: Point) {
+        if (name != null) drawName(name, transform.toPixels(place), height, labels)
+    }
+    for (mark in world.marks) name(mark.name, mark.figure.middle)
+    for (barrier in world.barriers) name(barrier.name, barrier.shape.centre)
+    for ((block, moved) in world.blocks.zip(state.blocks)) {
+        name(block.name, block.shape.centre.let { Point(it.x + moved.x, it.y + moved.y) })
+    }
+    for ((lamp, now) in world.lamps.zip(state.lamps)) name(lamp.name, now.place)
+}
+
+/** A place on a mark where its name can be written. */
+private val MarkFigure.middle: Point
+    get() = when (this) {
+        is MarkFigure.Area -> shape.centre
+        is MarkFigure.Line -> points[points.size / 2]
+        is MarkFigure.GreyMap -> Point(corner.x + cell * rows.first().length / 2, corner.y + cell * rows.size / 2)
+    }
+
+private fun DrawScope.drawName(name: String, middle: Offset, height: Float, labels: TextMeasurer) {
+    val text = labels.measure(name, TextStyle(SheetColours.LABEL, fontSize = height.toSp()), TextOverflow.Ellipsis, maxLines = 1)
+    val plate = Size(text.size.width + height, text.size.height + height / 4)
+    val corner = middle - Offset(plate.width / 2, plate.height / 2)
+    drawRoundRect(SheetColours.LABEL_PLATE, corner, plate, CornerRadius(plate.height / 2))
+    drawText(text, topLeft = corner + Offset(height / 2, height / 8))
 }
 
 /** Kept inside the picture. */
@@ -50,5 +85,9 @@ internal fun DrawScope.drawLabel(labels: TextMeasurer, text: String, middle: Off
     drawText(layout, topLeft = middle - Offset(layout.size.width / 2f, layout.size.height / 2f))
 }
 
+private fun nameHeight(transform: SheetTransform) =
+    (NAME_CENTIMETRES * transform.pixelsPerCentimetre).coerceIn(LEAST_NAME_PIXELS, MOST_NAME_PIXELS)
+
 private const val NAME_CENTIMETRES = 2f
 private const val LEAST_NAME_PIXELS = 10f
+private const val MOST_NAME_PIXELS = 48f

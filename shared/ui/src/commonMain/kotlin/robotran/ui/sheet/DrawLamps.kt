@@ -3,13 +3,14 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Brush
+import androidx.compose.ui.graphics.ClipOp
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.graphics.drawscope.clipPath
 import robotran.world.Lamp
 import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.SessionState
 import robotran.world.World
 import kotlin.math.PI
@@ -18,46 +19,59 @@ import kotlin.math.max
 import kotlin.math.sin
 import kotlin.math.sqrt
 
-/** What the lamps shine on; remembers it for as long as neither a lamp nor a block is moved. */
+/** What the lamps shine on; remembers it for as long as a lamp is not moved. */
 internal class GlowDrawing(private val world: World, private val transform: SheetTransform) {
     private val obstacles: List<List<Point>> = world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() }
     private val latest = arrayOfNulls<LitByLamp>(world.lamps.size)
 
-    /** The lamps that shine, each with what it shines on. */
-    fun lit(state: SessionState): List<Glow> =
-        world.lamps.zip(state.lamps).mapIndexedNotNull { number, (lamp, now) ->
+    /** The lamps that shine, each with what it shines on, and the shadows that robots and blocks cast there. */
+    fun lit(state: SessionState): List<Glow> {
+        if (world.lamps.isEmpty()) return emptyList()
+        val things = state.robots.map { robotOutline(it.robot.pose) } +
+            world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) }
+        return world.lamps.zip(state.lamps).mapIndexedNotNull { number, (lamp, now) ->
             if (!now.on || lamp.brightness <= 0) return@mapIndexedNotNull null
-            Glow(now.place, reachOf(lamp.brightness), area(number, lamp, now.place, state.blocks))
+            val reach = reachOf(lamp.brightness)
+            Glow(now.place, reach, area(number, lamp, now.place), shadows(now.place, reach, things))
         }
+    }
 
     /** The lights on top of robots, which shine all round, and too low for shadows to matter. */
     fun beacons(state: SessionState): List<Glow> =
         world.robots.zip(state.robots).filter { (robot, _) -> robot.beacon > 0 }.map { (robot, now) ->
-            Glow(Point(now.robot.pose.x, now.robot.pose.y), reachOf(robot.beacon), null)
+            Glow(Point(now.robot.pose.x, now.robot.pose.y), reachOf(robot.beacon), null, null)
         }
 
-    fun toPixels(point: Point): Offset = transform.toPixels(point.x, point.y)
+    fun toPixels(point: Point): Offset = transform.toPixels(point)
 
-    fun toPixels(length: Double): Float = (length * transform.pixelsPerCentimetre).toFloat()
+    fun toPixels(length: Double): Float = transform.toPixels(length)
 
-    private fun area(number: Int, lamp: Lamp, place: Point, blocks: List<Pose>): Path {
-        latest[number]?.let { if (it.place == place && it.blocks == blocks) return it.path }
-        val inTheWay = obstacles + world.blocks.zip(blocks) { block, moved -> block.shape.movedCorners(moved) }
-        val corners = litArea(place, lamp.direction, lamp.cone, reachOf(lamp.brightness), inTheWay)
+    private fun area(number: Int, lamp: Lamp, place: Point): Path {
+        latest[number]?.let { if (it.place == place) return it.path }
+        val corners = litArea(place, lamp.direction, lamp.cone, reachOf(lamp.brightness), obstacles)
         val path = Path().apply { addLine(corners.map(::toPixels), closed = true) }
-        latest[number] = LitByLamp(place, blocks, path)
+        latest[number] = LitByLamp(place, path)
         return path
+    }
+
+    private fun shadows(place: Point, reach: Double, things: List<List<Point>>): Path? {
+        val shadows = things.mapNotNull { shadowOf(it, place, reach) }
+        if (shadows.isEmpty()) return null
+        return Path().apply { for (corners in shadows) addLine(corners.map(::toPixels), closed = true) }
     }
 
     /** Where the light has become too weak to be seen. */
     private fun reachOf(brightness: Double) = REACH_CENTIMETRES * sqrt(brightness)
 }
 
-/** What a lamp at [place] shone on while the blocks were there. */
-private class LitByLamp(val place: Point, val blocks: List<Pose>, val path: Path)
+/** What a lamp at [place] shines on if nothing moves. */
+private class LitByLamp(val place: Point, val path: Path)
 
-/** @property area null for all around. */
-internal class Glow(val place: Point, val reach: Double, val area: Path?)
+/**
+ * @property area null for all around.
+ * @property shadows the parts of it that are dark, null if there are none.
+ */
+internal class Glow(val place: Point, val reach: Double, val area: Path?, val shadows: Path?)
 
 internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) {
     for (glow in drawing.lit(state) + drawing.beacons(state)) {
@@ -69,7 +83,8 @@ internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) {
             0.5f to SheetColours.LAMP.copy(alpha = 0.15f), 1f to SheetColours.LAMP.copy(alpha = 0f),
             center = centre, radius = radius,
         )
-        if (glow.area == null) drawCircle(light, radius, centre) else drawPath(glow.area, light)
+        val shine: DrawScope.() -> Unit = { if (glow.area == null) drawCircle(light, radius, centre) else drawPath(glow.area, light) }
+        if (glow.shadows == null) shine() else clipPath(glow.shadows, ClipOp.Difference, shine)
     }
 }
 

@@ -1,9 +1,11 @@
 package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.clipRect
+import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.unit.dp
 import robotran.world.SessionState
@@ -13,22 +15,52 @@ import robotran.world.SessionState
  * pictures both use it.
  *
  * @param labels what the robots' names and the numbers of goals are written with; null for leaving them out.
+ * @param shown what is drawn beside that.
+ * @param view where the sheet is to be, if not where [drawing] was made for.
  */
-fun DrawScope.drawSheet(drawing: SheetDrawing, state: SessionState, colours: SheetColours, labels: TextMeasurer? = null) {
-    drawGround(drawing, colours)
-    for (region in drawing.regions) drawRegion(region, state.goals, drawing.transform, labels)
-    drawInk(drawing.ink, state.ink, drawing.world.robots)
-    drawGlow(drawing.glow, state)
-    drawSolids(drawing.solids)
-    for ((block, pose) in drawing.blocks.zip(state.blocks)) drawBlock(block, pose, drawing.transform)
-    for ((place, robot) in drawing.world.robots.zip(state.robots)) drawRobot(robot.robot, place, drawing.transform)
-    drawLamps(drawing.world, state, drawing.transform)
-    if (labels != null && state.robots.size > 1) drawRobotNames(drawing.world.robots, state, drawing.transform, labels)
+fun DrawScope.drawSheet(
+    drawing: SheetDrawing,
+    state: SessionState,
+    colours: SheetColours,
+    labels: TextMeasurer? = null,
+    shown: Set<SheetLayer> = SheetLayer.USUAL,
+    view: SheetTransform = drawing.transform,
+) {
+    drawRect(colours.desk)
+    inView(drawing, view) { visible ->
+        drawGround(drawing, colours)
+        if (SheetLayer.GRID in shown) drawGrid(drawing.transform)
+        if (SheetLayer.GOALS in shown) for (region in drawing.regions) drawRegion(region, state.goals, drawing.transform, labels)
+        drawInk(drawing.ink, state.ink, drawing.world.robots, visible)
+        if (SheetLayer.TRAIL in shown) drawTrail(drawing.trail, state.trail, drawing.world.robots, visible)
+        drawGlow(drawing.glow, state)
+        if (SheetLayer.SENSORS in shown) drawSights(drawing.world, state, drawing.transform)
+        drawSolids(drawing.solids)
+        for ((block, pose) in drawing.blocks.zip(state.blocks)) drawBlock(block, pose, drawing.transform)
+        for ((place, robot) in drawing.world.robots.zip(state.robots)) drawRobot(robot.robot, place, drawing.transform)
+        drawLamps(drawing.world, state, drawing.transform)
+    }
+    if (labels == null) return
+    if (SheetLayer.GRID in shown) drawGridFigures(drawing.world.paper, view, colours, labels)
+    if (SheetLayer.NAMES in shown) drawThingNames(drawing.world, state, view, labels)
+    if (SheetLayer.NAMES in shown || state.robots.size > 1) drawRobotNames(drawing.world.robots, state, view, labels)
+    if (SheetLayer.SENSORS in shown) drawReadings(drawing.world, state, view, labels)
 }
 
-/** What lies still under all else: desk, paper, marks and the drawing to be traced. */
+/** Draws where [drawing] was made for, to be seen at [view]; what is told is which part of that can be seen. */
+private inline fun DrawScope.inView(drawing: SheetDrawing, view: SheetTransform, draw: DrawScope.(Rect) -> Unit) {
+    val larger = view.pixelsPerCentimetre / drawing.transform.pixelsPerCentimetre
+    if (!larger.isFinite()) return
+    val move = view.paper.topLeft - drawing.transform.paper.topLeft * larger
+    val visible = Rect(-move.x / larger, -move.y / larger, (size.width - move.x) / larger, (size.height - move.y) / larger)
+    withTransform({
+        translate(move.x, move.y)
+        scale(larger, larger, Offset.Zero)
+    }) { draw(visible) }
+}
+
+/** What lies still under all else: paper, marks and the drawing to be traced. */
 internal fun DrawScope.drawGround(drawing: SheetDrawing, colours: SheetColours) {
-    drawRect(colours.desk)
     drawPaper(colours, drawing.transform)
     val paper = drawing.transform.paper
     clipRect(paper.left, paper.top, paper.right, paper.bottom) { for (mark in drawing.marks) drawMark(mark) }

@@ -27,6 +27,7 @@ fun renderRuns(
     runs: List<RunTrack>,
     widthPixels: Int = PICTURE_PIXELS,
 ): ImageBitmap = renderOn(world, widthPixels) { drawing ->
+    drawRect(SheetColours.LIGHT.desk)
     drawGround(drawing, SheetColours.LIGHT)
     drawSolids(drawing.solids)
     runs.forEachIndexed { number, run -> drawTrack(run, runColour(number, runs.size), drawing.transform) }

@@ -3,7 +3,6 @@ package robotran.ui.sheet
 import robotran.world.Point
 import robotran.world.Shape
 import robotran.world.centre
-import kotlin.math.hypot
 
 /**
  * A place in [shape] that is far from its edge, where something can be written, and how far that is: the centre of a circle or rectangle, and of
@@ -25,33 +24,10 @@ private fun roomiestPlace(shape: Shape.Polygon): Pair<Point, Double> {
     val places =
         (1 until GRID).flatMap { row -> (1 until GRID).map { Point(left + width * it / GRID, bottom + height * row / GRID) } } + centre
     val best =
-        places.filter { shape.surrounds(it) }.maxByOrNull { shape.distanceToEdge(it) - LITTLE * distance(it, centre) }
+        places.filter { surrounds(shape.corners, it) }.maxByOrNull { distanceToEdge(shape.corners, it) - LITTLE * distance(it, centre) }
             ?: return centre to 0.0
-    return best to shape.distanceToEdge(best)
+    return best to distanceToEdge(shape.corners, best)
 }
-
-private fun Shape.Polygon.surrounds(place: Point): Boolean {
-    var inside = false
-    corners.forEachEdge { from, to ->
-        val crosses = (from.y > place.y) != (to.y > place.y)
-        if (crosses && place.x < (to.x - from.x) * (place.y - from.y) / (to.y - from.y) + from.x) inside = !inside
-    }
-    return inside
-}
-
-private fun Shape.Polygon.distanceToEdge(place: Point): Double {
-    var nearest = Double.MAX_VALUE
-    corners.forEachEdge { from, to ->
-        val alongX = to.x - from.x
-        val alongY = to.y - from.y
-        val share = ((place.x - from.x) * alongX + (place.y - from.y) * alongY) / (alongX * alongX + alongY * alongY)
-        val part = share.coerceIn(0.0, 1.0)
-        nearest = minOf(nearest, distance(place, Point(from.x + part * alongX, from.y + part * alongY)))
-    }
-    return nearest
-}
-
-private fun distance(one: Point, other: Point) = hypot(other.x - one.x, other.y - one.y)
 
 private const val GRID = 24
 private const val LITTLE = 0.01

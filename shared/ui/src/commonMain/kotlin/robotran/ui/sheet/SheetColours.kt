@@ -10,6 +10,7 @@ data class SheetColours(
     val desk: Color,
     val paper: Color,
     val paperEdge: Color,
+    val figures: Color,
 ) {
     companion object {
         val INK = Color(0xFF16307A)
@@ -28,12 +29,15 @@ data class SheetColours(
         val LAMP_EDGE = Color(0xFF9A6A00)
         val LAMP_SHADE = Color(0xFF6F7478)
         val LAMP_OFF = Color(0xFFC4C8CB)
+        val GRID = Color(0xFF5B7286)
+        val SIGHT = Color(0xFF1E88C7)
+        val TOUCH = Color(0xFFD33A2C)
         val LABEL = Color(0xFF1D2023)
         val LABEL_PLATE = Color(0xE6FFFFFF)
 
         /** As on a screen by day; pictures are always painted so. */
         val LIGHT = of(RobotranColours.LIGHT)
 
-        fun of(colours: RobotranColours) = SheetColours(colours.desk, colours.paper, colours.paperEdge)
+        fun of(colours: RobotranColours) = SheetColours(colours.desk, colours.paper, colours.paperEdge, colours.onPane)
     }
 }

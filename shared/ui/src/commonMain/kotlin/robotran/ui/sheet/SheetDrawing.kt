@@ -1,5 +1,7 @@
 package robotran.ui.sheet
 
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Path
 import robotran.world.World
@@ -19,6 +21,7 @@ class SheetDrawing(
     internal val blocks: List<BlockDrawing> = world.blocks.map { BlockDrawing(it.shape, transform) }
     internal val glow = GlowDrawing(world, transform)
     internal val ink = InkDrawing(transform)
+    internal val trail = TrailDrawing(transform)
 }
 
 /** Keeps the [SheetDrawing] of a world for as long as the room for it stays the same. */
@@ -35,5 +38,33 @@ class SheetFit(
         val drawing = SheetDrawing(world, SheetTransform.fitting(paper.width, paper.height, marginCentimetres, area))
         latest = area to drawing
         return drawing
+    }
+}
+
+/**
+ * Keeps the [SheetDrawing] of a world that is looked at from nearer and further away. While the zoom changes, one that was made for another zoom is drawn
+ * larger or smaller, which costs nothing; lines are then a little wider or narrower than they should be.
+ */
+class SheetZoom(private val world: World) {
+    private var latest: SheetDrawing? = null
+
+    /**
+     * A drawing for a zoom of [pixelsPerCentimetre], with the paper's upper left corner at the origin.
+     *
+     * @param settled whether the zoom stays as it is, so that it is worth making one for exactly this zoom.
+     */
+    fun at(pixelsPerCentimetre: Float, settled: Boolean): SheetDrawing {
+        val known = latest
+        if (known != null) {
+            val larger = pixelsPerCentimetre / known.transform.pixelsPerCentimetre
+            if (larger == 1f || (!settled && larger in LEAST_STRETCH..MOST_STRETCH)) return known
+        }
+        val paper = Size(world.paper.width.toFloat() * pixelsPerCentimetre, world.paper.height.toFloat() * pixelsPerCentimetre)
+        return SheetDrawing(world, SheetTransform(pixelsPerCentimetre, Rect(Offset.Zero, paper))).also { latest = it }
+    }
+
+    private companion object {
+        const val LEAST_STRETCH = 0.7f
+        const val MOST_STRETCH = 1.4f
     }
 }

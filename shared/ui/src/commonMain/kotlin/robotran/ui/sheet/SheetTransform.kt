@@ -3,6 +3,7 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.geometry.Size
+import robotran.world.Point
 import kotlin.math.min
 
 /**
@@ -10,7 +11,7 @@ import kotlin.math.min
  *
  * @property paper the paper's edges in pixels.
  */
-class SheetTransform private constructor(
+class SheetTransform internal constructor(
     val pixelsPerCentimetre: Float,
     val paper: Rect,
 ) {
@@ -18,18 +19,41 @@ class SheetTransform private constructor(
     fun toPixels(x: Double, y: Double): Offset =
         Offset(paper.left + x.toFloat() * pixelsPerCentimetre, paper.bottom - y.toFloat() * pixelsPerCentimetre)
 
+    fun toPixels(place: Point): Offset = toPixels(place.x, place.y)
+
+    /** How many pixels long [centimetres] are. */
+    fun toPixels(centimetres: Double): Float = centimetres.toFloat() * pixelsPerCentimetre
+
+    /** Which point of the paper, or of the desk beside it, is at [place]; the paper's corner where nothing can be seen. */
+    fun toCentimetres(place: Offset): Point {
+        if (pixelsPerCentimetre == 0f) return Point(0.0, 0.0)
+        return Point(toCentimetres(place.x - paper.left), toCentimetres(paper.bottom - place.y))
+    }
+
+    /** How long [pixels] are; 0 where nothing can be seen. */
+    fun toCentimetres(pixels: Float): Double = if (pixelsPerCentimetre == 0f) 0.0 else (pixels / pixelsPerCentimetre).toDouble()
+
+    override fun equals(other: Any?) =
+        other is SheetTransform && pixelsPerCentimetre == other.pixelsPerCentimetre && paper == other.paper
+
+    override fun hashCode() = 31 * pixelsPerCentimetre.hashCode() + paper.hashCode()
+
     companion object {
         /**
          * The largest paper of [widthCentimetres] by [heightCentimetres] that fits into [area] pixels with [marginCentimetres] of desk
          * on every side, in the middle.
          */
-        fun fitting(widthCentimetres: Double, heightCentimetres: Double, marginCentimetres: Double, area: Size): SheetTransform {
+        fun fitting(widthCentimetres: Double, heightCentimetres: Double, marginCentimetres: Double, area: Size): SheetTransform =
+            fitting(widthCentimetres, heightCentimetres, marginCentimetres, Rect(Offset.Zero, area))
+
+        /** The same within a part of the pixels. */
+        fun fitting(widthCentimetres: Double, heightCentimetres: Double, marginCentimetres: Double, area: Rect): SheetTransform {
             val scale = min(
                 area.width / (widthCentimetres + 2 * marginCentimetres),
                 area.height / (heightCentimetres + 2 * marginCentimetres),
             ).toFloat().coerceAtLeast(0f)
             val size = Size(widthCentimetres.toFloat() * scale, heightCentimetres.toFloat() * scale)
-            val corner = Offset((area.width - size.width) / 2, (area.height - size.height) / 2)
+            val corner = Offset(area.left + (area.width - size.width) / 2, area.top + (area.height - size.height) / 2)
             return SheetTransform(scale, Rect(corner, size))
         }
     }

@@ -1,6 +1,7 @@
 package robotran.ui.workshop
 
 import kotlinx.coroutines.CoroutineScope
+import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.ui.platform.Platform
@@ -17,11 +18,17 @@ interface Bench {
     /** What would be saved now: programs, world and settings; without inputs, see [inputs]. */
     val project: Project
 
+    /** The program that is shown. */
+    val shownProgram: PupilProgram
+
     /** What was done to the session that is on the desk, so far. */
     val inputs: List<RecordedInput>
 
     /** What the app shows and does on this machine. */
     val settings: Settings
+
+    /** What the app speaks: as the settings say, or as the machine does. */
+    val language: Language
 
     /** Puts [project] on the desk in place of all that is there; programs and run begin afresh. */
     fun openProject(project: Project)

@@ -1,86 +1,151 @@
 package robotran.ui.workshop
 
+import robotran.editing.CodeLanguage
+import robotran.editing.Draft
+import robotran.editing.EditKind
+import robotran.editing.code.formatJava
+import robotran.editing.editBetween
 import robotran.rom.Brick
+import robotran.robolang.format.FormatResult
+import robotran.robolang.format.formatRobolang
 
-/** What a person does with the programs and which of them are shown. */
+/**
+ * What a person does with the programs of the robot that is chosen.
+ *
+ * @param shown the robot's programs.
+ * @param bringToFront shows the pane with the programs.
+ */
 internal class ProgramEditing(
-    private val shelf: ProgramShelf,
-    private val state: () -> ProgramsState,
-    private val show: (ProgramsState) -> Unit,
+    private val shown: () -> RobotPrograms,
     private val bringToFront: () -> Unit,
 ) {
+    /** Whether somebody wanted to run a program with mistakes since it was last edited. */
+    var mistakePointedOut = false
+        private set
+
     fun handle(event: ProgramEvent) {
+        val robot = shown()
         when (event) {
-            is ProgramEvent.ProgramEdited -> edit(state().shownFile, event.text)
-            is ProgramEvent.FixApplied -> applyFix(event)
-            is ProgramEvent.ProgramChosen -> if (event.slot in shelf.programs.indices) choose(event.slot)
-            is ProgramEvent.FileChosen -> if (event.place in state().program.files.indices) show(state().copy(shownFile = event.place))
-            is ProgramEvent.ProgramAdded -> add(shelf.programs.size, event.program.withPlainLineEnds())
-            is ProgramEvent.ProgramBegun -> add(shelf.programs.size, newProgram(event.language, shelf.programs))
-            ProgramEvent.ClassAdded -> addClass()
-            is ProgramEvent.ProgramClosed -> close(event.slot)
-            ProgramEvent.ProgramReopened -> reopen()
+            is ProgramEvent.ProgramEdited -> write(robot, robot.memory.draft.changedTo(event.text), EditKind.OTHER)
+            is ProgramEvent.Written -> write(robot, event.draft, event.kind)
+            ProgramEvent.Undone -> robot.memory.undone()?.let { remember(robot, it) }
+            ProgramEvent.Redone -> robot.memory.redone()?.let { remember(robot, it) }
+            ProgramEvent.Formatted -> format(robot)
+            is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
+            is ProgramEvent.FixApplied -> applyFix(robot, event)
+            is ProgramEvent.ProgramChosen -> if (event.slot in robot.shelf.entries.indices) choose(robot, event.slot)
+            is ProgramEvent.FileChosen -> if (event.place in robot.entry.memories.indices) robot.shownFile = event.place
+            is ProgramEvent.ProgramAdded -> add(robot, ShelfEntry(event.program.withPlainLineEnds()))
+            is ProgramEvent.ProgramBegun -> add(robot, ShelfEntry(newProgram(event.language, robot.shelf.programs)))
+            ProgramEvent.ClassAdded -> addClass(robot)
+            is ProgramEvent.FileRenamed -> rename(robot, event)
+            is ProgramEvent.ProgramClosed -> close(robot, event.slot)
+            ProgramEvent.ProgramReopened -> reopen(robot)
+            is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> mistakePointedOut = false
         }
     }
 
     /** Shows what is wrong with the program in [slot]. */
-    fun pointOutMistakes(slot: Int) {
-        if (slot != state().shownProgram) choose(slot)
-        val place = state().program.files.indexOfFirst { it.name == shelf.mistakes(slot).firstOrNull()?.file }
-        show(state().copy(mistakePointedOut = true, shownFile = if (place >= 0) place else state().shownFile))
+    fun pointOutMistakes(robot: RobotPrograms, slot: Int) {
+        if (slot != robot.shownProgram) choose(robot, slot)
+        val mistake = robot.shelf.mistakes(slot).firstOrNull()
+        val place = robot.entry.program.files.indexOfFirst { it.name == mistake?.file }
+        if (place >= 0) robot.shownFile = place
+        mistake?.range?.let { range ->
+            val draft = robot.memory.draft
+            if (range.line <= draft.lines.count) write(robot, draft.withCaret(draft.lines.offset(range.line - 1, range.column - 1)), EditKind.OTHER)
+        }
+        mistakePointedOut = true
         bringToFront()
     }
 
-    private fun edit(file: Int, written: String) {
-        val text = written.withPlainLineEnds()
-        val now = state()
-        if (text == now.program.files[file].text) return
-        shelf.change(now.shownProgram, now.program.withText(file, text))
-        refresh(now.copy(mistakePointedOut = false))
+    private fun write(robot: RobotPrograms, draft: Draft, kind: EditKind) {
+        val plain = draft.text.withPlainLineEnds()
+        val written = if (plain == draft.text) draft else Draft(plain, draft.selection)
+        val within = written.copy(selection = written.selection.within(written.text.length))
+        if (within.text != robot.memory.draft.text) mistakePointedOut = false
+        remember(robot, robot.memory.written(within, kind))
     }
 
-    private fun applyFix(event: ProgramEvent.FixApplied) {
+    private fun remember(robot: RobotPrograms, memory: ProgramFileMemory) {
+        robot.shelf.change(robot.shownProgram, robot.entry.with(robot.shownFile, memory))
+    }
+
+    private fun format(robot: RobotPrograms) {
+        val draft = robot.memory.draft
+        val text = when (robot.entry.program.language) {
+            ProgramLanguage.JAVA -> formatJava(draft.text)
+            ProgramLanguage.ROBOLANG -> (formatRobolang(draft.text) as? FormatResult.Formatted)?.text ?: return
+        }
+        val line = draft.lines.lineOf(draft.selection.caret)
+        val laidOut = Draft(text)
+        val column = draft.lines.columnOf(draft.selection.caret)
+        write(robot, laidOut.withCaret(laidOut.lines.offset(minOf(line, laidOut.lines.count - 1), column)), EditKind.OTHER)
+    }
+
+    private fun applyFix(robot: RobotPrograms, event: ProgramEvent.FixApplied) {
         val fix = event.mistake.fix ?: return
-        if (event.mistake !in shelf.mistakes(state().shownProgram)) return
-        val file = state().program.files.indexOfFirst { it.name == event.mistake.file }
+        if (robot.entry.result == null || robot.entry.notes.none { it.mistake == event.mistake }) return
+        val file = robot.entry.program.files.indexOfFirst { it.name == event.mistake.file }
         if (file < 0) return
-        edit(file, state().program.files[file].text.mendedBy(fix))
-        refresh(state().copy(shownFile = file))
+        robot.shownFile = file
+        write(robot, robot.memory.draft.changedTo(robot.memory.draft.text.mendedBy(fix)), EditKind.OTHER)
     }
 
-    private fun choose(slot: Int) = refresh(state().copy(shownProgram = slot, shownFile = 0, mistakePointedOut = false))
+    private fun choose(robot: RobotPrograms, slot: Int) {
+        robot.shownProgram = slot
+        robot.shownFile = 0
+        mistakePointedOut = false
+    }
 
-    private fun add(slot: Int, program: PupilProgram) {
-        if (shelf.programs.size >= Brick.MOST_PROGRAMS) return
-        shelf.insert(slot, program)
-        refresh(state().copy(programs = shelf.programs, shownProgram = slot, shownFile = 0, mistakePointedOut = false))
+    private fun add(robot: RobotPrograms, entry: ShelfEntry) {
+        if (robot.shelf.entries.size >= Brick.MOST_PROGRAMS) return
+        robot.shelf.insert(robot.shelf.entries.size, entry)
+        choose(robot, robot.shelf.entries.lastIndex)
         bringToFront()
     }
 
-    private fun addClass() {
-        val now = state()
-        if (now.program.language != ProgramLanguage.JAVA) return
-        val program = now.program.copy(files = now.program.files + newClass(now.program))
-        shelf.change(now.shownProgram, program)
-        refresh(now.copy(shownFile = program.files.lastIndex))
+    private fun addClass(robot: RobotPrograms) {
+        val entry = robot.entry
+        if (entry.program.language != ProgramLanguage.JAVA) return
+        val file = newClass(entry.program)
+        robot.shelf.change(robot.shownProgram, entry.withFiles(entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(Draft(file.text)))))
+        robot.shownFile = robot.entry.memories.lastIndex
     }
 
-    private fun close(slot: Int) {
-        if (slot !in shelf.programs.indices || shelf.programs.size == 1) return
-        val closed = shelf.programs[slot]
-        shelf.remove(slot)
-        val shown = state().shownProgram.let { if (it > slot || it > shelf.programs.lastIndex) it - 1 else it }
-        refresh(state().copy(closedProgram = closed, shownProgram = shown, shownFile = 0, mistakePointedOut = false))
+    private fun rename(robot: RobotPrograms, event: ProgramEvent.FileRenamed) {
+        val entry = robot.entry
+        if (event.place !in entry.memories.indices || nameProblem(robot.shelf.programs, robot.shownProgram, event.place, event.name) != null) return
+        robot.shelf.change(robot.shownProgram, entry.withFileRenamed(event.place, fileNameFor(event.name, entry.program.language)))
     }
 
-    private fun reopen() {
-        val program = state().closedProgram ?: return
-        if (shelf.programs.size >= Brick.MOST_PROGRAMS) return
-        show(state().copy(closedProgram = null))
-        add(shelf.programs.size, program)
+    private fun close(robot: RobotPrograms, slot: Int) {
+        val entries = robot.shelf.entries
+        if (slot !in entries.indices || entries.size == 1) return
+        robot.closed = entries[slot]
+        robot.shelf.remove(slot)
+        choose(robot, robot.shownProgram.let { if (it > slot || it > robot.shelf.entries.lastIndex) it - 1 else it })
     }
 
-    private fun refresh(now: ProgramsState) = show(now.copy(programs = shelf.programs, mistakes = shelf.mistakes(now.shownProgram)))
+    private fun reopen(robot: RobotPrograms) {
+        val entry = robot.closed ?: return
+        if (robot.shelf.entries.size >= Brick.MOST_PROGRAMS) return
+        robot.closed = null
+        add(robot, entry)
+    }
+}
+
+/** This draft with [text] in place of its own, and the caret at what it was at. */
+private fun Draft.changedTo(text: String): Draft {
+    val edit = editBetween(this.text, text.withPlainLineEnds()) ?: return this
+    return Draft(edit.applyTo(this.text)).withCaret(edit.moved(selection.caret))
 }
 
 internal fun PupilProgram.withPlainLineEnds(): PupilProgram = copy(files = files.map { it.copy(text = it.text.withPlainLineEnds()) })
+
+/** The language as an editor knows it. */
+internal val ProgramLanguage.code: CodeLanguage
+    get() = when (this) {
+        ProgramLanguage.ROBOLANG -> CodeLanguage.ROBOLANG
+        ProgramLanguage.JAVA -> CodeLanguage.JAVA
+    }

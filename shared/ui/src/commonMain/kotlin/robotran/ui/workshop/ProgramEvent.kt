@@ -1,5 +1,7 @@
 package robotran.ui.workshop
 
+import robotran.editing.Draft
+import robotran.editing.EditKind
 import robotran.programs.Mistake
 
 /** Something a person does with the programs. */
@@ -7,8 +9,29 @@ sealed interface ProgramEvent : WorkshopEvent {
     /** The text of the file that is shown is now [text]. */
     data class ProgramEdited(val text: String) : ProgramEvent
 
+    /** The file that is shown is now [draft], or something else of it is selected. */
+    data class Written(val draft: Draft, val kind: EditKind) : ProgramEvent
+
+    /** What was done last to the file that is shown is to be taken back. */
+    data object Undone : ProgramEvent
+
+    /** What was taken back last is to be done again. */
+    data object Redone : ProgramEvent
+
+    /** The file that is shown is to be laid out as it should be. */
+    data object Formatted : ProgramEvent
+
+    /** The program that is shown is to stop before [line], from 1, of the file that is shown, or not any more. */
+    data class BreakpointToggled(val line: Int) : ProgramEvent
+
     /** The fix that goes with [mistake] is wanted. */
     data class FixApplied(val mistake: Mistake) : ProgramEvent
+
+    /** The translation of a Robolang program is to be shown beside it or not. */
+    data class TranslationShown(val shown: Boolean) : ProgramEvent
+
+    /** The programs of the robot called [name] are to be shown. */
+    data class RobotChosen(val name: String) : ProgramEvent
 
     /** The program in [slot] is to be shown. */
     data class ProgramChosen(val slot: Int) : ProgramEvent
@@ -24,6 +47,9 @@ sealed interface ProgramEvent : WorkshopEvent {
 
     /** The Java program that is shown is to have one more class. */
     data object ClassAdded : ProgramEvent
+
+    /** The file [place] of the program that is shown is to be called [name], which must be possible, see [nameProblem]. */
+    data class FileRenamed(val place: Int, val name: String) : ProgramEvent
 
     /** The program in [slot] is to go away; it can be brought back as long as no other goes. */
     data class ProgramClosed(val slot: Int) : ProgramEvent

@@ -9,14 +9,15 @@ import robotran.rom.Brick
 import robotran.rom.RcxProgram
 
 /**
- * The pupil's programs in the order of the brick's slots, and what came of reading them. Robolang is read while it is typed; Java takes a compiler,
- * so it is read when there is time for it, by [readUnread].
+ * The programs of one robot in the order of its brick's slots, and what came of reading them. Robolang is read while it is typed, unless it is very
+ * long; Java takes a compiler, so it is read when there is time for it, by [readUnread].
  */
 internal class ProgramShelf(
     programs: List<PupilProgram>,
     private val reader: ProgramReader,
 ) {
-    private var entries = programs.take(Brick.MOST_PROGRAMS).map(::entryOf)
+    var entries: List<ShelfEntry> = programs.take(Brick.MOST_PROGRAMS).map { readIfShort(ShelfEntry(it)) }
+        private set
 
     val programs: List<PupilProgram> get() = entries.map { it.program }
 
@@ -27,24 +28,20 @@ internal class ProgramShelf(
     val slots: List<RcxProgram?> get() = entries.map { (it.result as? ProgramResult.Ready)?.program }
 
     /** What is wrong with the program in [slot], as far as it was read; empty if that was before its last change. */
-    fun mistakes(slot: Int): List<Mistake> = (entries[slot].result as? ProgramResult.Mistaken)?.mistakes.orEmpty()
-
-    /** Puts [programs] in place of all there are. */
-    fun replaceAll(programs: List<PupilProgram>) {
-        entries = programs.take(Brick.MOST_PROGRAMS).map(::entryOf)
-    }
+    fun mistakes(slot: Int): List<Mistake> = entries[slot].mistakes
 
     fun isRead(slot: Int): Boolean = entries[slot].result != null
 
     fun canRun(slot: Int): Boolean = entries[slot].result is ProgramResult.Ready && !entries[slot].program.isBlank
 
-    fun change(slot: Int, program: PupilProgram) {
-        entries = entries.mapIndexed { place, old -> if (place == slot) entryOf(program) else old }
+    /** Puts [entry] in place of what is in [slot]. */
+    fun change(slot: Int, entry: ShelfEntry) {
+        entries = entries.mapIndexed { place, old -> if (place == slot) readIfShort(entry) else old }
     }
 
-    /** Puts [program] into [slot]; the programs from there on move up. There must be room. */
-    fun insert(slot: Int, program: PupilProgram) {
-        entries = entries.take(slot) + entryOf(program) + entries.drop(slot)
+    /** Puts [entry] into [slot]; the programs from there on move up. There must be room. */
+    fun insert(slot: Int, entry: ShelfEntry) {
+        entries = entries.take(slot) + readIfShort(entry) + entries.drop(slot)
     }
 
     fun remove(slot: Int) {
@@ -62,12 +59,18 @@ internal class ProgramShelf(
             val source = program.source()
             reader.prepareFor(source)
             val result = withContext(Dispatchers.Default) { reader.readNow(source) }
-            entries = entries.map { if (it.program === program) Entry(program, result) else it }
+            entries = entries.map { if (it.program === program) it.read(result) else it }
         }
     }
 
-    private fun entryOf(program: PupilProgram) =
-        Entry(program, if (program.language == ProgramLanguage.ROBOLANG) reader.readNow(program.source()) else null)
+    private fun readIfShort(entry: ShelfEntry): ShelfEntry {
+        val program = entry.program
+        val isShort = program.language == ProgramLanguage.ROBOLANG && program.files.first().text.length <= READ_AT_ONCE
+        return if (entry.result == null && isShort) entry.read(reader.readNow(program.source())) else entry
+    }
 
-    private class Entry(val program: PupilProgram, val result: ProgramResult?)
+    private companion object {
+        /** Characters of Robolang that are read at every key; that takes a small part of the time between two pictures. */
+        const val READ_AT_ONCE = 12_000
+    }
 }

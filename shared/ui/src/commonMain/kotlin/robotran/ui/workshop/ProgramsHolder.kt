@@ -3,75 +3,112 @@ package robotran.ui.workshop
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import robotran.language.Language
 import robotran.programs.ProgramReader
-import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
+import robotran.projects.Project
 import robotran.projects.ProjectRobot
+import robotran.world.Breakpoint
 import robotran.world.RobotLoad
-import robotran.world.RobotPlace
 import robotran.world.World
 
 /**
- * Keeps the programs: what the pupil writes, and what came of reading it.
+ * Keeps the programs of all robots of a world: what the pupil writes, and what came of reading it.
  *
+ * @param project what is there to begin with; its first robot gets the square if it has been given nothing.
  * @param onRead is told how far the programs were read.
  */
 class ProgramsHolder(
-    programs: List<PupilProgram>,
+    project: Project,
     private val bench: Bench,
     private val onRead: (ProgramReading) -> Unit,
 ) {
-    private val reader = ProgramReader(PENBOT_CALIBRATION)
-    private val shelf = ProgramShelf(programs.map { it.withPlainLineEnds() }, reader)
-    private val readingLoop = ReadingLoop(shelf, ::showReading)
+    private var reader = ProgramReader(PENBOT_CALIBRATION, language = bench.language)
+    private var robots = robotsOf(project)
+    private var shownRobot = robots.first().place.name
+    private var translationShown = false
+    private val shown: RobotPrograms get() = robots.firstOrNull { it.place.name == shownRobot } ?: robots.first()
+    private val readingLoop = ReadingLoop({ robots.any { it.shelf.hasUnread } }, { robots.forEach { it.shelf.readUnread() } }, ::showReading)
+    private val editing = ProgramEditing({ shown }) { bench.show(Pane.PROGRAM) }
+    private var reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
 
-    var state: ProgramsState by mutableStateOf(firstState())
+    var state: ProgramsState by mutableStateOf(stateNow())
         private set
 
-    private val editing = ProgramEditing(shelf, { state }, { state = it }) { bench.show(Pane.PROGRAM) }
-
     fun handle(event: ProgramEvent) {
+        if (event is ProgramEvent.RobotChosen) shownRobot = event.name
+        if (event is ProgramEvent.TranslationShown) translationShown = event.shown
         editing.handle(event)
         readingLoop.programsChanged()
         refresh()
     }
 
-    /** All programs as they are written now, and what the brick's slots get of them. */
-    internal val written: WrittenPrograms get() = WrittenPrograms(shelf.programs, shelf.slots.map { it != null })
+    /** All programs as they are written now, and what the bricks' slots get of them. */
+    internal val written: WrittenPrograms
+        get() = WrittenPrograms(robots.map { it.shelf.programs }, robots.map { robot -> robot.shelf.slots.map { it != null } })
 
-    /** How many programs there are. */
-    val count: Int get() = shelf.programs.size
+    /** How many programs the first robot has. */
+    val count: Int get() = robots.first().shelf.entries.size
 
-    /** The programs as a project keeps them. */
-    fun projectRobots(
-        world: World,
-    ): List<ProjectRobot> = listOf(ProjectRobot(world.robots.first().name, shelf.programs.map { it.asProject() }))
+    /** The slot of the first robot's program that Run in the run bar starts: the one that was shown last. */
+    val slotToRun: Int get() = robots.first().shownProgram
 
-    /** What the robots of [world] are loaded with, the first with the programs as they were last read; Run starts that in [firstSlot]. */
-    fun loads(world: World, firstSlot: Int): List<RobotLoad> =
-        listOf(RobotLoad(shelf.slots, firstSlot)) + world.robots.drop(1).map { RobotLoad(listOfNotNull(ownProgram(it))) }
+    /** The programs of all robots of [world] as a project keeps them. */
+    fun projectRobots(world: World): List<ProjectRobot> =
+        robots.filter { robot -> world.robots.any { it.name == robot.place.name } }.mapNotNull { it.asProject() }
 
-    /**
-     * Whether the program in [slot] can run now; if it has mistakes, the first is pointed out, and if it was not read yet, it is being read from now
-     * on, and [onRead] tells when that is done.
-     */
-    fun canStart(slot: Int): Boolean {
-        if (!shelf.isRead(slot)) readingLoop.hurry()
-        val possible = shelf.canRun(slot)
-        if (!possible && shelf.isRead(slot)) {
-            editing.pointOutMistakes(slot)
-        }
-        return possible
+    /** What the robots of [world] are loaded with, as the programs were last read; Run starts that of the first robot in [firstSlot]. */
+    fun loads(world: World, firstSlot: Int): List<RobotLoad> = world.robots.mapIndexed { index, place ->
+        val robot = robots.firstOrNull { it.place.name == place.name }
+        robot?.load(if (index == 0) firstSlot else robot.shownProgram) ?: RobotLoad(emptyList())
     }
 
-    /** Whether the program in [slot] was read since it was changed. */
-    fun isRead(slot: Int): Boolean = shelf.isRead(slot)
+    /** Where the program in [slot] of the robot called [robot] is to stop. */
+    fun breakpoints(robot: String, slot: Int): Set<Breakpoint> = robots.firstOrNull { it.place.name == robot }?.breakpoints(slot).orEmpty()
 
-    /** Puts [programs] in place of all there are. */
-    fun replaceAll(programs: List<PupilProgram>) {
-        shelf.replaceAll(programs.map { it.withPlainLineEnds() })
-        state = firstState()
+    /**
+     * Whether the program in [slot] of the first robot, and those of the others, can run now; if one has mistakes, the first is pointed out, and if
+     * one was not read yet, it is being read from now on, and [onRead] tells when that is done.
+     */
+    fun canStart(slot: Int): Boolean {
+        if (!isRead(slot)) readingLoop.hurry()
+        if (!isRead(slot)) return false
+        val mistaken = starting(slot).firstOrNull { (robot, itsSlot) -> robot.isNeeded() && !robot.shelf.canRun(itsSlot) } ?: return true
+        shownRobot = mistaken.first.place.name
+        editing.pointOutMistakes(mistaken.first, mistaken.second)
+        refresh()
+        return false
+    }
+
+    /** Whether the program in [slot] of the first robot, and those of the others, were read since they were changed. */
+    fun isRead(slot: Int): Boolean = starting(slot).all { (robot, itsSlot) -> robot.shelf.isRead(itsSlot) }
+
+    /** Puts the programs of [project] in place of all there are. */
+    fun open(project: Project) {
+        robots = robotsOf(project)
+        shownRobot = robots.first().place.name
+        reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
         readingLoop.programsChanged()
+        refresh()
+    }
+
+    /** The robots are those of [world] now: each keeps its programs, and the first those of the first. */
+    fun worldChanged(world: World) {
+        val before = robots
+        robots = world.robots.mapIndexed { index, place ->
+            val known = before.firstOrNull { it.place.name == place.name } ?: before.first().takeIf { index == 0 }
+            known?.movedTo(place) ?: RobotPrograms(place, ProjectRobot(place.name), reader, emptyList())
+        }
+        if (robots.none { it.place.name == shownRobot }) shownRobot = robots.first().place.name
+        refresh()
+    }
+
+    /** Reads all programs again, to tell what is wrong with them in [language]. */
+    fun speak(language: Language) {
+        reader = reader.telling(language)
+        robots = robots.map { it.readBy(reader) }
+        reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
+        readingLoop.programsChanged()
+        refresh()
     }
 
     /** Compiles Java programs in the pauses of typing, for ever. */
@@ -80,26 +117,54 @@ class ProgramsHolder(
     /** Reads all programs that were not read yet. */
     suspend fun readPrograms() = readingLoop.readAll()
 
-    private fun ownProgram(robot: RobotPlace) = robot.program
-        ?.let { reader.readNow(ProgramSource.Robolang("${robot.name}${ProgramLanguage.ROBOLANG.extension}", it)) as? ProgramResult.Ready }
-        ?.program
+    private fun starting(slot: Int): List<Pair<RobotPrograms, Int>> =
+        robots.mapIndexed { index, robot -> robot to if (index == 0) slot else robot.shownProgram }
+
+    /** A robot that nobody has given a program only stands there. */
+    private fun RobotPrograms.isNeeded() = this === robots.first() || !isBlank
+
+    private fun robotsOf(project: Project): List<RobotPrograms> = project.world.robots.mapIndexed { index, place ->
+        val kept = project.robots.firstOrNull { it.name == place.name } ?: ProjectRobot(place.name)
+        val programs = kept.programs.map { it.asPupil() }
+        val isAlone = index == 0 && programs.isEmpty() && place.program == null
+        RobotPrograms(place, kept, reader, if (isAlone) listOf(firstProgram()) else programs)
+    }
 
     private fun showReading(reading: ProgramReading) {
-        state = state.copy(reading = reading)
+        this.reading = reading
         refresh()
         onRead(reading)
     }
 
     private fun refresh() {
-        state = state.copy(programs = shelf.programs, mistakes = shelf.mistakes(state.shownProgram))
+        state = stateNow()
     }
 
-    private fun firstState() = ProgramsState(
-        programs = shelf.programs,
-        mistakes = shelf.mistakes(0),
-        reading = if (shelf.hasUnread) ProgramReading.WAITING else ProgramReading.DONE,
-    )
+    private fun stateNow(): ProgramsState {
+        val robot = shown
+        val entry = robot.entry
+        return ProgramsState(
+            robots = robots.map { it.place },
+            shownRobot = robot.place.name,
+            isWorldsOwn = robot.isUntouched && !robot.isBlank,
+            programs = robot.shelf.programs,
+            shownProgram = robot.shownProgram,
+            shownFile = robot.shownFile,
+            draft = robot.memory.draft,
+            canUndo = robot.memory.history.canUndo,
+            canRedo = robot.memory.history.canRedo,
+            breakpoints = robot.memory.breakpoints,
+            closedProgram = robot.closed?.program,
+            mistakes = entry.mistakes,
+            notes = entry.notes,
+            reading = reading,
+            mistakePointedOut = editing.mistakePointedOut,
+            translationShown = translationShown,
+            translation = if (translationShown) entry.translationToShow() else null,
+            isTranslated = entry.isTranslated,
+        )
+    }
 }
 
-/** What the pupil has written and which of it can run: two of them are alike if nothing has changed between them. */
-internal data class WrittenPrograms(val programs: List<PupilProgram>, val runnable: List<Boolean>)
+/** What the pupil has written and which of it can run, robot by robot: two of them are alike if nothing has changed between them. */
+internal data class WrittenPrograms(val programs: List<List<PupilProgram>>, val runnable: List<List<Boolean>>)

@@ -7,10 +7,13 @@ import kotlinx.coroutines.withTimeoutOrNull
 /**
  * Reads programs that take a compiler, in the pauses of typing, or at once if somebody waits.
  *
+ * @param hasUnread whether there is something to be read.
+ * @param readUnread reads it.
  * @param tell is told how far it is.
  */
 internal class ReadingLoop(
-    private val shelf: ProgramShelf,
+    private val hasUnread: () -> Boolean,
+    private val readUnread: suspend () -> Unit,
     private val tell: (ProgramReading) -> Unit,
 ) {
     private val changes = Channel<Unit>(Channel.CONFLATED)
@@ -18,7 +21,7 @@ internal class ReadingLoop(
 
     /** A program may have been changed. */
     fun programsChanged() {
-        if (!shelf.hasUnread) return
+        if (!hasUnread()) return
         tell(ProgramReading.WAITING)
         changes.trySend(Unit)
     }
@@ -32,7 +35,7 @@ internal class ReadingLoop(
 
     /** Reads whenever there is something to be read, for ever. */
     suspend fun run() {
-        if (shelf.hasUnread) changes.trySend(Unit)
+        if (hasUnread()) changes.trySend(Unit)
         while (true) {
             changes.receive()
             awaitPause()
@@ -43,7 +46,7 @@ internal class ReadingLoop(
     /** Reads all that was not read yet. */
     suspend fun readAll() {
         val reading = try {
-            shelf.readUnread()
+            readUnread()
             ProgramReading.DONE
         } catch (cancelled: CancellationException) {
             throw cancelled

@@ -114,7 +114,7 @@ class RunHolder(
     }
 
     private fun run() {
-        val slot = programs.state.shownProgram
+        val slot = programs.slotToRun
         if (!canStart(slot)) return
         beginAfresh(slot)
         press(BrickButton.RUN)
@@ -157,7 +157,7 @@ class RunHolder(
         show()
     }
 
-    private fun newSession(slot: Int) = Session(world, programs.loads(world, slot), physics).also { sound.listenTo(it.sounds) }
+    private fun newSession(slot: Int) = Session(world, programs.loads(world, slot), physics, bench.language).also { sound.listenTo(it.sounds) }
 
     private fun show() {
         val now = session.state

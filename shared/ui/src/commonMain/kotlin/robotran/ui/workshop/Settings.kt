@@ -2,6 +2,7 @@ package robotran.ui.workshop
 
 import androidx.compose.runtime.Immutable
 import kotlinx.serialization.Serializable
+import robotran.language.Language
 
 /**
  * What a person has chosen for this machine, whatever they work on.
@@ -14,7 +15,7 @@ import kotlinx.serialization.Serializable
 @Immutable
 @Serializable
 data class Settings(
-    val language: AppLanguage? = null,
+    val language: Language? = null,
     val theme: AppTheme = AppTheme.SYSTEM,
     val textScale: Float = 1f,
     val codeSize: Float = USUAL_CODE_SIZE,
@@ -24,13 +25,6 @@ data class Settings(
     companion object {
         const val USUAL_CODE_SIZE = 15f
     }
-}
-
-/** The languages of the app, each with the name that its speakers know it by. */
-enum class AppLanguage(val tag: String, val ownName: String) {
-    ENGLISH("en", "English"),
-    SPANISH("es", "Español"),
-    GERMAN("de", "Deutsch"),
 }
 
 enum class AppTheme { SYSTEM, LIGHT, DARK, HIGH_CONTRAST, HIGH_CONTRAST_DARK }

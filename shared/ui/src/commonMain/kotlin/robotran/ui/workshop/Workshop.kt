@@ -5,9 +5,11 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.ui.platform.MemoryPlatform
+import robotran.ui.language.spokenLanguage
 import robotran.ui.platform.Platform
 import robotran.world.RecordedInput
 import robotran.world.RunReport
@@ -33,9 +35,9 @@ class Workshop(
     private var notice: Notice? by mutableStateOf(null)
 
     private val settingsHolder = SettingsHolder(this, settings)
-    private val programs: ProgramsHolder = ProgramsHolder(pupilProgramsOf(project).ifEmpty { listOf(firstProgram()) }, this, ::programsRead)
+    private val programs: ProgramsHolder = ProgramsHolder(project, this, ::programsRead)
     private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this).also { it.hear(settings.soundOn) }
-    private val sheet = SheetHolder(this)
+    private val sheet = SheetHolder()
     private val worldEdit = WorldEditHolder(this)
     private val document = DocumentHolder(this)
     private val learning = LearningHolder(this)
@@ -56,8 +58,10 @@ class Workshop(
         )
 
     override val project: Project get() = opened.copy(robots = programs.projectRobots(opened.world), inputs = emptyList())
+    override val shownProgram: PupilProgram get() = programs.state.program
     override val inputs: List<RecordedInput> get() = run.inputs
     override val settings: Settings get() = settingsHolder.state
+    override val language: Language get() = spokenLanguage(settings.language)
 
     /** Something a person does. */
     fun handle(event: WorkshopEvent) {
@@ -80,6 +84,18 @@ class Workshop(
 
     /** Compiles Java programs in the pauses of typing, for ever; to be called once, for as long as the workshop is on a screen. */
     suspend fun keepReading() = programs.keepReading()
+
+    /** Brings back the work that was open last, or opens what was brought to this window; to be called once, before anything is shown. */
+    suspend fun startDocument() = document.start()
+
+    /** Keeps the work as it changes, for ever; to be called once, for as long as the workshop is on a screen. */
+    suspend fun keepDocument() = document.keepKeeping()
+
+    /** Keeps what has changed at once, since the window is out of sight and may be gone without a word. */
+    suspend fun restDocument() = document.rest()
+
+    /** Keeps what has changed at once; see [DocumentHolder.close] about the rest. */
+    suspend fun closeDocument(onLoss: () -> Unit): Boolean = document.close(onLoss)
 
     /** Reads all programs that were not read yet, and does what waited for it. */
     suspend fun readPrograms() = programs.readPrograms()
@@ -106,15 +122,18 @@ class Workshop(
 
     override fun openProject(project: Project) {
         opened = project
-        programs.replaceAll(pupilProgramsOf(project).ifEmpty { listOf(firstProgram()) })
+        programs.open(project)
         run.changeWorld(project.worldToRun)
         learning.refresh()
+        sheet.worldChanged()
     }
 
     override fun changeWorld(world: World) {
         opened = opened.copy(world = world)
+        programs.worldChanged(world)
         run.changeWorld(opened.worldToRun)
         learning.refresh()
+        sheet.worldChanged()
     }
 
     override fun changeProjectSettings(settings: ProjectSettings) {
@@ -145,8 +164,12 @@ class Workshop(
     }
 
     private fun handleSettings(event: SettingsEvent) {
+        val before = language
         settingsHolder.handle(event)
         run.hear(settingsHolder.state.soundOn)
+        if (language == before) return
+        programs.speak(language)
+        run.programsRead(programs.state.reading)
     }
 
     private fun programsRead(reading: ProgramReading) = run.programsRead(reading)

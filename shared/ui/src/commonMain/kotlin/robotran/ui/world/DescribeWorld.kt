@@ -9,20 +9,55 @@ import robotran.ui.resources.ink_length
 import robotran.ui.resources.robot_pen_down
 import robotran.ui.resources.robot_pen_up
 import robotran.ui.resources.robot_pose
+import robotran.ui.resources.sheet_region_met
+import robotran.ui.resources.sheet_region_reach
+import robotran.ui.resources.sheet_region_reach_numbered
+import robotran.ui.resources.sheet_region_stay_in
+import robotran.ui.resources.sheet_region_stay_out
+import robotran.ui.resources.sheet_robot_of_several
 import robotran.ui.runbar.oneDecimal
+import robotran.ui.sheet.GoalRegion
+import robotran.ui.sheet.RegionKind
+import robotran.ui.sheet.goalRegions
+import robotran.world.RobotSnapshot
 import robotran.world.SessionState
+import robotran.world.World
+import robotran.world.centre
 
-/** Where the robot is and what it has drawn, in words. */
+/** Where the robots are, what they have drawn and where they are to go, in words. */
 @Composable
-internal fun describeWorld(session: SessionState): String {
-    val pose = session.robot.pose
+internal fun describeWorld(world: World, session: SessionState): String {
+    val robots = world.robots.zip(session.robots).map { (place, robot) ->
+        if (session.robots.size == 1) robotWords(robot) else stringResource(Res.string.sheet_robot_of_several, place.name, robotWords(robot))
+    }
+    val ink = stringResource(Res.string.ink_length, stringResource(Res.string.centimetres, oneDecimal(session.ink.lengthCentimetres)))
+    val regions = goalRegions(world.goals).map { regionWords(it, session) }
+    return (robots + ink + regions).joinToString(". ")
+}
+
+@Composable
+private fun robotWords(snapshot: RobotSnapshot): String {
+    val pose = snapshot.robot.pose
     val place = stringResource(
         Res.string.robot_pose,
         stringResource(Res.string.centimetres, oneDecimal(pose.x)),
         stringResource(Res.string.centimetres, oneDecimal(pose.y)),
         stringResource(Res.string.degrees, oneDecimal(pose.heading)),
     )
-    val pen = stringResource(if (session.robot.penDown) Res.string.robot_pen_down else Res.string.robot_pen_up)
-    val ink = stringResource(Res.string.ink_length, stringResource(Res.string.centimetres, oneDecimal(session.ink.lengthCentimetres)))
-    return "$place, $pen, $ink"
+    return "$place, ${stringResource(if (snapshot.robot.penDown) Res.string.robot_pen_down else Res.string.robot_pen_up)}"
+}
+
+@Composable
+private fun regionWords(region: GoalRegion, session: SessionState): String {
+    val place = placeWords(region.shape.centre)
+    val number = region.number
+    val words = when (region.kind) {
+        RegionKind.REACH ->
+            if (number == null) stringResource(Res.string.sheet_region_reach, place) else stringResource(Res.string.sheet_region_reach_numbered, number, place)
+
+        RegionKind.STAY_OUT -> stringResource(Res.string.sheet_region_stay_out, place)
+
+        RegionKind.STAY_IN -> stringResource(Res.string.sheet_region_stay_in, place)
+    }
+    return if (region.isMet(session.goals)) stringResource(Res.string.sheet_region_met, words) else words
 }

@@ -1,32 +1,94 @@
 package robotran.ui.world
 
-import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.focusable
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.rememberTextMeasurer
-import robotran.ui.sheet.SheetColours
-import robotran.ui.sheet.SheetFit
-import robotran.ui.sheet.drawSheet
+import androidx.compose.ui.unit.DpRect
+import androidx.compose.ui.unit.dp
+import robotran.ui.sheet.SheetCamera
+import robotran.ui.sheet.SheetCanvas
+import robotran.ui.sheet.SheetThing
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.SheetEvent
+import robotran.ui.workshop.SheetViewState
+import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
+import robotran.world.Point
+import robotran.world.SessionState
+import robotran.world.World
 
-/** The sheet of paper on the desk, as large as it fits. A screen reader reads out where the robot is. */
+/** The sheet of paper on the desk, with everything on it under one's fingers, and the buttons for looking at it. */
 @Composable
-internal fun WorldPane(state: WorkshopState, modifier: Modifier = Modifier) {
-    val colours = LocalRobotranColours.current
-    val sheetColours = remember(colours) { SheetColours.of(colours) }
-    val description = describeWorld(state.session)
-    val fit = remember(state.world) { SheetFit(state.world, DESK_MARGIN_CENTIMETRES) }
-    val labels = rememberTextMeasurer()
-    Canvas(modifier.fillMaxSize().testTag("world").semantics { contentDescription = description }) {
-        drawSheet(fit.into(size), state.session, sheetColours, labels)
+internal fun WorldPane(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+    WorldPane(state.world, state.session, state.sheet, onEvent, modifier)
+}
+
+@Composable
+private fun WorldPane(
+    world: World,
+    session: SessionState,
+    view: SheetViewState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
+    BoxWithConstraints(modifier.fillMaxSize()) {
+        // The buttons lie where the paper leaves the most room.
+        val upright = maxWidth / maxHeight > (world.paper.width / world.paper.height).toFloat()
+        val withZoom = maxWidth >= LEAST_WIDTH_FOR_ZOOM && maxHeight >= LEAST_HEIGHT_FOR_ZOOM
+        val edge = Measures.TARGET + MARGIN
+        val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
+        TouchableSheet(world, session, view, aside, inputs, onEvent)
+        SheetControls(
+            world, view, session.surroundings, inputs, upright, withZoom, onEvent,
+            Modifier.align(Alignment.BottomStart).padding(start = MARGIN, bottom = 8.dp, end = 8.dp),
+        )
+        BumpAnnouncement(world, session)
     }
 }
 
-/** The desk that is always seen around the paper. */
-private const val DESK_MARGIN_CENTIMETRES = 3.0
+@Composable
+private fun TouchableSheet(
+    world: World,
+    session: SessionState,
+    view: SheetViewState,
+    aside: DpRect,
+    inputs: OncePerFrame,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
+    val now = rememberUpdatedState(session to view.chosen)
+    val choose = rememberUpdatedState { thing: SheetThing? -> onEvent(SheetEvent.ThingChosen(thing)) }
+    val hand = remember(world) { HandTouch(world, { now.value }, { choose.value(it) }, inputs) }
+    val ring = LocalRobotranColours.current.focus
+    val description = describeWorld(world, session)
+    SheetCanvas(
+        world, session, cameraNow(view, session), { camera, pushed -> onEvent(SheetEvent.CameraMoved(camera, pushed)) },
+        Modifier.fillMaxSize().testTag("world").focusRing(0.dp).focusable().semantics { contentDescription = description },
+        view.shown, aside, hand,
+        overlay = { sheet -> view.chosen?.let { drawChosen(it, world, session, sheet, ring) } },
+    ) { sheet ->
+        ThingHandles(world, session, sheet, inputs::sendNow, { onEvent(SheetEvent.ThingChosen(it)) })
+    }
+}
+
+/** With the robot that is followed in the middle. */
+private fun cameraNow(view: SheetViewState, session: SessionState): SheetCamera {
+    val followed = view.followed?.let { session.robots.getOrNull(it) } ?: return view.camera
+    return view.camera.copy(centre = with(followed.robot.pose) { Point(x, y) })
+}
+
+private val MARGIN = 16.dp
+private val LEAST_WIDTH_FOR_ZOOM = 480.dp
+private val LEAST_HEIGHT_FOR_ZOOM = 400.dp

@@ -36,7 +36,7 @@ class PhoneTest {
             onNodeWithTag(tab).assertIsSelected()
             onNodeWithTag(pane).assertIsDisplayed()
             onNodeWithTag("run").assertIsDisplayed()
-            onNodeWithTag("sound").assertIsDisplayed()
+            onNodeWithTag("menu").assertIsDisplayed()
             for ((_, other) in panes.filter { it.second != pane }) {
                 assertEquals(0, onAllNodesWithTag(other).fetchSemanticsNodes().size, "$other beside $pane")
             }

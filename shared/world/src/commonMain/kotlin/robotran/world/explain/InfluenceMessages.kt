@@ -1,5 +1,7 @@
 package robotran.world.explain
 
+import robotran.language.Language
+
 /** The sentences of [Influence]s in one language; numbers come as text, rounded as they are to be read. */
 interface InfluenceMessages {
     fun startPlace(centimetres: String): String
@@ -28,6 +30,14 @@ interface InfluenceMessages {
     fun lightNoise(raw: String): String
 
     fun bounce(times: Int): String
+
+    companion object {
+        fun of(language: Language): InfluenceMessages = when (language) {
+            Language.ENGLISH -> EnglishInfluenceMessages
+            Language.SPANISH -> SpanishInfluenceMessages
+            Language.GERMAN -> GermanInfluenceMessages
+        }
+    }
 }
 
 /** In English. */

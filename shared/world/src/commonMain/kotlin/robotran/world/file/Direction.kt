@@ -8,7 +8,7 @@ import kotlin.math.floor
  * Cosine and sine of an angle, the same on every target and good enough to see what overlaps. Runs take theirs from the physics engine, which need
  * not be loaded for reading a file.
  */
-internal class Direction(degrees: Double) {
+class Direction(degrees: Double) {
     private val quarters = floor(degrees / QUARTER_TURN + HALF).toInt()
     private val rest = (degrees - quarters * QUARTER_TURN) * RADIANS_PER_DEGREE
     private val restCosine = series(first = 0)

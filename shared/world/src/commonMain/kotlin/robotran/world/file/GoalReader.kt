@@ -13,12 +13,12 @@ internal class GoalReader(private val shapes: ShapeReader) {
 
     private fun goals(place: JsonPlace, depth: Int, least: Int): List<Goal> {
         val deepest = WorldLimits.MAXIMUM_GOAL_DEPTH
-        if (depth > deepest) place.refuse("must not lie deeper than $deepest goals in one another")
+        if (depth > deepest) place.refuse(told { goalsTooDeep(deepest) })
         return place.items(least..WorldLimits.MAXIMUM_GOALS).map { goal(it, depth) }
     }
 
     private fun goal(place: JsonPlace, depth: Int): Goal {
-        if (++goals > WorldLimits.MAXIMUM_GOALS) place.refuse("goes beyond the ${WorldLimits.MAXIMUM_GOALS} goals that a world may have")
+        if (++goals > WorldLimits.MAXIMUM_GOALS) place.refuse(told { tooManyGoals(WorldLimits.MAXIMUM_GOALS) })
         val says = place.optional("says")?.text(WorldLimits.MAXIMUM_SENTENCE_CHARACTERS)
         val read = place.member("kind").choice(KINDS)
         return read(Fields(place, says, depth))
@@ -44,7 +44,7 @@ internal class GoalReader(private val shapes: ShapeReader) {
         fun touchKinds(): Set<TouchKind> {
             val what = place.optional("what") ?: return TouchKind.entries.toSet()
             val kinds = what.items(1..TouchKind.entries.size).map { it.choice(TOUCH_KINDS) }
-            if (kinds.toSet().size < kinds.size) what.refuse("must not have the same word twice")
+            if (kinds.toSet().size < kinds.size) what.refuse(told { wordTwice() })
             return kinds.toSet()
         }
 
@@ -72,8 +72,8 @@ internal class GoalReader(private val shapes: ShapeReader) {
             "inkLength" to { f ->
                 val atLeast = f.length("atLeast")
                 val atMost = f.length("atMost")
-                if (atLeast == null && atMost == null) f.place.refuse("must have \"atLeast\" or \"atMost\" or both")
-                if (atLeast != null && atMost != null && atLeast > atMost) f.place.refuse("must not have \"atLeast\" above \"atMost\"")
+                if (atLeast == null && atMost == null) f.place.refuse(told { mustHaveOneOrBoth("atLeast", "atMost") })
+                if (atLeast != null && atMost != null && atLeast > atMost) f.place.refuse(told { mustNotBeAbove("atLeast", "atMost") })
                 Goal.InkLength(atLeast, atMost, f.says, f.unknown())
             },
             "followLine" to { f ->
@@ -91,7 +91,7 @@ internal class GoalReader(private val shapes: ShapeReader) {
                 val times = f.place.optional("times")?.wholeNumber(1..WorldLimits.MAXIMUM_SOUNDS) ?: 1
                 val lowest = f.tone("lowest")
                 val highest = f.tone("highest")
-                if (lowest != null && highest != null && lowest > highest) f.place.refuse("must not have \"lowest\" above \"highest\"")
+                if (lowest != null && highest != null && lowest > highest) f.place.refuse(told { mustNotBeAbove("lowest", "highest") })
                 Goal.PlaySound(times, lowest, highest, f.who(), f.says, f.unknown())
             },
             "inOrder" to { f -> Goal.InOrder(f.goals(), f.says, f.unknown()) },

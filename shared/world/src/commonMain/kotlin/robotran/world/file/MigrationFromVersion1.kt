@@ -22,7 +22,7 @@ internal class MigrationFromVersion1(private val file: JsonPlace) {
                     "name" -> put("title", place.element)
                     "start" -> put("robots", JsonArray(listOf(JsonObject(mapOf("start" to place.element)))))
                     "walls" -> put(name, JsonArray(place.items(0..Int.MAX_VALUE).map(::wall)))
-                    "title", "robots" -> place.refuse("belongs to version $WORLD_VERSION of the format, but this file says version 1")
+                    "title", "robots" -> place.refuse(told { ofVersion(WORLD_VERSION) })
                     else -> put(name, place.element)
                 }
             }

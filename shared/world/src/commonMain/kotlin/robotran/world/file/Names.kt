@@ -12,7 +12,7 @@ internal fun checkNames(world: World, file: JsonPlace) {
         val places = file.optional(list)?.items(0..Int.MAX_VALUE) ?: continue
         names.forEachIndexed { number, name ->
             if (name == null) return@forEachIndexed
-            owners[name]?.let { places[number].refuse("must not be called \"$name\", since ${it.path} is called so already") }
+            owners[name]?.let { places[number].refuse(told { nameTaken(name, it.path.toString()) }) }
             owners[name] = places[number]
         }
     }
@@ -57,7 +57,7 @@ private class GoalNames(private val world: World) {
 
             is Goal.FollowLine -> {
                 known(goal.who, robots, place)
-                if (goal.line !in lines) place.member("line").refuse("must be the name of a mark that is a line")
+                if (goal.line !in lines) place.member("line").refuse(told { mustNameLine() })
             }
 
             is Goal.EndWithin -> {
@@ -73,7 +73,7 @@ private class GoalNames(private val world: World) {
             }
 
             is Goal.DrawTemplate -> {
-                if (world.template == null) place.refuse("needs a template, and this world has none")
+                if (world.template == null) place.refuse(told { needsTemplate() })
             }
 
             is Goal.InkLength -> {
@@ -96,6 +96,6 @@ private class GoalNames(private val world: World) {
 
     private fun known(who: String?, names: List<String>, place: JsonPlace) {
         if (who == null || who in names) return
-        place.member("who").refuse(if (names === movable) "must be the name of a robot or a block" else "must be the name of a robot")
+        place.member("who").refuse(told { if (names === movable) mustNameRobotOrBlock() else mustNameRobot() })
     }
 }

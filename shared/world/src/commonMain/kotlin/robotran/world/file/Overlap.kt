@@ -8,7 +8,7 @@ import robotran.world.distance
 import robotran.world.side
 
 /** Whether two edges of the polygon cross or touch where they are not neighbours, or neighbours fold back onto each other. */
-internal fun edgesCross(corners: List<Point>): Boolean {
+fun edgesCross(corners: List<Point>): Boolean {
     val count = corners.size
     for (one in 0..<count) {
         val from = corners[one]
@@ -29,7 +29,7 @@ internal fun edgesCross(corners: List<Point>): Boolean {
 }
 
 /** Whether two shapes, given as [flat], cover a common place; not if they only touch. */
-internal fun overlap(one: Outline, other: Outline): Boolean = when {
+fun overlap(one: Outline, other: Outline): Boolean = when {
     one is Outline.Round && other is Outline.Round -> within(one.centre, other.centre, one.radius + other.radius)
     one is Outline.Round -> overlap(other as Outline.Angular, one)
     other is Outline.Round -> overlap(one as Outline.Angular, other)
@@ -37,7 +37,7 @@ internal fun overlap(one: Outline, other: Outline): Boolean = when {
 }
 
 /** What [Shape.outline] gives, without the physics engine. */
-internal fun flat(shape: Shape): Outline = when (shape) {
+fun flat(shape: Shape): Outline = when (shape) {
     is Shape.Circle -> {
         Outline.Round(shape.centre, shape.radius)
     }

@@ -1,5 +1,6 @@
 package robotran.world.file
 
+import robotran.json.JsonMessages
 import robotran.json.JsonPlace
 import robotran.json.nearestDecimal
 import robotran.world.Paper
@@ -24,20 +25,20 @@ internal fun readRobot(place: JsonPlace, paper: Paper) = RobotPlace(
 private fun readStart(place: JsonPlace, paper: Paper): Pose {
     val x = place.member("x").number(WorldLimits.COORDINATES)
     val y = place.member("y").number(WorldLimits.COORDINATES)
-    if (!paper.contains(x, y)) place.refuse("is beside the paper")
+    if (!paper.contains(x, y)) place.refuse(told { besidePaper() })
     // Half a turn's sum may have more digits than a file keeps.
     return Pose(x, y, nearestDecimal(normalHeading(place.member("heading").number(WorldLimits.ANGLES))))
 }
 
 private fun readPorts(place: JsonPlace): List<List<PortSensor>> {
-    (place.names - PORTS).firstOrNull()?.let { place.refuse("must not have \"$it\": a brick has the ports \"1\", \"2\" and \"3\"") }
+    (place.names - PORTS).firstOrNull()?.let { name -> place.refuse(told { noSuchPort(name) }) }
     return PORTS.map { port -> place.optional(port)?.let(::readPort).orEmpty() }
 }
 
 private fun readPort(place: JsonPlace): List<PortSensor> {
     if (place.textOrNull() != null) return listOf(place.choice(SENSORS))
     val sensors = place.items(0..WorldLimits.MAXIMUM_SENSORS_PER_PORT).map { it.choice(SENSORS) }
-    if (sensors.toSet().size < sensors.size) place.refuse("must not have the same sensor twice")
+    if (sensors.toSet().size < sensors.size) place.refuse(told { sensorTwice() })
     return sensors
 }
 
@@ -47,7 +48,7 @@ private fun readProgram(place: JsonPlace): String =
 /** A line of a program may be blank and begin with tabs. */
 private fun readProgramLine(place: JsonPlace): String {
     val line = place.longText(WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS)
-    if (line.any { it.isISOControl() && it != '\t' }) place.refuse("must be one line of ordinary characters")
+    if (line.any { it.isISOControl() && it != '\t' }) place.refuse { JsonMessages.of(it).mustBeOneOrdinaryLine() }
     return line
 }
 

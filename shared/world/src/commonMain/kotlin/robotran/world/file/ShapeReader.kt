@@ -1,7 +1,6 @@
 package robotran.world.file
 
 import robotran.json.JsonPlace
-import robotran.json.alternatives
 import robotran.world.Point
 import robotran.world.Shape
 import robotran.world.WorldLimits
@@ -27,19 +26,19 @@ internal class ShapeReader {
         val places = place.items(least..WorldLimits.MAXIMUM_LINE_POINTS)
         val points = points(places)
         points.indices.firstOrNull { number -> points[number] == points.getOrNull(number - 1) }?.let {
-            places[it].refuse("must not be the same place as the one before")
+            places[it].refuse(told { samePlaceAsBefore() })
         }
         if (closed &&
             points.first() == points.last()
         ) {
-            places.last().refuse("must not be the first one again, since the line is closed anyway")
+            places.last().refuse(told { firstPlaceAgain() })
         }
         return points
     }
 
     fun point(place: JsonPlace): Point {
         val coordinates = place.items(0..MANY)
-        if (coordinates.size != 2) place.refuse("must be a place such as [20, 30], first x and then y")
+        if (coordinates.size != 2) place.refuse(told { mustBePlace() })
         return Point(coordinates[0].number(WorldLimits.COORDINATES), coordinates[1].number(WorldLimits.COORDINATES))
     }
 
@@ -56,15 +55,15 @@ internal class ShapeReader {
 
     private fun polygon(place: JsonPlace): Shape.Polygon {
         val corners = points(place.items(LEAST_CORNERS..WorldLimits.MAXIMUM_CORNERS))
-        if (edgesCross(corners)) place.refuse("must not have edges that cross or touch each other")
-        if (abs(signedArea(corners)) / 2 < WorldLimits.MINIMUM_AREA) place.refuse("must cover some of the paper")
+        if (edgesCross(corners)) place.refuse(told { edgesCross() })
+        if (abs(signedArea(corners)) / 2 < WorldLimits.MINIMUM_AREA) place.refuse(told { mustCoverPaper() })
         return Shape.Polygon(corners)
     }
 
     private fun points(places: List<JsonPlace>): List<Point> {
         points += places.size
         if (points > WorldLimits.MAXIMUM_POINTS) {
-            places.first().refuse("goes beyond the ${WorldLimits.MAXIMUM_POINTS} points that a world may have all together")
+            places.first().refuse(told { tooManyPoints(WorldLimits.MAXIMUM_POINTS) })
         }
         return places.map(::point)
     }
@@ -81,7 +80,7 @@ internal class ShapeReader {
 /** The name and the place of the one of [names] that [place] has. */
 internal fun onlyMember(place: JsonPlace, names: List<String>): Pair<String, JsonPlace> {
     val present = names.filter { it in place.names }
-    if (present.isEmpty()) place.refuse("must have ${alternatives(names)}")
-    if (present.size > 1) place.refuse("must have only one of ${present.joinToString(" and ") { "\"$it\"" }}")
+    if (present.isEmpty()) place.refuse(told { mustHaveOneOf(names) })
+    if (present.size > 1) place.refuse(told { mustHaveOnlyOneOf(present) })
     return present.single() to place.member(present.single())
 }

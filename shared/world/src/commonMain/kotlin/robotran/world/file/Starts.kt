@@ -15,11 +15,12 @@ internal fun checkStarts(world: World, file: JsonPlace) {
     val robots = world.robots.map { outline(it.start) }
     val obstacles = obstacles(world)
     robots.forEachIndexed { number, robot ->
-        obstacles.firstOrNull { overlap(robot, it.shape) }?.let { starts[number].refuse("puts the robot into ${it.what}") }
-        (0..<number).firstOrNull { overlap(robot, robots[it]) }?.let { starts[number].refuse("puts the robot into robots[$it]") }
+        obstacles.firstOrNull { overlap(robot, it.shape) }?.let { starts[number].refuse(told { startsIn(it.what) }) }
+        (0..<number).firstOrNull { overlap(robot, robots[it]) }?.let { starts[number].refuse(told { startsIn("robots[$it]") }) }
     }
 }
 
+/** @property what its place in the file, such as `walls[2]`. */
 private class Obstacle(val what: String, val shape: Outline)
 
 private fun obstacles(world: World): List<Obstacle> =
@@ -28,12 +29,13 @@ private fun obstacles(world: World): List<Obstacle> =
         world.blocks.mapIndexed { number, block -> Obstacle("blocks[$number]", flat(block.shape)) }
 
 /** From the wheels' outer sides and the chassis's back to the bumpers. */
-private fun outline(start: Pose): Outline {
+fun outline(start: Pose): Outline {
     val half = Penbot.OVERALL_WIDTH / 2
     return box(Point(start.x, start.y), Direction(start.heading), Penbot.CHASSIS_BACK..Penbot.BUMPER_FRONT, -half..half)
 }
 
-private fun outline(wall: Wall): Outline {
+/** All that a wall covers, its square ends included. */
+fun outline(wall: Wall): Outline {
     val alongX = wall.to.x - wall.from.x
     val alongY = wall.to.y - wall.from.y
     val length = length(alongX, alongY)

@@ -68,10 +68,10 @@ internal class ThingReader(private val shapes: ShapeReader) {
         val greys = rows.map(::greyRow)
         cells += greys.sumOf { it.length }
         if (cells > WorldLimits.MAXIMUM_MAP_CELLS) {
-            place.refuse("goes beyond the ${WorldLimits.MAXIMUM_MAP_CELLS} cells that the grey maps of a world may have all together")
+            place.refuse(told { tooManyCells(WorldLimits.MAXIMUM_MAP_CELLS) })
         }
         greys.indexOfFirst { it.length != greys.first().length }.takeIf { it >= 0 }?.let {
-            rows[it].refuse("must be as long as the first row, ${greys.first().length}")
+            rows[it].refuse(told { rowLength(greys.first().length) })
         }
         val cell = place.member("cell").number(WorldLimits.MINIMUM_CELL..WorldLimits.MAXIMUM_CELL)
         return MarkFigure.GreyMap(shapes.corner(place), cell, greys)
@@ -79,21 +79,21 @@ internal class ThingReader(private val shapes: ShapeReader) {
 
     private fun greyRow(place: JsonPlace): String {
         val row = place.text(WorldLimits.MAXIMUM_MAP_SIDE).lowercase()
-        if (row.any { it !in GREYS }) place.refuse("must be made of 0 to 9, a to f and points")
+        if (row.any { it !in GREYS }) place.refuse(told { mustBeGreys() })
         return row
     }
 
     private fun shade(place: JsonPlace): Shade {
         val grey = place.optional("grey")
         val colour = place.optional("colour")
-        if (grey != null && colour != null) place.refuse("must have only one of \"grey\" and \"colour\"")
+        if (grey != null && colour != null) place.refuse(told { mustHaveOnlyOneOf(listOf("grey", "colour")) })
         return colour?.let(::colour) ?: Shade.Grey(grey?.number(0.0..1.0) ?: 0.0)
     }
 
     private fun colour(place: JsonPlace): Shade.Colour {
         val text = place.textOrNull().orEmpty()
         val isColour = text.length == COLOUR_LENGTH && text[0] == '#' && text.drop(1).all { it.lowercaseChar() in HEXADECIMAL }
-        if (!isColour) place.refuse("must be a colour such as \"#1133aa\"")
+        if (!isColour) place.refuse(told { mustBeColour() })
         val (red, green, blue) = text.drop(1).chunked(2).map { it.toInt(radix = 16) }
         return Shade.Colour(red, green, blue)
     }

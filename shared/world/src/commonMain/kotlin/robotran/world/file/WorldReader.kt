@@ -1,5 +1,6 @@
 package robotran.world.file
 
+import robotran.json.JsonMessages
 import robotran.json.JsonPath
 import robotran.json.JsonPlace
 import robotran.json.JsonRefusal
@@ -17,19 +18,16 @@ import robotran.world.WorldLimits
  */
 fun worldIn(place: JsonPlace): World {
     if (place.optional("format")?.textOrNull() != WORLD_FORMAT) {
-        throw JsonRefusal(null, "This is not a Robotran world: a world file says \"format\": \"$WORLD_FORMAT\".")
+        throw JsonRefusal(null, told { notAWorld(WORLD_FORMAT) })
     }
     return when (val version = place.member("version").wholeNumber(0..Int.MAX_VALUE)) {
         WORLD_VERSION -> WorldReader(place).read()
 
         1 -> readMigrated(place)
 
-        0 -> place.member("version").refuse("must be from 1 to $WORLD_VERSION")
+        0 -> place.member("version").refuse { JsonMessages.of(it).mustBeFrom("1", "$WORLD_VERSION") }
 
-        else -> throw JsonRefusal(
-            null,
-            "This world was made by a newer Robotran (it has version $version, this Robotran reads up to $WORLD_VERSION).",
-        )
+        else -> throw JsonRefusal(null, told { newerWorld(version, WORLD_VERSION) })
     }
 }
 

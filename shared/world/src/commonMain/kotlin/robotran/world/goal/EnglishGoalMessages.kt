@@ -1,5 +1,6 @@
 package robotran.world.goal
 
+import robotran.language.listed
 import robotran.world.TouchKind
 
 /** The goals in English. */
@@ -16,7 +17,7 @@ object EnglishGoalMessages : GoalMessages {
     override fun stayIn(who: Mover, region: Region, whole: Boolean) = "Keep ${part(who, whole)} in ${name(region)}."
 
     override fun neverTouch(who: Mover, what: List<TouchKind>): String {
-        val things = if (what.size == TouchKind.entries.size) "anything" else listed(what.map(::name))
+        val things = if (what.size == TouchKind.entries.size) "anything" else listed(what.map(::name), "or")
         return if (who == Mover.OwnRobot) "Never touch $things." else "Let ${name(who)} never touch $things."
     }
 
@@ -98,9 +99,6 @@ object EnglishGoalMessages : GoalMessages {
         TouchKind.BLOCKS -> "a block"
         TouchKind.ROBOTS -> "another robot"
     }
-
-    private fun listed(things: List<String>): String =
-        if (things.size < 2) things.joinToString() else things.dropLast(1).joinToString() + " or " + things.last()
 
     private fun within(seconds: Int?) = if (seconds == null) "" else " within ${seconds(seconds)}"
 

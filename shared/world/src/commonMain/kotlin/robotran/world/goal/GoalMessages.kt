@@ -1,5 +1,6 @@
 package robotran.world.goal
 
+import robotran.language.Language
 import robotran.world.TouchKind
 
 /** What pupils are told to do, in one language: a sentence for each kind of goal, made from the goal's figures. */
@@ -41,6 +42,14 @@ interface GoalMessages {
     fun all(): String
 
     fun anyOf(): String
+
+    companion object {
+        fun of(language: Language): GoalMessages = when (language) {
+            Language.ENGLISH -> EnglishGoalMessages
+            Language.SPANISH -> SpanishGoalMessages
+            Language.GERMAN -> GermanGoalMessages
+        }
+    }
 }
 
 /** Whom a goal is about, as a sentence names him. */

@@ -1,0 +1,59 @@
+package robotran.documents
+
+/**
+ * Which works are open in windows, so that they come back after the app has ended, in whatever way: a small text for each, which outlives its window.
+ */
+class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
+    /** The work [id] is shown in a window. */
+    suspend fun opened(id: String, now: Long): StoreResult = store.write(nameOf(id), "$RUNNING $now")
+
+    /** The window with the work [id] is closed or the app ends as it should; it comes back at the next start if [comesBack]. */
+    suspend fun closed(id: String, now: Long, comesBack: Boolean): StoreResult =
+        if (comesBack) store.write(nameOf(id), "$CLOSED $now") else store.remove(nameOf(id))
+
+    /**
+     * Claims the work that is to come back and reads it; null if none does. It is the one that was opened last of those that no window has; the
+     * others do not come back by themselves, but are among all works. Works that cannot be read are passed over and stay where they are.
+     */
+    suspend fun takeBack(): ComingBack? {
+        var back: ComingBack? = null
+        var cutShort = 0
+        for (open in orphans()) {
+            val claim = shelf.claim(open.id) ?: continue
+            val reading = if (back == null) shelf.read(open.id) else null
+            if (reading is WorkReading.Found) {
+                back = ComingBack(reading.work, claim, wasCutShort = open.wasRunning || reading.wasTorn)
+            } else {
+                claim.release()
+                if (back != null && open.wasRunning) cutShort++
+                if (reading !is WorkReading.Unusable) store.remove(nameOf(open.id))
+            }
+        }
+        return back?.copy(others = cutShort)
+    }
+
+    private suspend fun orphans(): List<Open> =
+        store.names().filter { it.startsWith(PREFIX) }.mapNotNull { name ->
+            val words = store.read(name)?.split(' ').orEmpty()
+            Open(name.removePrefix(PREFIX), words.firstOrNull() != CLOSED, words.getOrNull(1)?.toLongOrNull() ?: 0)
+        }.sortedByDescending { it.since }
+
+    private fun nameOf(id: String) = "$PREFIX$id"
+
+    private class Open(val id: String, val wasRunning: Boolean, val since: Long)
+
+    private companion object {
+        const val PREFIX = "open-"
+        const val RUNNING = "running"
+        const val CLOSED = "closed"
+    }
+}
+
+/**
+ * A work that was open when the app ended.
+ *
+ * @property claim this window's on it.
+ * @property wasCutShort whether the app did not end as it should, so that the last second of work may be lost.
+ * @property others how many other works were cut short with it.
+ */
+data class ComingBack(val work: KeptWork, val claim: WorkClaim, val wasCutShort: Boolean, val others: Int = 0)

@@ -1,0 +1,42 @@
+package robotran.documents
+
+/** What [name] is as the name of a work: one line, without blanks around it, not too long; null if nothing is left of it. */
+fun workName(name: String): String? =
+    name.map { if (it.isISOControl()) ' ' else it }.joinToString("").trim().take(KeptWork.MAXIMUM_NAME)
+        .withoutHalfCharacters().trim().ifEmpty { null }
+
+/** The name of a work that was in the file [fileName]; some programs put an ending of their own behind ours. */
+fun workNameOfFile(fileName: String): String =
+    workName(fileName.removeSuffixOf(FileKind.entries).removeSuffixOf(FileKind.entries)) ?: FALLBACK
+
+/** A name for a file of [kind] with the work or program [name] in it, which no file system refuses. */
+fun fileNameFor(name: String, kind: FileKind): String {
+    val plain = name.removeSuffixOf(FileKind.entries).map { if (it in FORBIDDEN || it.isISOControl()) '-' else it }.joinToString("")
+    return plain.trim { it == '.' || it == ' ' }.take(KeptWork.MAXIMUM_NAME).ifEmpty { FALLBACK } + kind.extension
+}
+
+/** A character beyond the first 65,536 takes two `Char`s; one of them alone is none. */
+private fun String.withoutHalfCharacters(): String = filterIndexed { place, letter ->
+    !letter.isSurrogate() || (letter.isHighSurrogate() && getOrNull(place + 1)?.isLowSurrogate() == true) ||
+        (letter.isLowSurrogate() && getOrNull(place - 1)?.isHighSurrogate() == true)
+}
+
+private fun String.removeSuffixOf(kinds: List<FileKind>): String =
+    kinds.firstOrNull { endsWith(it.extension, ignoreCase = true) }?.let { dropLast(it.extension.length) } ?: this
+
+/** What a file of Robotran is. */
+enum class FileKind(val extension: String, val mimeType: String) {
+    PROJECT(".robotran", "application/json"),
+    WORLD(".world.json", "application/json"),
+    ROBOLANG(".robo", "text/plain"),
+    JAVA(".java", "text/plain"),
+    PNG(".png", "image/png"),
+    SVG(".svg", "image/svg+xml"),
+    ZIP(".zip", "application/zip"),
+    TEXT(".txt", "text/plain"),
+}
+
+private const val FALLBACK = "robotran"
+
+/** By Windows, which refuses most. */
+private const val FORBIDDEN = "\\/:*?\"<>|"

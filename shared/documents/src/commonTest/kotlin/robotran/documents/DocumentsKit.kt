@@ -1,0 +1,22 @@
+package robotran.documents
+
+import robotran.programs.SourceFile
+import robotran.projects.ProgramLanguage
+import robotran.projects.Project
+import robotran.projects.ProjectProgram
+import robotran.projects.ProjectRobot
+import robotran.world.BuiltInWorlds
+import kotlin.test.assertIs
+
+/** A project with one program of this [text]. */
+internal fun projectOf(text: String): Project {
+    val world = BuiltInWorlds.plain
+    val program = ProjectProgram("maze.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("maze.robo", text)))
+    return Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program))))
+}
+
+internal fun workOf(text: String, id: String = "one", keptAt: Long = 1_000): KeptWork = KeptWork(id, "Maze", keptAt, projectOf(text))
+
+internal suspend fun WorkStore.work(id: String = "one"): WorkReading.Found = assertIs<WorkReading.Found>(WorkShelf(this).read(id))
+
+internal val KeptWork.text: String get() = project.robots.single().programs.single().files.single().text

@@ -1,0 +1,85 @@
+package robotran.documents
+
+import kotlinx.coroutines.test.runTest
+import robotran.projects.LinkMaking
+import robotran.projects.ProgramLanguage
+import robotran.projects.linkOf
+import robotran.projects.writeProject
+import robotran.world.BuiltInWorlds
+import robotran.world.writeWorld
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+
+class OpenFilesTest {
+    private val world = BuiltInWorlds.plain.copy(title = "Town")
+
+    @Test
+    fun `a project is opened with the name of its file and where it was`() = runTest {
+        val place = FilePlace("/home/ann/Maze 2.robotran", "Maze 2.robotran")
+        val bytes = writeProject(projectOf("beep")).encodeToByteArray()
+        val opened = opened(GivenFile(place.name, bytes, place))
+        assertEquals(listOf(OpenedProject("Maze 2", projectOf("beep"), WorkFile(place, FileStamp.of(bytes)))), opened.projects)
+    }
+
+    @Test
+    fun `a world and programs come together`() = runTest {
+        val opened = opened(file("town.world.json", writeWorld(world)), file("a.robo", "beep"), file("B.java", "class B {}"), file("C.java", "class C {}"))
+        assertEquals("Town", opened.world?.title)
+        assertEquals(listOf("a.robo", "B.java"), opened.programs.map { it.name })
+        assertEquals(ProgramLanguage.JAVA, opened.programs.last().language)
+        assertEquals(listOf("B.java", "C.java"), opened.programs.last().files.map { it.name })
+    }
+
+    @Test
+    fun `files are known by what is in them when their names were changed on the way`() = runTest {
+        assertEquals("Town", opened(file("town.world (1).json", writeWorld(world))).world?.title)
+        assertEquals("maze", opened(file("maze.robotran.txt", "\uFEFF" + writeProject(projectOf("beep")))).projects.single().name)
+    }
+
+    @Test
+    fun `a text with a link in it opens what is behind the link`() = runTest {
+        val fragment = assertIs<LinkMaking.Made>(linkOf(projectOf("beep").copy(world = world))).fragment
+        assertEquals("Town", opened(file("link.txt", "https://school.example/robotran/$fragment\n")).projects.single().name)
+        assertEquals("Town", assertIs<Opening.Opened>(openLinkText(fragment)).projects.single().name)
+    }
+
+    @Test
+    fun `what cannot be used is refused with the file and why`() = runTest {
+        assertEquals(OpeningTrouble.UnknownKind("cat.png"), refused(file("cat.png", "meow")))
+        assertEquals(OpeningTrouble.NotText("a.robo"), refused(GivenFile("a.robo", byteArrayOf(-1, -2))))
+        assertEquals(OpeningTrouble.NotText("A.java"), refused(GivenFile("A.java", byteArrayOf(-1, -2))))
+        assertEquals(OpeningTrouble.TooLong("a.robo"), refused(file("a.robo", "\n".repeat(60_000))))
+        assertEquals(OpeningTrouble.SeveralWorlds, refused(file("a.world.json", writeWorld(world)), file("b.world.json", writeWorld(world))))
+        assertEquals(OpeningTrouble.TooManyPrograms(5), refused(*Array(6) { file("a$it.robo", "beep") }))
+        assertIs<OpeningTrouble.InLink>(assertIs<Opening.Refused>(openLinkText("#p=a???")).trouble)
+    }
+
+    @Test
+    fun `a broken file is refused with its line`() = runTest {
+        val broken = writeWorld(world).replaceFirst("\"width\"", "\"breadth\"")
+        val trouble = assertIs<OpeningTrouble.InFile>(refused(file("a.robo", "beep"), file("town.world.json", broken)))
+        assertEquals("town.world.json", trouble.file)
+        assertContains(trouble.message, Regex("Line \\d+: paper.width is missing"))
+    }
+
+    @Test
+    fun `names of works and files are what every system takes`() {
+        assertEquals("Maze", workName("  Maze\n"))
+        assertEquals("Maze 🤖", workName("Maze 🤖\uD83E"))
+        assertEquals("x".repeat(KeptWork.MAXIMUM_NAME - 1), workName("x".repeat(KeptWork.MAXIMUM_NAME - 1) + "🤖"))
+        assertEquals(null, workName(" \t"))
+        assertEquals(KeptWork.MAXIMUM_NAME, workName("x".repeat(500))?.length)
+        assertEquals("Maze", workNameOfFile("Maze.robotran"))
+        assertEquals("Ann-s-Maze-.robotran", fileNameFor("Ann:s/Maze?", FileKind.PROJECT))
+        assertEquals("robotran.robotran", fileNameFor(" .. ", FileKind.PROJECT))
+        assertEquals("square.png", fileNameFor("square.robo", FileKind.PNG))
+    }
+
+    private fun file(name: String, text: String) = GivenFile(name, text.encodeToByteArray())
+
+    private suspend fun opened(vararg files: GivenFile) = assertIs<Opening.Opened>(openFiles(files.toList()))
+
+    private suspend fun refused(vararg files: GivenFile) = assertIs<Opening.Refused>(openFiles(files.toList())).trouble
+}

@@ -1,0 +1,67 @@
+package robotran.documents
+
+import kotlinx.coroutines.test.runTest
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
+
+class OpenWorksTest {
+    private val store = MemoryWorkStore()
+    private val shelf = WorkShelf(store)
+    private val open = OpenWorks(store, shelf)
+
+    @Test
+    fun `of the works whose windows are gone the last one comes back and the others are counted`() = runTest {
+        for (id in listOf("first", "second", "third")) shelf.keep(workOf(id, id))
+        open.opened("first", now = 1)
+        open.opened("second", now = 2)
+        open.closed("third", now = 0, comesBack = true)
+        val back = assertNotNull(open.takeBack())
+        assertEquals("second", back.work.id)
+        assertEquals(1, back.others)
+        assertNull(open.takeBack())
+        assertEquals(3, shelf.works().size)
+    }
+
+    @Test
+    fun `a window that was killed is told from one that was closed`() = runTest {
+        shelf.keep(workOf("beep"))
+        open.opened("one", now = 1)
+        val killed = assertNotNull(open.takeBack())
+        assertTrue(killed.wasCutShort)
+        killed.claim.release()
+        open.closed("one", now = 2, comesBack = true)
+        assertFalse(assertNotNull(open.takeBack()).wasCutShort)
+    }
+
+    @Test
+    fun `a work that was put away does not come back by itself`() = runTest {
+        shelf.keep(workOf("beep"))
+        open.opened("one", now = 1)
+        open.closed("one", now = 2, comesBack = false)
+        assertNull(open.takeBack())
+        assertEquals("one", shelf.works().single().id)
+    }
+
+    @Test
+    fun `a work that another window has is left to it`() = runTest {
+        shelf.keep(workOf("beep"))
+        open.opened("one", now = 1)
+        assertNotNull(WorkShelf(store).claim("one"))
+        assertNull(open.takeBack())
+    }
+
+    @Test
+    fun `works that are broken or gone are passed over`() = runTest {
+        shelf.keep(workOf("beep"))
+        store.write("work-broken.a", "nothing")
+        open.opened("one", now = 1)
+        open.opened("broken", now = 2)
+        open.opened("gone", now = 3)
+        assertEquals("one", open.takeBack()?.work?.id)
+        assertEquals(setOf("work-one.a", "work-broken.a", "open-one", "open-broken"), store.names().toSet())
+    }
+}

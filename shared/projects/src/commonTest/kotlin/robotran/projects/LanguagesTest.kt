@@ -1,0 +1,124 @@
+package robotran.projects
+
+import kotlinx.coroutines.test.runTest
+import robotran.language.Language
+import robotran.programs.ProgramReader
+import robotran.programs.ProgramResult
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.robolang.Calibration
+import robotran.rom.RcxProgram
+import robotran.world.BuiltInWorlds
+import robotran.world.Goal
+import robotran.world.Paper
+import robotran.world.Penbot
+import robotran.world.RobotLoad
+import robotran.world.Session
+import robotran.world.WorldFileResult
+import robotran.world.grade.runForGoals
+import robotran.world.physics.loadPhysicsEngine
+import robotran.world.readWorld
+import robotran.world.writeWorld
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+
+class LanguagesTest {
+    private val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    private val world = BuiltInWorlds.plain.copy(
+        paper = Paper(200.0, 80.0),
+        walls = emptyList(),
+        goals = listOf(Goal.InkLength(atLeast = 20.5, atMost = null), Goal.NeverTouch()),
+        timeLimit = 10,
+        realism = 1.0,
+    )
+
+    private suspend fun mistakeIn(language: Language, source: ProgramSource): String =
+        assertIs<ProgramResult.Mistaken>(reader.telling(language).read(source)).mistakes.first().message
+
+    private suspend fun sessionIn(language: Language, text: String): Session {
+        val source = ProgramSource.Robolang("a.robo", text)
+        val program: RcxProgram = assertIs<ProgramResult.Ready>(reader.telling(language).read(source)).program
+        return Session(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), language).apply { runForGoals() }
+    }
+
+    @Test
+    fun `a reader tells mistakes of both languages in the pupil's own`() = runTest {
+        val robolang = ProgramSource.Robolang("a.robo", "forward")
+        val java = ProgramSource.Java(
+            "Robot.java",
+            listOf(SourceFile("Robot.java", "class Robot { public static void main(String[] args) { spped = 3; } }")),
+        )
+        reader.prepareFor(java)
+        assertEquals("Después de \"forward\" va un número, como en \"forward 20\".", mistakeIn(Language.SPANISH, robolang))
+        assertEquals("Nach \"forward\" kommt eine Zahl, zum Beispiel \"forward 20\".", mistakeIn(Language.GERMAN, robolang))
+        assertEquals(
+            listOf(
+                "There is no variable \"spped\". Declare it first, such as with \"int spped = 0;\".",
+                "No existe la variable \"spped\". Declárala antes, por ejemplo con \"int spped = 0;\".",
+                "Es gibt keine Variable \"spped\". Leg sie vorher an, zum Beispiel mit \"int spped = 0;\".",
+            ),
+            Language.entries.map { mistakeIn(it, java) },
+        )
+    }
+
+    @Test
+    fun `a run is the same in every language and only told in another`() = runTest {
+        val sessions = Language.entries.map { sessionIn(it, "pen down\nforward 30\nvar zero = 0\nshow 1 / zero") }
+        val (english, spanish, german) = sessions
+        assertEquals(1, sessions.map { it.traceHash }.toSet().size)
+        assertEquals(1, sessions.map { session -> session.state.robots.map { it.robot.pose } }.toSet().size)
+        assertEquals(1, sessions.map { session -> session.romLog.entries.map { it.call } }.toSet().size)
+        assertEquals(listOf("Draw 20.5 cm or more.", "Never touch anything."), english.state.goals.map { it.sentence })
+        assertEquals(listOf("Dibuja 20,5 cm o más.", "No toques nunca nada."), spanish.state.goals.map { it.sentence })
+        assertEquals(listOf("Zeichne 20,5 cm oder mehr.", "Berühr nie etwas."), german.state.goals.map { it.sentence })
+        assertEquals(
+            listOf(
+                "The program cannot go on. Line 4: 1 cannot be divided by 0. Press On-Off to go back to the start.",
+                "El programa no puede seguir. Línea 4: 1 no se puede dividir entre 0. Pulsa On-Off para volver al principio.",
+                "Das Programm kann nicht weiter. Zeile 4: 1 kann man nicht durch 0 teilen. Drück auf On-Off, um zum Anfang zurückzukommen.",
+            ),
+            sessions.map { it.state.brick.explanation },
+        )
+        assertEquals(3, sessions.map { session -> session.explain().map { it.sentence } }.toSet().size)
+        assertEquals(1, sessions.map { session -> session.explain().map { it.cause to it.amount } }.toSet().size)
+    }
+
+    @Test
+    fun `a world that cannot be used says so in the pupil's language`() {
+        val file = writeWorld(world).replace("\"width\": 200", "\"width\": \"wide\"")
+        assertEquals(
+            listOf(
+                "Line 5: paper.width must be a number.",
+                "Línea 5: paper.width tiene que ser un número.",
+                "Zeile 5: paper.width muss eine Zahl sein.",
+            ),
+            Language.entries.map { assertIs<WorldFileResult.Refused>(readWorld(file, it)).message },
+        )
+    }
+
+    @Test
+    fun `a project or a link that cannot be used says so in the pupil's language`() = runTest {
+        assertEquals(
+            "Esto no es un proyecto de Robotran: un archivo de proyecto dice \"format\": \"robotran-project\".",
+            assertIs<ProjectFileResult.Refused>(readProject("{}", Language.SPANISH)).message,
+        )
+        assertEquals(
+            "Das ist kein Link zu einer Welt oder einem Projekt von Robotran.",
+            assertIs<LinkResult.Refused>(openLink("https://example.org", Language.GERMAN)).message,
+        )
+    }
+
+    @Test
+    fun `a robot that is not there is told in the pupil's language`() = runTest {
+        val given = mapOf("anna" to listOf(ProgramSource.Robolang("a.robo", "beep")))
+        assertEquals(
+            listOf(
+                "No robot in this world is called anna. There is only one, called yellow.",
+                "Ningún robot de este mundo se llama anna. Solo hay uno, que se llama yellow.",
+                "Kein Roboter in dieser Welt heißt anna. Es gibt nur einen, der heißt yellow.",
+            ),
+            Language.entries.map { assertIs<RobotLoads.Mistaken>(readRobotLoads(world, reader.telling(it), given)).mistakes.single().message },
+        )
+    }
+}

@@ -1,0 +1,63 @@
+package robotran.projects.messages
+
+import robotran.rom.ProgramFailure
+import robotran.world.goal.Mover
+import robotran.world.goal.PaperPlace
+import robotran.world.goal.Region
+import java.lang.reflect.Method
+import java.lang.reflect.ParameterizedType
+import java.lang.reflect.Type
+
+/**
+ * What messages are called with: every text is another marker, every number another one of its own, each kind of thing and each yes or no is tried, and so
+ * is what may be left out.
+ */
+internal fun argumentsOf(message: Method): List<List<Any?>> {
+    val choices = message.genericParameterTypes.mapIndexed { number, type -> choicesOf(type, number) }
+    return choices.fold(listOf(emptyList<Any?>())) { begun, next -> begun.flatMap { some -> next.map { some + it } } }.take(MOST_CALLS)
+}
+
+/** The texts and numbers in [arguments] that can be found again in a sentence. */
+internal fun markersIn(arguments: List<Any?>): List<String> = arguments.flatMap { argument ->
+    when (argument) {
+        is String -> listOf(argument)
+        is Int -> if (argument >= LARGE) listOf("$argument", argument.toString(radix = 16)) else emptyList()
+        is Long -> if (argument >= LARGE) listOf("$argument") else emptyList()
+        is Collection<*> -> markersIn(argument.toList())
+        is Region -> listOfNotNull(argument.name)
+        is Mover.OtherRobot -> listOf(argument.name)
+        is Mover.Block -> listOf(argument.name)
+        is ProgramFailure -> markersIn(listOf(argument.message, argument.sourceLine, argument.sourceFile))
+        else -> emptyList()
+    }
+}
+
+private fun choicesOf(type: Type, number: Int): List<Any?> = when (type) {
+    String::class.java -> listOf(marker(number), null)
+    Int::class.javaPrimitiveType -> listOf(LARGE + number, 1, 0)
+    Int::class.javaObjectType -> listOf(LARGE + number, 1, null)
+    Long::class.javaPrimitiveType -> listOf(LARGE.toLong() + number)
+    Double::class.javaPrimitiveType -> listOf(0.5, 1.0, 2.5)
+    Boolean::class.javaPrimitiveType -> listOf(true, false)
+    Mover::class.java -> listOf(Mover.OwnRobot, Mover.OtherRobot("marker-robot"), Mover.Block("marker-block"))
+    Region::class.java -> listOf(Region("marker-region", PaperPlace.TOP)) + PaperPlace.entries.map { Region(null, it) }
+    ProgramFailure::class.java -> listOf(ProgramFailure("marker-failure.", LARGE), ProgramFailure("marker-failure.", LARGE, sourceFile = "marker-file"))
+    is ParameterizedType -> listsOf(type.actualTypeArguments.single(), number)
+    is Class<*> -> type.enumConstants?.toList() ?: error("No argument of type $type is known.")
+    else -> error("No argument of type $type is known.")
+}
+
+private fun listsOf(type: Type, number: Int): List<List<Any?>> {
+    val some = choicesOf(type, number).filterNotNull()
+    return if (type == String::class.java) {
+        listOf(listOf("${marker(number)}-a", "${marker(number)}-b", "${marker(number)}-c"), listOf(marker(number)))
+    } else {
+        listOf(some.take(2), some.take(1), some)
+    }
+}
+
+private fun marker(number: Int) = "marker$number"
+
+/** Numbers from here on are in no sentence by themselves. */
+private const val LARGE = 7001
+private const val MOST_CALLS = 500

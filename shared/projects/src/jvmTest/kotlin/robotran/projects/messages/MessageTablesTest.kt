@@ -1,0 +1,119 @@
+package robotran.projects.messages
+
+import robotran.java.JavaMessages
+import robotran.json.JsonMessages
+import robotran.language.Language
+import robotran.projects.ProjectMessages
+import robotran.robolang.RobolangMessages
+import robotran.rom.BrickMessages
+import robotran.tinyvm.TinyVmMessages
+import robotran.world.explain.InfluenceMessages
+import robotran.world.file.WorldFileMessages
+import robotran.world.goal.GoalMessages
+import java.lang.reflect.InvocationTargetException
+import java.lang.reflect.Method
+import java.lang.reflect.Modifier
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** Every message of every table in all languages, found by reflection, so that none can be forgotten. */
+class MessageTablesTest {
+    @Test
+    fun `every message of every table is said`() {
+        assertTrue(said.size > 1_000, "${said.size} sentences")
+        assertEquals(emptyList(), tables.keys.flatMap(::messagesOf).filter { message -> said.none { it.message == message } }.map { it.name })
+    }
+
+    @Test
+    fun `all languages name the same arguments`() = forEachTranslation { one, english, other ->
+        val needed = one.markers.filter { it in english }
+        val missing = needed.filter { it !in other }.map { "does not name $it" }
+        val added = one.markers.filter { it !in english && it in other }.map { "names $it, which English does not" }
+        missing + added
+    }
+
+    @Test
+    fun `no English sentence is left in another language`() = forEachTranslation { one, english, other ->
+        val words = one.markers.fold(english) { text, marker -> text.replace(marker, "") }
+        if (english == other && words.any { it.isLetter() } && one.message.name !in SAME_EVERYWHERE) listOf("is in English") else emptyList()
+    }
+
+    @Test
+    fun `Spanish and German are not the same`() {
+        val same = said.filter { it.of(Language.SPANISH) == it.of(Language.GERMAN) && it.of(Language.SPANISH) != it.of(Language.ENGLISH) }
+        assertEquals(emptyList(), same.map { "${it.message.name}: ${it.of(Language.GERMAN)}" })
+    }
+
+    @Test
+    fun `a sentence ends as in English`() = forEachTranslation { _, english, other ->
+        val ends = listOf('.', '?')
+        val one = english.lastOrNull().takeIf { it in ends }
+        val two = other.lastOrNull().takeIf { it in ends }
+        if (one == two) emptyList() else listOf("ends with $two, not with $one")
+    }
+
+    @Test
+    fun `sentences begin with a capital letter where they do in English`() = forEachTranslation { _, english, other ->
+        val isSentence = english.first().isUpperCase() && english.last() == '.'
+        if (isSentence && other.first().isLetter() && !other.first().isUpperCase()) listOf("begins with a small letter") else emptyList()
+    }
+
+    @Test
+    fun `nothing is shouted, nobody is kept at a distance and nothing is left open`() {
+        val wrong = said.flatMap { one ->
+            Language.entries.flatMap { language ->
+                val text = one.of(language)
+                UNWANTED.filter { it.containsMatchIn(text) }.map { "${one.message.name} in $language has ${it.pattern}: $text" }
+            }
+        }
+        assertEquals(emptyList(), wrong)
+    }
+
+    private fun forEachTranslation(wrongIn: (one: Said, english: String, other: String) -> List<String>) {
+        val wrong = said.flatMap { one ->
+            listOf(Language.SPANISH, Language.GERMAN).flatMap { language ->
+                val other = one.of(language)
+                wrongIn(one, one.of(Language.ENGLISH), other).map { "${one.message.name} in $language $it: $other" }
+            }
+        }
+        assertEquals(emptyList(), wrong.distinct())
+    }
+
+    private companion object {
+        val tables: Map<Class<*>, (Language) -> Any> = mapOf(
+            RobolangMessages::class.java to RobolangMessages::of,
+            BrickMessages::class.java to BrickMessages::of,
+            JavaMessages::class.java to JavaMessages::of,
+            TinyVmMessages::class.java to TinyVmMessages::of,
+            GoalMessages::class.java to GoalMessages::of,
+            InfluenceMessages::class.java to InfluenceMessages::of,
+            JsonMessages::class.java to JsonMessages::of,
+            WorldFileMessages::class.java to WorldFileMessages::of,
+            ProjectMessages::class.java to ProjectMessages::of,
+        )
+
+        /** The ROM's own names of its routines. */
+        val SAME_EVERYWHERE = setOf("setUp")
+
+        val UNWANTED = listOf("!", "¡", "  ", " \\.", "\\bnull\\.$", "\\bustedes?\\b", "\\bIhnen\\b", "\\$").map(::Regex)
+
+        val said: List<Said> by lazy {
+            tables.flatMap { (table, of) -> messagesOf(table).flatMap { message -> argumentsOf(message).mapNotNull { saidWith(message, it, of) } } }
+        }
+
+        fun messagesOf(table: Class<*>): List<Method> = table.methods.filter { Modifier.isAbstract(it.modifiers) }.sortedBy { it.name }
+
+        /** Null if the message may not be called with these arguments: what must not be left out is, or a number is out of its range. */
+        fun saidWith(message: Method, arguments: List<Any?>, of: (Language) -> Any): Said? = try {
+            Said(message, markersIn(arguments), Language.entries.associateWith { message.invoke(of(it), *arguments.toTypedArray()) as String })
+        } catch (refusal: InvocationTargetException) {
+            if (refusal.cause is NullPointerException || refusal.cause is IndexOutOfBoundsException) null else throw refusal
+        }
+    }
+
+    /** What [message] says with one set of arguments. */
+    private class Said(val message: Method, val markers: List<String>, private val texts: Map<Language, String>) {
+        fun of(language: Language): String = texts.getValue(language)
+    }
+}

@@ -1,0 +1,4 @@
+package robotran.robolang
+
+/** Where a program says that the light sensor looks. */
+enum class LightSensorFacing { DOWN, FORWARD }

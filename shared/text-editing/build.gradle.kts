@@ -1,0 +1,18 @@
+plugins {
+    id("robotran.core")
+    id("robotran.texts")
+}
+
+texts {
+    constant("commonTest", "robotran.editing.robolangExamples", "examples", "*.robo")
+    constant("commonTest", "robotran.editing.lejosExamples", "examples/lejos", "*.java")
+}
+
+kotlin {
+    sourceSets {
+        commonMain.dependencies {
+            api(project(":shared:robolang"))
+            implementation(project(":shared:lejos-library"))
+        }
+    }
+}

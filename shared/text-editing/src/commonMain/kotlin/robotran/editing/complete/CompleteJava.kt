@@ -1,0 +1,104 @@
+package robotran.editing.complete
+
+import robotran.editing.CodeLanguage
+import robotran.editing.Draft
+import robotran.editing.code.CodePieces
+import robotran.editing.code.JAVA_KEYWORDS
+import robotran.editing.code.PieceKind
+
+/** What may stand where the caret is in a leJOS program; null if nothing is offered there. */
+internal fun completeJava(draft: Draft, help: WordHelp, isWanted: Boolean): CompletionList? {
+    val caret = draft.selection.caret
+    val line = draft.lines.lineOf(caret)
+    val text = draft.lines.line(line)
+    val lineStart = draft.lines.start(line)
+    val column = caret - lineStart
+    val pieces = CodePieces(draft.lines, CodeLanguage.JAVA).of(line)
+    val around = pieces.firstOrNull { column > it.start && column <= it.end }
+    if (around != null && around.kind in SILENT) return null
+    val word = around?.takeIf { it.kind != PieceKind.SIGN }
+    val start = word?.start ?: column
+    val typed = text.substring(start, column)
+    val before = pieces.filter { it.end <= start }.map { text.substring(it.start, it.end) }
+    val isMember = before.lastOrNull() == "." && text.substring(0, start).endsWith('.')
+    if (!isMember && typed.isEmpty() && !isWanted) return null
+    val candidates = if (isMember) {
+        membersBehind(receiverOf(before.dropLast(1)), draft)
+    } else {
+        namesIn(draft, lineStart + start) +
+            JAVA_KEYWORDS.map { Completion(it, CompletionKind.WORD, help = help.of(it)) } +
+            LejosApi.classNames.sorted().map { Completion(it, CompletionKind.CLASS, help = LejosApi.classOf(it)?.help?.ifEmpty { null }) }
+    }
+    val items = matching(typed, candidates).filter { it.inserted != typed }
+    return if (items.isEmpty()) null else CompletionList(lineStart + start, items)
+}
+
+/** The names with points between them that stand before a point, such as `Motor` and `A`; empty if there is something else. */
+private fun receiverOf(before: List<String>): List<String> {
+    val names = mutableListOf<String>()
+    var place = before.lastIndex
+    while (place >= 0 && before[place].first().let { it.isLetter() || it == '_' }) {
+        names.add(0, before[place])
+        if (before.getOrNull(place - 1) != ".") return names
+        place -= 2
+    }
+    return emptyList()
+}
+
+private fun membersBehind(receiver: List<String>, draft: Draft): List<Completion> {
+    if (receiver.isEmpty()) return emptyList()
+    val first = receiver.first()
+    var type = if (LejosApi.classOf(first) != null) first else typeOfVariable(first, draft) ?: return emptyList()
+    var isClass = LejosApi.classOf(first) != null
+    for (name in receiver.drop(1)) {
+        type = LejosApi.membersOf(type).firstOrNull { it.name == name && it.parameters == null }?.type ?: return emptyList()
+        isClass = false
+    }
+    return LejosApi.membersOf(type).filter { it.isStatic == isClass }.map(::completionOf)
+}
+
+private fun completionOf(member: ApiMember): Completion {
+    val help = member.help.ifEmpty { null }
+    val parameters = member.parameters ?: return Completion(member.name, CompletionKind.FIELD, help = help)
+    val inserted = member.name + "()"
+    val caret = if (parameters.isEmpty()) inserted.length else inserted.length - 1
+    return Completion("${member.name}($parameters)", CompletionKind.METHOD, inserted, caret, help)
+}
+
+/** What a variable was declared as: the class that stands before its name. */
+private fun typeOfVariable(name: String, draft: Draft): String? {
+    var before = ""
+    val pieces = CodePieces(draft.lines, CodeLanguage.JAVA)
+    for (line in 0..<minOf(draft.lines.count, MOST_LINES)) {
+        val text = draft.lines.line(line)
+        if (name !in text) continue
+        for (piece in pieces.of(line)) {
+            val word = text.substring(piece.start, piece.end)
+            if (word == name && before in LejosApi.classNames) return before
+            before = word
+        }
+    }
+    return null
+}
+
+private fun namesIn(draft: Draft, writing: Int): List<Completion> {
+    val pieces = CodePieces(draft.lines, CodeLanguage.JAVA)
+    val found = LinkedHashMap<String, Completion>()
+    for (line in 0..<minOf(draft.lines.count, MOST_LINES)) {
+        val text = draft.lines.line(line)
+        val inLine = pieces.of(line)
+        inLine.forEachIndexed { place, piece ->
+            val isMember = place > 0 && text[inLine[place - 1].start] == '.'
+            if (piece.kind != PieceKind.NAME || isMember || draft.lines.start(line) + piece.start == writing) return@forEachIndexed
+            val name = text.substring(piece.start, piece.end)
+            val isCalled = inLine.getOrNull(place + 1)?.let { text[it.start] == '(' } == true
+            found.getOrPut(name) {
+                if (isCalled) Completion("$name()", CompletionKind.METHOD, "$name()", name.length + 1) else Completion(name, CompletionKind.NAME)
+            }
+        }
+    }
+    return found.values.filter { it.label != "()" }
+}
+
+private val SILENT = setOf(PieceKind.COMMENT, PieceKind.TEXT, PieceKind.NUMBER)
+private const val MOST_LINES = 5_000

@@ -1,0 +1,46 @@
+package robotran.editing
+
+import robotran.editing.find.Search
+import robotran.editing.find.nextMatch
+import robotran.editing.find.previousMatch
+import robotran.editing.find.withAllReplaced
+import robotran.editing.find.withSelected
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+class SearchTest {
+    private val text = "Side = 2\nforward side\nsideways"
+
+    @Test
+    fun `capitals count only if they are to`() {
+        assertEquals(listOf(0, 17, 22), Search("side").matchesIn(text).map { it.start })
+        assertEquals(listOf(0), Search("Side", matchCase = true).matchesIn(text).map { it.start })
+    }
+
+    @Test
+    fun `whole words are no parts of longer ones`() =
+        assertEquals(listOf(0, 17), Search("side", wholeWords = true).matchesIn(text).map { it.start })
+
+    @Test
+    fun `nothing is found of nothing`() = assertEquals(emptyList(), Search("").matchesIn(text))
+
+    @Test
+    fun `one goes from match to match, round and round`() {
+        val matches = Search("side").matchesIn(text)
+        var draft = Draft(text, TextSelection(5))
+        val gone = (1..4).map {
+            val next = draft.nextMatch(matches)
+            draft = draft.withSelected(matches[next])
+            next
+        }
+        assertEquals(listOf(1, 2, 0, 1), gone)
+        assertEquals(0, draft.previousMatch(matches))
+    }
+
+    @Test
+    fun `all are replaced at once and the caret stays at its word`() {
+        val draft = Draft(text, TextSelection(text.length)).withAllReplaced(Search("side", wholeWords = true).matchesIn(text), "edge length")
+        assertEquals("edge length = 2\nforward edge length\nsideways", draft.text)
+        assertEquals(draft.text.length, draft.selection.caret)
+    }
+}

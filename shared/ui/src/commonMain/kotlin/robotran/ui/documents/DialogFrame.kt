@@ -1,0 +1,90 @@
+package robotran.ui.documents
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ColumnScope
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.FlowRowScope
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Button
+import androidx.compose.material3.ButtonDefaults
+import androidx.compose.material3.MaterialTheme
+import androidx.compose.material3.Surface
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.paneTitle
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import androidx.compose.ui.window.Dialog
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+
+/** A dialog over the workshop: what it is about, [content], and what can be done below; Escape and a touch beside it close it. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun DialogFrame(
+    title: String,
+    onClose: () -> Unit,
+    buttons: @Composable FlowRowScope.() -> Unit,
+    content: @Composable ColumnScope.() -> Unit,
+) {
+    val colours = LocalRobotranColours.current
+    Dialog(onDismissRequest = onClose) {
+        Surface(
+            Modifier.widthIn(max = 520.dp).testTag("document-dialog").semantics { paneTitle = title },
+            RoundedCornerShape(20.dp),
+            color = colours.pane,
+            contentColor = colours.onPane,
+            border = BorderStroke(1.dp, colours.line),
+        ) {
+            Column(Modifier.padding(24.dp), Arrangement.spacedBy(16.dp)) {
+                Text(title, Modifier.semantics { heading() }, fontSize = 20.sp, fontWeight = FontWeight.Medium, lineHeight = 26.sp)
+                Column(Modifier.weight(1f, fill = false).verticalScroll(rememberScrollState()), Arrangement.spacedBy(12.dp), content = content)
+                FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, androidx.compose.ui.Alignment.End), content = buttons)
+            }
+        }
+    }
+}
+
+/** The one thing that is most likely wanted. */
+@Composable
+internal fun MainButton(words: String, tag: String, enabled: Boolean = true, onClick: () -> Unit) {
+    Button(
+        onClick,
+        Modifier.heightIn(min = Measures.TARGET).focusRing(24.dp).testTag(tag),
+        enabled = enabled,
+        colors = ButtonDefaults.buttonColors(MaterialTheme.colorScheme.primary, MaterialTheme.colorScheme.onPrimary),
+    ) { Text(words, fontSize = 16.sp) }
+}
+
+/** What else can be done. */
+@Composable
+internal fun OtherButton(words: String, tag: String, onClick: () -> Unit) {
+    TextButton(
+        onClick,
+        Modifier.heightIn(min = Measures.TARGET).focusRing(24.dp).testTag(tag),
+        colors = ButtonDefaults.textButtonColors(contentColor = LocalRobotranColours.current.onPane),
+    ) { Text(words, fontSize = 16.sp) }
+}
+
+/** A sentence that explains. */
+@Composable
+internal fun Explanation(words: String, modifier: Modifier = Modifier, bad: Boolean = false) {
+    val colours = LocalRobotranColours.current
+    Text(words, modifier, color = if (bad) colours.mistake else colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
+}

@@ -1,0 +1,101 @@
+package robotran.ui.documents
+
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import org.jetbrains.compose.resources.stringResource
+import robotran.documents.OpeningTrouble
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_cancel
+import robotran.ui.resources.documents_changed_as
+import robotran.ui.resources.documents_changed_help
+import robotran.ui.resources.documents_changed_over
+import robotran.ui.resources.documents_changed_theirs
+import robotran.ui.resources.documents_changed_title
+import robotran.ui.resources.documents_loss_go_on
+import robotran.ui.resources.documents_loss_help
+import robotran.ui.resources.documents_loss_title
+import robotran.ui.resources.documents_refused_file
+import robotran.ui.resources.documents_refused_help
+import robotran.ui.resources.documents_refused_kind
+import robotran.ui.resources.documents_refused_long
+import robotran.ui.resources.documents_refused_many
+import robotran.ui.resources.documents_refused_text
+import robotran.ui.resources.documents_refused_title
+import robotran.ui.resources.documents_refused_worlds
+import robotran.ui.resources.documents_save_as
+import robotran.ui.resources.documents_understood
+import robotran.ui.workshop.DocumentAnswer
+import robotran.ui.workshop.DocumentDialog
+import robotran.ui.workshop.DocumentEvent
+import robotran.ui.workshop.DocumentState
+
+/** What the app asks or shows about the document, if anything. */
+@Composable
+internal fun DocumentDialogs(state: DocumentState, onEvent: (DocumentEvent) -> Unit) {
+    when (val dialog = state.dialog) {
+        null -> Unit
+        is DocumentDialog.Renaming -> RenameDialog(dialog, onEvent)
+        is DocumentDialog.Works -> WorksDialog(dialog, onEvent)
+        is DocumentDialog.SharingLink -> ShareLinkDialog(dialog, state.hasShareSheet, onEvent)
+        is DocumentDialog.PastingLink -> PasteLinkDialog(dialog, onEvent)
+        is DocumentDialog.ChangedMeanwhile -> ChangedMeanwhileDialog(dialog, onEvent)
+        DocumentDialog.WouldBeLost -> WouldBeLostDialog(onEvent)
+        is DocumentDialog.Refused -> RefusedDialog(dialog, onEvent)
+    }
+}
+
+@Composable
+private fun ChangedMeanwhileDialog(dialog: DocumentDialog.ChangedMeanwhile, onEvent: (DocumentEvent) -> Unit) {
+    val answer = { answer: DocumentAnswer -> onEvent(DocumentEvent.Answered(answer)) }
+    DialogFrame(
+        stringResource(Res.string.documents_changed_title, dialog.fileName),
+        onClose = { onEvent(DocumentEvent.DialogClosed) },
+        buttons = {
+            OtherButton(stringResource(Res.string.documents_changed_theirs), "changed-theirs") { answer(DocumentAnswer.TAKE_THEIRS) }
+            OtherButton(stringResource(Res.string.documents_changed_over), "changed-over") { answer(DocumentAnswer.GO_ON) }
+            MainButton(stringResource(Res.string.documents_changed_as), "changed-as") { answer(DocumentAnswer.SAVE_AS) }
+        },
+    ) { Explanation(stringResource(Res.string.documents_changed_help)) }
+}
+
+@Composable
+private fun WouldBeLostDialog(onEvent: (DocumentEvent) -> Unit) {
+    DialogFrame(
+        stringResource(Res.string.documents_loss_title),
+        onClose = { onEvent(DocumentEvent.DialogClosed) },
+        buttons = {
+            OtherButton(stringResource(Res.string.documents_cancel), "document-cancel") { onEvent(DocumentEvent.DialogClosed) }
+            OtherButton(stringResource(Res.string.documents_loss_go_on), "loss-go-on") {
+                onEvent(DocumentEvent.Answered(DocumentAnswer.GO_ON))
+            }
+            MainButton(stringResource(Res.string.documents_save_as), "loss-save-as") {
+                onEvent(DocumentEvent.Answered(DocumentAnswer.SAVE_AS))
+            }
+        },
+    ) { Explanation(stringResource(Res.string.documents_loss_help)) }
+}
+
+@Composable
+private fun RefusedDialog(dialog: DocumentDialog.Refused, onEvent: (DocumentEvent) -> Unit) {
+    val close = { onEvent(DocumentEvent.DialogClosed) }
+    DialogFrame(
+        stringResource(Res.string.documents_refused_title),
+        close,
+        buttons = { MainButton(stringResource(Res.string.documents_understood), "document-done", onClick = close) },
+    ) {
+        Explanation(wordsFor(dialog.trouble), Modifier.testTag("document-trouble"))
+        Explanation(stringResource(Res.string.documents_refused_help))
+    }
+}
+
+@Composable
+private fun wordsFor(trouble: OpeningTrouble): String = when (trouble) {
+    is OpeningTrouble.InFile -> stringResource(Res.string.documents_refused_file, trouble.file, trouble.message)
+    is OpeningTrouble.InLink -> trouble.message
+    is OpeningTrouble.NotText -> stringResource(Res.string.documents_refused_text, trouble.file)
+    OpeningTrouble.SeveralWorlds -> stringResource(Res.string.documents_refused_worlds)
+    is OpeningTrouble.TooLong -> stringResource(Res.string.documents_refused_long, trouble.file)
+    is OpeningTrouble.TooManyPrograms -> stringResource(Res.string.documents_refused_many, trouble.most)
+    is OpeningTrouble.UnknownKind -> stringResource(Res.string.documents_refused_kind, trouble.file)
+}

@@ -1,0 +1,23 @@
+package robotran.ui.documents
+
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEvent
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.isAltPressed
+import androidx.compose.ui.input.key.isCtrlPressed
+import androidx.compose.ui.input.key.isMetaPressed
+import androidx.compose.ui.input.key.isShiftPressed
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.type
+import robotran.ui.workshop.DocumentEvent
+
+/** What a key does with the work as a whole, with Ctrl or, on a Mac, Command held; null for nothing. Browsers keep Ctrl N to themselves. */
+fun documentShortcut(event: KeyEvent): DocumentEvent? {
+    val held = (event.isCtrlPressed || event.isMetaPressed) && !event.isAltPressed
+    if (event.type != KeyEventType.KeyDown || !held) return null
+    return when (event.key) {
+        Key.S -> if (event.isShiftPressed) DocumentEvent.SaveAsWanted else DocumentEvent.SaveWanted
+        Key.O -> if (event.isShiftPressed) DocumentEvent.WorksWanted else DocumentEvent.OpenWanted
+        else -> null
+    }
+}

@@ -1,0 +1,78 @@
+package robotran.ui.documents
+
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_close
+import robotran.ui.resources.documents_copied
+import robotran.ui.resources.documents_copy
+import robotran.ui.resources.documents_link_label
+import robotran.ui.resources.documents_share_elsewhere
+import robotran.ui.resources.documents_share_fragment
+import robotran.ui.resources.documents_share_help
+import robotran.ui.resources.documents_share_length
+import robotran.ui.resources.documents_share_long
+import robotran.ui.resources.documents_share_making
+import robotran.ui.resources.documents_share_title
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.DocumentDialog
+import robotran.ui.workshop.DocumentEvent
+
+@Composable
+internal fun ShareLinkDialog(dialog: DocumentDialog.SharingLink, hasShareSheet: Boolean, onEvent: (DocumentEvent) -> Unit) {
+    val close = { onEvent(DocumentEvent.DialogClosed) }
+    val link = dialog.link
+    DialogFrame(
+        stringResource(Res.string.documents_share_title),
+        close,
+        buttons = {
+            OtherButton(stringResource(Res.string.documents_close), "document-cancel", close)
+            if (link != null && hasShareSheet) {
+                OtherButton(stringResource(Res.string.documents_share_elsewhere), "link-share") { onEvent(DocumentEvent.LinkShared) }
+            }
+            if (link != null) {
+                val words = if (dialog.copied) Res.string.documents_copied else Res.string.documents_copy
+                MainButton(stringResource(words), "link-copy") { onEvent(DocumentEvent.LinkCopied) }
+            }
+        },
+    ) {
+        when {
+            dialog.tooLong != null -> Explanation(dialog.tooLong, Modifier.testTag("document-trouble"), bad = true)
+            link == null -> Explanation(stringResource(Res.string.documents_share_making))
+            else -> LinkItself(link)
+        }
+    }
+}
+
+@Composable
+private fun LinkItself(link: String) {
+    val colours = LocalRobotranColours.current
+    Explanation(stringResource(Res.string.documents_share_help))
+    if (link.startsWith('#')) Explanation(stringResource(Res.string.documents_share_fragment))
+    OutlinedTextField(
+        link,
+        onValueChange = {},
+        Modifier.fillMaxWidth().testTag("link-text"),
+        readOnly = true,
+        label = { Text(stringResource(Res.string.documents_link_label)) },
+        maxLines = MOST_LINES,
+        colors = fieldColours(),
+    )
+    val length = stringResource(Res.string.documents_share_length, link.length)
+    Text(length, Modifier.testTag("link-length").semantics { liveRegion = LiveRegionMode.Polite }, color = colours.quiet, fontSize = 14.sp)
+    if (link.length > LONG) Explanation(stringResource(Res.string.documents_share_long))
+}
+
+private const val MOST_LINES = 3
+
+/** What mail programs and messengers were seen to break. */
+private const val LONG = 2_000

@@ -1,0 +1,134 @@
+package robotran.ui.documents
+
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.text.KeyboardActions
+import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.OutlinedTextFieldDefaults
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextRange
+import androidx.compose.ui.text.input.ImeAction
+import androidx.compose.ui.text.input.TextFieldValue
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_cancel
+import robotran.ui.resources.documents_name_done
+import robotran.ui.resources.documents_name_label
+import robotran.ui.resources.documents_link_label
+import robotran.ui.resources.documents_paste_done
+import robotran.ui.resources.documents_paste_help
+import robotran.ui.resources.documents_paste_title
+import robotran.ui.resources.documents_rename_title
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.DocumentDialog
+import robotran.ui.workshop.DocumentEvent
+
+@Composable
+internal fun RenameDialog(dialog: DocumentDialog.Renaming, onEvent: (DocumentEvent) -> Unit) {
+    var name by remember { mutableStateOf(TextFieldValue(dialog.name, TextRange(0, dialog.name.length))) }
+    val done = { onEvent(DocumentEvent.Renamed(name.text)) }
+    TextDialog(
+        title = stringResource(Res.string.documents_rename_title),
+        label = stringResource(Res.string.documents_name_label),
+        value = name,
+        onValue = { name = it },
+        doneWords = stringResource(Res.string.documents_name_done),
+        onDone = done,
+        onEvent = onEvent,
+    )
+}
+
+@Composable
+internal fun PasteLinkDialog(dialog: DocumentDialog.PastingLink, onEvent: (DocumentEvent) -> Unit) {
+    var link by remember { mutableStateOf(TextFieldValue()) }
+    TextDialog(
+        title = stringResource(Res.string.documents_paste_title),
+        label = stringResource(Res.string.documents_link_label),
+        value = link,
+        onValue = { link = it },
+        doneWords = stringResource(Res.string.documents_paste_done),
+        onDone = { onEvent(DocumentEvent.LinkOpened(link.text)) },
+        onEvent = onEvent,
+        help = stringResource(Res.string.documents_paste_help),
+        trouble = dialog.trouble,
+    )
+}
+
+/** A dialog that asks for one line of text; Return says that it is done. */
+@Composable
+private fun TextDialog(
+    title: String,
+    label: String,
+    value: TextFieldValue,
+    onValue: (TextFieldValue) -> Unit,
+    doneWords: String,
+    onDone: () -> Unit,
+    onEvent: (DocumentEvent) -> Unit,
+    help: String? = null,
+    trouble: String? = null,
+) {
+    val close = { onEvent(DocumentEvent.DialogClosed) }
+    val mayBeDone = value.text.isNotBlank()
+    DialogFrame(
+        title,
+        close,
+        buttons = {
+            OtherButton(stringResource(Res.string.documents_cancel), "document-cancel", close)
+            MainButton(doneWords, "document-done", mayBeDone, onDone)
+        },
+    ) {
+        if (help != null) Explanation(help)
+        OneLine(value, onValue, label, trouble != null) { if (mayBeDone) onDone() }
+        if (trouble != null) Explanation(trouble, Modifier.testTag("document-trouble").semantics { liveRegion = LiveRegionMode.Polite }, bad = true)
+    }
+}
+
+@Composable
+private fun OneLine(value: TextFieldValue, onValue: (TextFieldValue) -> Unit, label: String, isError: Boolean, onReturn: () -> Unit) {
+    val focus = remember { FocusRequester() }
+    LaunchedEffect(Unit) { focus.requestFocus() }
+    OutlinedTextField(
+        value,
+        onValue,
+        Modifier.fillMaxWidth().focusRequester(focus).testTag("document-text").onPreviewKeyEvent {
+            val isReturn = it.key == Key.Enter || it.key == Key.NumPadEnter
+            if (isReturn && it.type == KeyEventType.KeyDown) onReturn()
+            isReturn
+        },
+        label = { Text(label) },
+        isError = isError,
+        singleLine = true,
+        keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done),
+        keyboardActions = KeyboardActions(onDone = { onReturn() }),
+        colors = fieldColours(),
+    )
+}
+
+@Composable
+internal fun fieldColours() = LocalRobotranColours.current.let {
+    OutlinedTextFieldDefaults.colors(
+        focusedBorderColor = it.focus,
+        focusedLabelColor = it.focus,
+        unfocusedBorderColor = it.quiet,
+        unfocusedLabelColor = it.quiet,
+        cursorColor = it.focus,
+    )
+}

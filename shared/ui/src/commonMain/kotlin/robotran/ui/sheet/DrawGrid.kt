@@ -1,0 +1,55 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.text.TextMeasurer
+import androidx.compose.ui.unit.sp
+import robotran.world.Paper
+
+/** A line across the paper every ten centimetres, and between them every one, or two or five, if that leaves room. */
+internal fun DrawScope.drawGrid(transform: SheetTransform) {
+    val step = FINE_STEPS.firstOrNull { it * transform.pixelsPerCentimetre >= LEAST_STEP_PIXELS }
+    if (step != null) drawLines(transform, step, FINE_ALPHA)
+    drawLines(transform, STEP, ALPHA)
+}
+
+private fun DrawScope.drawLines(transform: SheetTransform, step: Int, alpha: Float) {
+    val paper = transform.paper
+    val colour = SheetColours.GRID.copy(alpha = alpha)
+    val pixels = step * transform.pixelsPerCentimetre
+    if (pixels <= 0f) return
+    for (number in 1..(paper.width / pixels).toInt()) {
+        val x = paper.left + number * pixels
+        drawLine(colour, Offset(x, paper.top), Offset(x, paper.bottom))
+    }
+    for (number in 1..(paper.height / pixels).toInt()) {
+        val y = paper.bottom - number * pixels
+        drawLine(colour, Offset(paper.left, y), Offset(paper.right, y))
+    }
+}
+
+/** How many centimetres each line is from the paper's corner, along its lower and left edge, or along the pane's where those are out of sight. */
+internal fun DrawScope.drawGridFigures(paper: Paper, view: SheetTransform, colours: SheetColours, labels: TextMeasurer) {
+    val height = FIGURE_SIZE.toPx()
+    // Every second, fifth or tenth line where they are too close for figures.
+    val step = FIGURE_STEPS.firstOrNull { it * view.pixelsPerCentimetre >= height * FIGURE_ROOM } ?: return
+    val low = (view.paper.bottom + height).coerceIn(height, (size.height - height).coerceAtLeast(height))
+    for (x in step..paper.width.toInt() step step) {
+        val place = view.toPixels(x.toDouble(), 0.0).x
+        if (place in 0f..size.width) drawLabel(labels, "$x", Offset(place, low), height, colours.figures)
+    }
+    val left = (view.paper.left - height).coerceIn(height, (size.width - height).coerceAtLeast(height))
+    for (y in step..paper.height.toInt() step step) {
+        val place = view.toPixels(0.0, y.toDouble()).y
+        if (place in 0f..size.height) drawLabel(labels, "$y", Offset(left, place), height, colours.figures)
+    }
+}
+
+private const val STEP = 10
+private val FINE_STEPS = listOf(1, 2, 5)
+private val FIGURE_STEPS = listOf(10, 20, 50, 100, 200, 500)
+private const val LEAST_STEP_PIXELS = 12f
+private const val ALPHA = 0.45f
+private const val FINE_ALPHA = 0.16f
+private val FIGURE_SIZE = 11.sp
+private const val FIGURE_ROOM = 2.6f

@@ -1,0 +1,63 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.geometry.CornerRadius
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.text.TextMeasurer
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.drawText
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import robotran.world.Penbot
+import robotran.world.Point
+import robotran.world.PortSensor
+import robotran.world.RobotState
+import robotran.world.SessionState
+import robotran.world.World
+
+/** What the brick reads of each sensor, on a plate beside the sensor: the port and the value. */
+internal fun DrawScope.drawReadings(world: World, state: SessionState, view: SheetTransform, labels: TextMeasurer) {
+    for ((place, now) in world.robots.zip(state.robots)) {
+        if (!now.brick.poweredOn) continue
+        for (sensor in now.brick.sensors) {
+            val plugged = place.ports.getOrNull(sensor.port - 1)?.firstOrNull() ?: continue
+            val pressed = when (plugged) {
+                PortSensor.LEFT_BUMPER -> now.robot.leftBumperPressed
+                PortSensor.RIGHT_BUMPER -> now.robot.rightBumperPressed
+                else -> false
+            }
+            val text = "${sensor.port}: ${sensor.value}"
+            drawReading(text, view.toPixels(placeOf(plugged, now.robot)), labels, if (pressed) SheetColours.TOUCH else SheetColours.SIGHT)
+        }
+    }
+}
+
+/** Where the plate of a sensor lies: so far out that the robot can still be seen. */
+private fun placeOf(sensor: PortSensor, robot: RobotState): Point = when (sensor) {
+    PortSensor.LEFT_BUMPER -> robot.ahead(Penbot.BUMPER_FRONT + 1.5, BUMPER_MIDDLE + 5)
+    PortSensor.RIGHT_BUMPER -> robot.ahead(Penbot.BUMPER_FRONT + 1.5, -BUMPER_MIDDLE - 5)
+    PortSensor.LIGHT -> robot.ahead(Penbot.BUMPER_FRONT + 4, 0.0)
+    PortSensor.LEFT_ROTATION -> robot.ahead(0.0, Penbot.OVERALL_WIDTH / 2 + 4)
+    PortSensor.RIGHT_ROTATION -> robot.ahead(0.0, -Penbot.OVERALL_WIDTH / 2 - 4)
+    PortSensor.TEMPERATURE -> robot.ahead(Penbot.CHASSIS_BACK - 3.5, 3.5)
+    PortSensor.TOUCH -> robot.ahead(Penbot.CHASSIS_BACK - 3.5, -3.5)
+}
+
+private fun DrawScope.drawReading(text: String, middle: Offset, labels: TextMeasurer, edge: Color) {
+    val layout = labels.measure(text, TextStyle(SheetColours.LABEL, fontSize = READING_SIZE, fontWeight = FontWeight.Medium), maxLines = 1)
+    val plate = Size(layout.size.width + 12.dp.toPx(), layout.size.height + 4.dp.toPx())
+    val corner = Offset(
+        (middle.x - plate.width / 2).coerceIn(0f, (size.width - plate.width).coerceAtLeast(0f)),
+        (middle.y - plate.height / 2).coerceIn(0f, (size.height - plate.height).coerceAtLeast(0f)),
+    )
+    val round = CornerRadius(plate.height / 2)
+    drawRoundRect(SheetColours.LABEL_PLATE, corner, plate, round)
+    drawRoundRect(edge, corner, plate, round, style = Stroke(1.5.dp.toPx()))
+    drawText(layout, topLeft = corner + Offset(6.dp.toPx(), 2.dp.toPx()))
+}
+
+private val READING_SIZE = 13.sp

@@ -1,0 +1,82 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.graphics.Brush
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import robotran.world.Light
+import robotran.world.LightFacing
+import robotran.world.Penbot
+import robotran.world.Point
+import robotran.world.PortSensor
+import robotran.world.RobotPlace
+import robotran.world.RobotState
+import robotran.world.SessionState
+import robotran.world.World
+import kotlin.math.max
+
+/** Where the robots' light sensors look: a spot on the paper, or a cone ahead as far as light comes back from. And what bumpers run into. */
+internal fun DrawScope.drawSights(world: World, state: SessionState, transform: SheetTransform) {
+    for (number in world.robots.indices) {
+        val place = world.robots[number]
+        val robot = state.robots.getOrNull(number)?.robot ?: continue
+        if (place.has(PortSensor.LIGHT)) {
+            if (place.lightFacing == LightFacing.FORWARD) drawCone(number, world, state, transform) else drawSpot(robot, transform)
+        }
+        if (robot.leftBumperPressed) drawContact(robot, BUMPER_MIDDLE, transform)
+        if (robot.rightBumperPressed) drawContact(robot, -BUMPER_MIDDLE, transform)
+    }
+}
+
+internal fun RobotPlace.has(sensor: PortSensor): Boolean = ports.any { sensor in it }
+
+private fun DrawScope.drawSpot(robot: RobotState, transform: SheetTransform) {
+    val centre = transform.toPixels(robot.ahead(Penbot.LIGHT_SENSOR_PLACE, 0.0))
+    val radius = transform.toPixels(SPOT_CENTIMETRES)
+    drawCircle(SheetColours.SIGHT.copy(alpha = 0.25f), radius, centre)
+    drawCircle(SheetColours.SIGHT, radius, centre, style = Stroke(max(transform.toPixels(LINE_CENTIMETRES), 1f)))
+}
+
+private fun DrawScope.drawCone(number: Int, world: World, state: SessionState, transform: SheetTransform) {
+    val robot = state.robots[number].robot
+    val eye = robot.ahead(Penbot.BUMPER_FRONT, 0.0)
+    val others = state.robots.indices.filter { it != number }.map { robotOutline(state.robots[it].robot.pose) }
+    val inTheWay = world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() } +
+        world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) } + others
+    val corners = litArea(eye, robot.pose.heading, CONE_DEGREES, Light.FARTHEST_ECHO, inTheWay)
+    val path = Path().apply { addLine(corners.map(transform::toPixels), closed = true) }
+    val colour = SheetColours.SIGHT
+    val fading = Brush.radialGradient(
+        0f to colour.copy(alpha = 0.45f), 1f to colour.copy(alpha = 0.08f),
+        center = transform.toPixels(eye), radius = max(transform.toPixels(Light.FARTHEST_ECHO), 1f),
+    )
+    drawPath(path, fading)
+    drawPath(path, colour.copy(alpha = 0.6f), style = Stroke(max(transform.toPixels(LINE_CENTIMETRES), 1f)))
+}
+
+/** Three short lines that spring from a bumper that is pushed in. */
+private fun DrawScope.drawContact(robot: RobotState, middle: Double, transform: SheetTransform) {
+    val width = max(transform.toPixels(CONTACT_WIDTH), 1.5f)
+    for (spread in listOf(-1.0, 0.0, 1.0)) {
+        val from = robot.ahead(Penbot.BUMPER_FRONT + 0.6, middle + spread * 1.6)
+        val to = robot.ahead(Penbot.BUMPER_FRONT + 2.4, middle + spread * 2.8)
+        drawLine(SheetColours.TOUCH, transform.toPixels(from), transform.toPixels(to), width, StrokeCap.Round)
+    }
+}
+
+/** The place so far before the pen and to the left of it. */
+internal fun RobotState.ahead(forwards: Double, leftwards: Double): Point {
+    val heading = pose.heading * RADIANS_PER_DEGREE
+    val cosine = kotlin.math.cos(heading)
+    val sine = kotlin.math.sin(heading)
+    return Point(pose.x + forwards * cosine - leftwards * sine, pose.y + forwards * sine + leftwards * cosine)
+}
+
+internal const val BUMPER_MIDDLE = (Penbot.BUMPER_GAP + Penbot.BUMPER_WIDTH) / 2
+
+/** About what the sensor averages over when it looks at the paper. */
+private const val SPOT_CENTIMETRES = 0.6
+private const val CONE_DEGREES = 60.0
+private const val LINE_CENTIMETRES = 0.1
+private const val CONTACT_WIDTH = 0.35

@@ -1,0 +1,53 @@
+package robotran.ui.sheet
+
+import robotran.world.Penbot
+import robotran.world.Point
+import robotran.world.Pose
+import kotlin.math.PI
+import kotlin.math.atan2
+import kotlin.math.cos
+import kotlin.math.sin
+
+/**
+ * What is dark behind something with these [corners] within [reach] of a lamp at [place]; null if the light does not come that far, or the lamp stands in
+ * the thing itself. Always counter-clockwise, so that shadows that overlap are one.
+ */
+internal fun shadowOf(corners: List<Point>, place: Point, reach: Double): List<Point>? {
+    if (distanceInto(corners, place).let { it <= 0 || it >= reach }) return null
+    val middle = Point(corners.sumOf { it.x } / corners.size - place.x, corners.sumOf { it.y } / corners.size - place.y)
+    val turns = corners.map { corner ->
+        val x = corner.x - place.x
+        val y = corner.y - place.y
+        atan2(middle.x * y - middle.y * x, middle.x * x + middle.y * y)
+    }
+    val first = turns.indices.minBy { turns[it] }
+    val last = turns.indices.maxBy { turns[it] }
+    val span = turns[last] - turns[first]
+    if (span >= PI) return null
+    val towards = atan2(middle.y, middle.x)
+    // So far away that the straight edge between two of these directions is beyond the light.
+    val far = reach / cos(span / 4)
+    return listOf(
+        corners[first], place.towards(towards + turns[first], far), place.towards(towards + (turns[first] + turns[last]) / 2, far),
+        place.towards(towards + turns[last], far), corners[last],
+    )
+}
+
+/** What a robot covers as seen from above, with a string laid round it. */
+internal fun robotOutline(pose: Pose): List<Point> {
+    val cosine = cos(pose.heading * RADIANS_PER_DEGREE)
+    val sine = sin(pose.heading * RADIANS_PER_DEGREE)
+    return ROBOT_CORNERS.map { Point(pose.x + it.x * cosine - it.y * sine, pose.y + it.x * sine + it.y * cosine) }
+}
+
+private const val WHEEL_REACH = Penbot.WHEEL_DIAMETER / 2
+private const val BUMPER_REACH = Penbot.BUMPER_GAP / 2 + Penbot.BUMPER_WIDTH
+private const val HALF_CHASSIS = Penbot.CHASSIS_WIDTH / 2
+private const val HALF_WIDTH = Penbot.OVERALL_WIDTH / 2
+
+/** Counter-clockwise, seen from the pen. */
+private val ROBOT_CORNERS = listOf(
+    Point(Penbot.CHASSIS_BACK, -HALF_CHASSIS), Point(-WHEEL_REACH, -HALF_WIDTH), Point(WHEEL_REACH, -HALF_WIDTH),
+    Point(Penbot.BUMPER_FRONT, -BUMPER_REACH), Point(Penbot.BUMPER_FRONT, BUMPER_REACH), Point(WHEEL_REACH, HALF_WIDTH),
+    Point(-WHEEL_REACH, HALF_WIDTH), Point(Penbot.CHASSIS_BACK, HALF_CHASSIS),
+)

@@ -1,0 +1,108 @@
+package robotran.ui.sheet
+
+import robotran.world.Mark
+import robotran.world.MarkFigure
+import robotran.world.Penbot
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.SessionState
+import robotran.world.Shape
+import robotran.world.World
+import robotran.world.centre
+import kotlin.math.cos
+import kotlin.math.hypot
+import kotlin.math.sin
+
+/**
+ * What is at [point] as things stand in [state]: the topmost thing that the point is in, or, for fingers that are not that exact, the nearest within
+ * [tolerance] centimetres. What lies on top of what the point is in has to be within half of that.
+ *
+ * @param kinds what is looked for.
+ */
+fun thingAt(
+    world: World,
+    state: SessionState,
+    point: Point,
+    tolerance: Double,
+    kinds: Set<SheetThingKind> = SheetThingKind.entries.toSet(),
+): SheetThing? {
+    var nearest: SheetThing? = null
+    var distance = tolerance
+    for (kind in SheetThingKind.entries.reversed()) {
+        if (kind !in kinds) continue
+        val distances = distances(kind, world, state, point)
+        for (number in distances.indices.reversed()) {
+            if (distances[number] <= 0) return nearest?.takeIf { distance <= tolerance / 2 } ?: SheetThing(kind, number)
+            if (distances[number] < distance) {
+                nearest = SheetThing(kind, number)
+                distance = distances[number]
+            }
+        }
+    }
+    return nearest
+}
+
+/** How far the point is from each thing of a kind, 0 or less inside it. */
+private fun distances(kind: SheetThingKind, world: World, state: SessionState, point: Point): List<Double> = when (kind) {
+    SheetThingKind.MARK -> world.marks.map { distanceTo(it, point) }
+
+    SheetThingKind.TEMPLATE -> world.template?.strokes.orEmpty().map { distanceToLine(it, point) }
+
+    SheetThingKind.REGION -> goalRegions(world.goals).map { it.shape.distanceTo(point) }
+
+    SheetThingKind.WALL -> world.walls.map { distanceInto(it.corners(), point) }
+
+    SheetThingKind.BARRIER -> world.barriers.map { it.shape.distanceTo(point) }
+
+    SheetThingKind.BLOCK -> world.blocks.zip(state.blocks) { block, moved -> block.shape.distanceTo(movedBack(point, block.shape, moved)) }
+
+    SheetThingKind.ROBOT -> state.robots.map { distanceToRobot(it.robot.pose, point) }
+
+    SheetThingKind.LAMP -> state.lamps.map { hypot(it.place.x - point.x, it.place.y - point.y) - LAMP_RADIUS }
+}
+
+private fun distanceTo(mark: Mark, point: Point): Double = when (val figure = mark.figure) {
+    is MarkFigure.Area -> figure.shape.distanceTo(point)
+
+    is MarkFigure.Line -> {
+        val points = if (figure.closed) figure.points + figure.points.first() else figure.points
+        distanceToLine(points, point) - figure.width / 2
+    }
+
+    is MarkFigure.GreyMap -> {
+        val width = figure.cell * figure.rows.first().length
+        val height = figure.cell * figure.rows.size
+        Shape.Rectangle(Point(figure.corner.x + width / 2, figure.corner.y + height / 2), width, height).distanceTo(point)
+    }
+}
+
+/** How far [point] is from the shape; 0 or less inside. */
+internal fun Shape.distanceTo(point: Point): Double = when (this) {
+    is Shape.Circle -> hypot(point.x - centre.x, point.y - centre.y) - radius
+    is Shape.Rectangle, is Shape.Polygon -> distanceInto(corners(), point)
+}
+
+/** Where a point of a block that was moved is when the block is back where the world has it. */
+private fun movedBack(point: Point, shape: Shape, moved: Pose): Point {
+    val middle = shape.centre
+    val cosine = cos(moved.heading * RADIANS_PER_DEGREE)
+    val sine = sin(moved.heading * RADIANS_PER_DEGREE)
+    val x = point.x - middle.x - moved.x
+    val y = point.y - middle.y - moved.y
+    return Point(middle.x + x * cosine + y * sine, middle.y - x * sine + y * cosine)
+}
+
+/** The robot as the rectangle around it. */
+private fun distanceToRobot(pose: Pose, point: Point): Double {
+    val cosine = cos(pose.heading * RADIANS_PER_DEGREE)
+    val sine = sin(pose.heading * RADIANS_PER_DEGREE)
+    val x = point.x - pose.x
+    val y = point.y - pose.y
+    val seen = Point(x * cosine + y * sine, y * cosine - x * sine)
+    return ROBOT_BOX.distanceTo(seen)
+}
+
+private val ROBOT_BOX = Shape.Rectangle(
+    Point((Penbot.BUMPER_FRONT + Penbot.CHASSIS_BACK) / 2, 0.0), Penbot.BUMPER_FRONT - Penbot.CHASSIS_BACK, Penbot.OVERALL_WIDTH,
+)
+private const val LAMP_RADIUS = 1.5

@@ -1,0 +1,98 @@
+package robotran.ui.workshop
+
+import kotlinx.coroutines.withContext
+import org.jetbrains.compose.resources.StringResource
+import robotran.documents.ZipEntry
+import robotran.documents.fileNameFor
+import robotran.documents.replayFile
+import robotran.documents.zipOf
+import robotran.projects.LinkMaking
+import robotran.projects.linkOf
+import robotran.robolang.RobolangResult
+import robotran.robolang.readRobolang
+import robotran.robolang.translate.kitFiles
+import robotran.robolang.translate.translateRobolang
+import robotran.ui.platform.FileKind
+import robotran.ui.platform.Saving
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_kit_mistake
+import robotran.ui.resources.documents_not_copied
+import robotran.ui.resources.documents_replay_empty
+import robotran.ui.resources.documents_saved
+import robotran.ui.resources.documents_too_long
+
+/** Gives the work away: as a link, as a replay, as programs for elsewhere. */
+internal class DocumentExports(
+    private val bench: Bench,
+    private val keeper: DocumentKeeper,
+    private val show: (DocumentDialog?) -> Unit,
+) {
+    suspend fun makeLink() {
+        show(DocumentDialog.SharingLink())
+        val making = withContext(bench.platform.background) { linkOf(bench.project) }
+        show(
+            when (making) {
+                is LinkMaking.Made -> DocumentDialog.SharingLink(link = bench.platform.pageAddress + making.fragment)
+                is LinkMaking.TooLong -> DocumentDialog.SharingLink(tooLong = making.message)
+            },
+        )
+    }
+
+    suspend fun copyLink(dialog: DocumentDialog?) {
+        val sharing = dialog as? DocumentDialog.SharingLink ?: return
+        val copied = bench.platform.sharing.copy(sharing.link ?: return)
+        show(sharing.copy(copied = copied))
+        if (!copied) bench.say(Notice(Res.string.documents_not_copied, bad = true))
+    }
+
+    suspend fun shareLink(dialog: DocumentDialog?) {
+        val sharing = dialog as? DocumentDialog.SharingLink ?: return
+        bench.platform.sharing.share(sharing.link ?: return)
+    }
+
+    suspend fun saveReplay() {
+        val inputs = bench.inputs
+        if (inputs.isEmpty()) return bench.say(Notice(Res.string.documents_replay_empty))
+        val bytes = withContext(bench.platform.background) { replayFile(bench.project, inputs) }
+            ?: return bench.say(Notice(Res.string.documents_too_long, bad = true))
+        save("${title()} replay", FileKind.PROJECT, bytes)
+    }
+
+    suspend fun saveProgram() {
+        val program = bench.shownProgram
+        val kind = if (program.language == ProgramLanguage.JAVA) FileKind.JAVA else FileKind.ROBOLANG
+        val single = program.files.singleOrNull()
+        if (single != null) {
+            save(program.name, kind, single.text.encodeToByteArray())
+        } else {
+            save(program.name, FileKind.ZIP, zipOf(program.files.map { ZipEntry(it.name, it.text.encodeToByteArray()) }))
+        }
+    }
+
+    /** A program in Java is its own kit. */
+    suspend fun saveKit() {
+        val program = bench.shownProgram
+        if (program.language == ProgramLanguage.JAVA) return saveProgram()
+        val text = program.files.single().text
+        when (val result = readRobolang(program.name, text, PENBOT_CALIBRATION)) {
+            is RobolangResult.Mistaken -> say(Res.string.documents_kit_mistake, result.diagnostics.first().range.line)
+
+            is RobolangResult.Ready -> {
+                val files = kitFiles(translateRobolang(result.program), program.name, text)
+                save(program.name, FileKind.ZIP, zipOf(files.map { ZipEntry(it.path, it.text.encodeToByteArray(), it.isExecutable) }))
+            }
+        }
+    }
+
+    private suspend fun save(name: String, kind: FileKind, bytes: ByteArray) {
+        when (val saving = bench.platform.files.save(fileNameFor(name, kind), kind, bytes)) {
+            is Saving.Saved -> bench.say(Notice(Res.string.documents_saved, listOf(saving.name)))
+            is Saving.Failed -> bench.sayNotSaved(saving)
+            Saving.GivenUp -> Unit
+        }
+    }
+
+    private fun title() = keeper.name.ifEmpty { bench.project.world.title }
+
+    private fun say(text: StringResource, argument: Int) = bench.say(Notice(text, listOf(argument), bad = true))
+}

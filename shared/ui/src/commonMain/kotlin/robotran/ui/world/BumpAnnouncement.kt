@@ -1,0 +1,65 @@
+package robotran.ui.world
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.size
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.sheet_bump
+import robotran.ui.resources.sheet_bump_into
+import robotran.ui.resources.sheet_touch_barrier
+import robotran.ui.resources.sheet_touch_block
+import robotran.ui.resources.sheet_touch_robot
+import robotran.ui.resources.sheet_touch_wall
+import robotran.world.SessionState
+import robotran.world.TouchKind
+import robotran.world.World
+
+/** Reads out each bump to who cannot see it; nothing is drawn. */
+@Composable
+internal fun BumpAnnouncement(world: World, session: SessionState) {
+    val bumps = session.robots.map { it.bumps }
+    var before by remember { mutableStateOf(bumps) }
+    var bump: Bump? by remember { mutableStateOf(null) }
+    if (bumps != before) {
+        val robot = bumps.indices.firstOrNull { bumps[it] > (before.getOrNull(it) ?: 0) }
+        bump = robot?.let { Bump(world.robots[it].name, bumps[it], session.robots[it].robot.touching.firstOrNull()) }
+        before = bumps
+    }
+    val words = bump?.let { bumpWords(it) }.orEmpty()
+    Box(
+        Modifier.size(1.dp).testTag("bump").semantics {
+            liveRegion = LiveRegionMode.Polite
+            contentDescription = words
+        },
+    )
+}
+
+/** @property count the robot's bumps up to this one, so that a second one at the same wall is read out too. */
+private data class Bump(val robot: String, val count: Int, val touched: TouchKind?)
+
+@Composable
+private fun bumpWords(bump: Bump): String {
+    val touched = bump.touched ?: return stringResource(Res.string.sheet_bump, bump.count, bump.robot)
+    return stringResource(Res.string.sheet_bump_into, bump.count, bump.robot, stringResource(touched.words))
+}
+
+private val TouchKind.words: StringResource
+    get() = when (this) {
+        TouchKind.WALLS -> Res.string.sheet_touch_wall
+        TouchKind.BARRIERS -> Res.string.sheet_touch_barrier
+        TouchKind.BLOCKS -> Res.string.sheet_touch_block
+        TouchKind.ROBOTS -> Res.string.sheet_touch_robot
+    }

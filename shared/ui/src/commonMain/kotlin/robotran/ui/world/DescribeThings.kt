@@ -1,0 +1,57 @@
+package robotran.ui.world
+
+import androidx.compose.runtime.Composable
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.centimetres
+import robotran.ui.resources.degrees
+import robotran.ui.resources.sheet_block
+import robotran.ui.resources.sheet_block_numbered
+import robotran.ui.resources.sheet_lamp
+import robotran.ui.resources.sheet_lamp_numbered
+import robotran.ui.resources.sheet_lamp_off
+import robotran.ui.resources.sheet_lamp_on
+import robotran.ui.resources.sheet_place
+import robotran.ui.resources.sheet_pose
+import robotran.ui.resources.sheet_robot
+import robotran.ui.runbar.oneDecimal
+import robotran.ui.sheet.SheetThing
+import robotran.ui.sheet.SheetThingKind
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.SessionState
+import robotran.world.World
+
+/** Something movable in words: what it is, where, and how it stands. */
+@Composable
+internal fun describeThing(thing: SheetThing, pose: Pose, world: World, session: SessionState): String = when (thing.kind) {
+    SheetThingKind.ROBOT -> stringResource(Res.string.sheet_robot, world.robots[thing.number].name, poseWords(pose))
+
+    SheetThingKind.BLOCK -> {
+        val name = world.blocks[thing.number].name
+        if (name != null) {
+            stringResource(Res.string.sheet_block, name, poseWords(pose))
+        } else {
+            stringResource(Res.string.sheet_block_numbered, thing.number + 1, poseWords(pose))
+        }
+    }
+
+    else -> {
+        val on = stringResource(if (session.lamps[thing.number].on) Res.string.sheet_lamp_on else Res.string.sheet_lamp_off)
+        val place = placeWords(Point(pose.x, pose.y))
+        val name = world.lamps[thing.number].name
+        if (name != null) stringResource(Res.string.sheet_lamp, name, place, on) else stringResource(Res.string.sheet_lamp_numbered, thing.number + 1, place, on)
+    }
+}
+
+/** Such as `20.0 cm across and 30.0 cm up`. */
+@Composable
+internal fun placeWords(place: Point): String = stringResource(
+    Res.string.sheet_place,
+    stringResource(Res.string.centimetres, oneDecimal(place.x)),
+    stringResource(Res.string.centimetres, oneDecimal(place.y)),
+)
+
+@Composable
+private fun poseWords(pose: Pose): String =
+    stringResource(Res.string.sheet_pose, placeWords(Point(pose.x, pose.y)), stringResource(Res.string.degrees, oneDecimal(pose.heading)))

@@ -1,0 +1,114 @@
+package robotran.ui.world
+
+import robotran.ui.sheet.SheetThing
+import robotran.ui.sheet.SheetThingKind
+import robotran.ui.sheet.SheetTouch
+import robotran.ui.sheet.thingAt
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.SessionInput
+import robotran.world.SessionState
+import robotran.world.World
+import kotlin.math.PI
+import kotlin.math.atan2
+import kotlin.math.round
+
+/**
+ * A hand that reaches into the world while it runs: it drags robots, blocks and lamps, turns robots and blocks by their handle and switches lamps by a tap.
+ *
+ * @param now what is to be seen, and what of it has a handle.
+ * @param choose is told what is to have a handle.
+ * @param inputs takes what is done to the session.
+ */
+internal class HandTouch(
+    private val world: World,
+    private val now: () -> Pair<SessionState, SheetThing?>,
+    private val choose: (SheetThing?) -> Unit,
+    private val inputs: OncePerFrame,
+) : SheetTouch {
+    private var held: Held? = null
+
+    override fun take(place: Point, tolerance: Double): Boolean {
+        val (session, chosen) = now()
+        held = handleAt(place, chosen, session, tolerance) ?: grip(place, session, tolerance)
+        return held != null
+    }
+
+    override fun drag(place: Point) {
+        val grip = held ?: return
+        val session = now().first
+        val pose = poseOf(grip.thing, world, session) ?: return
+        inputs.send(
+            when (grip) {
+                is Held.Body -> placing(grip.thing, pose.copy(x = place.x + grip.offset.x, y = place.y + grip.offset.y))
+                is Held.Handle -> placing(grip.thing, pose.copy(heading = round(angle(Point(pose.x, pose.y), place) + grip.turn)))
+            },
+        )
+    }
+
+    override fun letGo() {
+        held = null
+        inputs.flush()
+    }
+
+    override fun tap(place: Point, tolerance: Double): Boolean {
+        val (session, chosen) = now()
+        if (handleAt(place, chosen, session, tolerance) != null) return true
+        val thing = thingAt(world, session, place, tolerance, MOVABLE)
+        choose(thing)
+        if (thing?.kind == SheetThingKind.LAMP) inputs.sendNow(SessionInput.SwitchLamp(thing.number, !session.lamps[thing.number].on))
+        return thing != null
+    }
+
+    private fun handleAt(place: Point, chosen: SheetThing?, session: SessionState, tolerance: Double): Held? {
+        if (chosen == null || chosen.kind == SheetThingKind.LAMP) return null
+        val pose = poseOf(chosen, world, session) ?: return null
+        val handle = handleOf(chosen, world, session) ?: return null
+        if (robotran.ui.sheet.distance(handle, place) > tolerance + HANDLE_CENTIMETRES) return null
+        return Held.Handle(chosen, pose.heading - angle(Point(pose.x, pose.y), place))
+    }
+
+    private fun grip(place: Point, session: SessionState, tolerance: Double): Held? {
+        val thing = thingAt(world, session, place, tolerance, MOVABLE) ?: return null
+        val pose = poseOf(thing, world, session) ?: return null
+        choose(thing)
+        return Held.Body(thing, Point(pose.x - place.x, pose.y - place.y))
+    }
+
+    private fun angle(from: Point, to: Point) = atan2(to.y - from.y, to.x - from.x) * DEGREES_PER_RADIAN
+
+    private sealed interface Held {
+        val thing: SheetThing
+
+        /** @property offset from the finger to the middle of the thing. */
+        class Body(override val thing: SheetThing, val offset: Point) : Held
+
+        /** @property turn from the direction of the finger to the thing's heading. */
+        class Handle(override val thing: SheetThing, val turn: Double) : Held
+    }
+
+    private companion object {
+        const val DEGREES_PER_RADIAN = 180 / PI
+    }
+}
+
+/** The input that puts [thing] at [pose], see [poseOf]. */
+internal fun placing(thing: SheetThing, pose: Pose): SessionInput {
+    val upright = pose.copy(heading = headingOf(pose.heading))
+    return when (thing.kind) {
+        SheetThingKind.ROBOT -> SessionInput.PlaceRobot(thing.number, upright)
+        SheetThingKind.BLOCK -> SessionInput.PlaceBlock(thing.number, upright)
+        else -> SessionInput.MoveLamp(thing.number, Point(pose.x, pose.y))
+    }
+}
+
+/** The same direction, above -180 and up to 180 degrees. */
+private fun headingOf(degrees: Double): Double = (degrees % FULL_TURN).let {
+    when {
+        it > FULL_TURN / 2 -> it - FULL_TURN
+        it <= -FULL_TURN / 2 -> it + FULL_TURN
+        else -> it
+    }
+}
+
+private const val FULL_TURN = 360.0

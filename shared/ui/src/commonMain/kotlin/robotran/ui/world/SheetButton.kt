@@ -1,0 +1,58 @@
+package robotran.ui.world
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.selection.toggleable
+import androidx.compose.foundation.shape.CircleShape
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import robotran.ui.parts.Icon
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+
+/**
+ * A round button at the edge of the sheet.
+ *
+ * @param words what it does, for those who cannot see its [icon].
+ * @param on whether it is switched on; null if it is no switch.
+ */
+@Composable
+internal fun SheetButton(icon: Icon, words: String, tag: String, on: Boolean? = null, enabled: Boolean = true, onClick: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    val press = if (on == null) {
+        Modifier.clickable(enabled, role = Role.Button, onClick = onClick)
+    } else {
+        Modifier.toggleable(on, enabled, Role.Switch) { onClick() }
+    }
+    Box(
+        Modifier
+            .testTag(tag)
+            .size(Measures.TARGET)
+            .focusRing(Measures.TARGET / 2)
+            .clip(CircleShape)
+            .background(if (on == true) colours.onPane else colours.pane)
+            .border(1.dp, colours.line, CircleShape)
+            .then(press)
+            .semantics { contentDescription = words },
+        Alignment.Center,
+    ) {
+        val colour = when {
+            !enabled -> colours.line
+            on == true -> colours.pane
+            else -> colours.onPane
+        }
+        Canvas(Modifier.size(24.dp)) { with(icon) { draw(colour) } }
+    }
+}

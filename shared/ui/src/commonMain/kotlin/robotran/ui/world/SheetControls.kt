@@ -1,0 +1,69 @@
+package robotran.ui.world
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.sheet_follow
+import robotran.ui.resources.sheet_nearer
+import robotran.ui.resources.sheet_further
+import robotran.ui.resources.sheet_whole
+import robotran.ui.sheet.KEY_ZOOM
+import robotran.ui.sheet.SheetCamera
+import robotran.ui.workshop.SheetEvent
+import robotran.ui.workshop.SheetViewState
+import robotran.world.Surroundings
+import robotran.world.World
+
+/**
+ * The buttons at the edge of the sheet.
+ *
+ * @param upright whether they stand one under the other.
+ * @param withZoom whether there is room for those that two fingers can do without.
+ */
+@Composable
+internal fun SheetControls(
+    world: World,
+    view: SheetViewState,
+    surroundings: Surroundings,
+    inputs: OncePerFrame,
+    upright: Boolean,
+    withZoom: Boolean,
+    onEvent: (SheetEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    val buttons: @Composable () -> Unit = {
+        if (withZoom) ZoomButtons(view.camera, onEvent)
+        SheetButton(SheetIcons.WHOLE, stringResource(Res.string.sheet_whole), "sheet-whole") { onEvent(SheetEvent.WholeSheetWanted) }
+        val follows = view.followed != null
+        SheetButton(SheetIcons.FOLLOW, stringResource(Res.string.sheet_follow), "sheet-follow", on = follows) {
+            onEvent(SheetEvent.FollowChosen(if (follows) null else robotToFollow(view)))
+        }
+        LayerMenu(view.shown) { layer, on -> onEvent(SheetEvent.LayerSwitched(layer, on)) }
+        if (noticesSurroundings(world)) SurroundingsMenu(world, surroundings, inputs)
+    }
+    if (upright) Column(modifier, Arrangement.spacedBy(GAP)) { buttons() } else Row(modifier, Arrangement.spacedBy(GAP)) { buttons() }
+}
+
+@Composable
+private fun ZoomButtons(camera: SheetCamera, onEvent: (SheetEvent) -> Unit) {
+    fun zoom(factor: Double) = onEvent(
+        SheetEvent.CameraMoved(camera.copy(zoom = (camera.zoom * factor).coerceIn(SheetCamera.LEAST_ZOOM, SheetCamera.MOST_ZOOM)), pushed = false),
+    )
+    SheetButton(SheetIcons.NEARER, stringResource(Res.string.sheet_nearer), "sheet-nearer", enabled = camera.zoom < SheetCamera.MOST_ZOOM) {
+        zoom(KEY_ZOOM)
+    }
+    SheetButton(SheetIcons.FURTHER, stringResource(Res.string.sheet_further), "sheet-further", enabled = camera.zoom > SheetCamera.LEAST_ZOOM) {
+        zoom(1 / KEY_ZOOM)
+    }
+}
+
+/** The one that was chosen, else the pupil's own. */
+private fun robotToFollow(view: SheetViewState): Int =
+    view.chosen?.takeIf { it.kind == robotran.ui.sheet.SheetThingKind.ROBOT }?.number ?: 0
+
+private val GAP = 8.dp

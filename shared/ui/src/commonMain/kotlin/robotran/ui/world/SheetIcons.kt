@@ -1,0 +1,46 @@
+package robotran.ui.world
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.drawscope.Stroke
+import robotran.ui.parts.Icon
+import kotlin.math.PI
+import kotlin.math.cos
+import kotlin.math.sin
+
+/** The signs on the buttons beside the sheet. */
+internal object SheetIcons {
+    private const val LINE = 2f
+    private const val RAYS = 8
+    private val MIDDLE = Offset(Icon.UNITS / 2, Icon.UNITS / 2)
+
+    val NEARER = Icon.strokes("M12 5V19", "M5 12H19")
+    val FURTHER = Icon.strokes("M5 12H19")
+
+    /** Four corners: all of the sheet. */
+    val WHOLE = Icon.strokes("M4 9V4H9", "M15 4H20V9", "M20 15V20H15", "M9 20H4V15")
+
+    /** A ring that keeps something in its middle. */
+    val FOLLOW = Icon { colour ->
+        drawCircle(colour, 6f, MIDDLE, style = Stroke(LINE))
+        drawCircle(colour, 2f, MIDDLE)
+        for (way in listOf(Offset(1f, 0f), Offset(-1f, 0f), Offset(0f, 1f), Offset(0f, -1f))) {
+            drawLine(colour, MIDDLE + way * 6f, MIDDLE + way * 10f, LINE, StrokeCap.Round)
+        }
+    }
+
+    /** Sheets over one another: what is drawn over the plain one. */
+    val LAYERS = Icon.strokes("M12 4L21 9L12 14L3 9L12 4", "M4 13L12 17L20 13", "M4 17L12 21L20 17")
+
+    /** A sun: light and warmth. */
+    val SURROUNDINGS = Icon { colour ->
+        drawCircle(colour, 4f, MIDDLE, style = Stroke(LINE))
+        for (ray in 0 until RAYS) {
+            val angle = ray * 2 * PI / RAYS
+            val way = Offset(cos(angle).toFloat(), sin(angle).toFloat())
+            drawLine(colour, MIDDLE + way * 7f, MIDDLE + way * 10f, LINE, StrokeCap.Round)
+        }
+    }
+
+    val TICK = Icon.strokes("M5 12L10 17L19 7")
+}

@@ -1,0 +1,82 @@
+package robotran.ui.golden
+
+import org.jetbrains.skia.Bitmap
+import org.jetbrains.skia.EncodedImageFormat
+import org.jetbrains.skia.FilterMipmap
+import org.jetbrains.skia.FilterMode
+import org.jetbrains.skia.Image
+import org.jetbrains.skia.ImageInfo
+import org.jetbrains.skia.MipmapMode
+import java.io.File
+import kotlin.math.abs
+import kotlin.test.fail
+
+/**
+ * Holds pictures of the screen against those that were looked at and found good. These are kept at a quarter of their size, and compared by the
+ * mean colours of tiles: another machine's fonts and smoothing pass, a pane, button or colour that is missing does not.
+ *
+ * `-PrecordPictures` keeps the pictures as they are now, to be looked at.
+ */
+internal object GoldenPicture {
+    private val kept = File("src/jvmTest/resources/golden")
+    private val seen = File(System.getProperty("robotran.pictures"), "golden").apply { mkdirs() }
+    private val recording = System.getProperty("robotran.recordPictures") != null
+
+    /** Fails if [picture] does not look like the one that is kept as [name]. */
+    fun check(name: String, picture: Image) {
+        File(seen, "$name.png").writeBytes(bytesOf(picture))
+        val small = quarterOf(picture)
+        val file = File(kept, "$name.png")
+        if (recording) {
+            kept.mkdirs()
+            file.writeBytes(bytesOf(small))
+        }
+        if (!file.exists()) fail("There is no picture $name yet: look at ${File(seen, "$name.png")} and record it.")
+        val wanted = Image.makeFromEncoded(file.readBytes())
+        val other = share(tilesOf(small), tilesOf(wanted))
+        if (other > MOST_OTHER_TILES) fail("$name looks different: ${(other * 100).toInt()} % of its tiles. See ${File(seen, "$name.png")}.")
+    }
+
+    private fun share(seen: List<IntArray>, wanted: List<IntArray>): Double {
+        if (seen.size != wanted.size) return 1.0
+        val other = seen.zip(wanted).count { (a, b) -> a.indices.maxOf { abs(a[it] - b[it]) } > MOST_DIFFERENCE }
+        return other.toDouble() / seen.size
+    }
+
+    private fun quarterOf(picture: Image): Image {
+        val bitmap = Bitmap()
+        bitmap.allocPixels(ImageInfo.makeN32Premul(picture.width / SCALE, picture.height / SCALE))
+        picture.scalePixels(checkNotNull(bitmap.peekPixels()), FilterMipmap(FilterMode.LINEAR, MipmapMode.LINEAR), false)
+        return Image.makeFromBitmap(bitmap.setImmutable())
+    }
+
+    /** The mean red, green and blue of each tile. */
+    private fun tilesOf(picture: Image): List<IntArray> {
+        val bitmap = Bitmap.makeFromImage(picture)
+        return (0 until picture.height - TILE + 1 step TILE).flatMap { top ->
+            (0 until picture.width - TILE + 1 step TILE).map { left -> meanOf(bitmap, left, top) }
+        }
+    }
+
+    private fun meanOf(bitmap: Bitmap, left: Int, top: Int): IntArray {
+        val sums = IntArray(3)
+        for (y in top until top + TILE) {
+            for (x in left until left + TILE) {
+                val colour = bitmap.getColor(x, y)
+                for (part in sums.indices) sums[part] += (colour shr (16 - 8 * part)) and 0xFF
+            }
+        }
+        return IntArray(3) { sums[it] / (TILE * TILE) }
+    }
+
+    private fun bytesOf(image: Image) = checkNotNull(image.encodeToData(EncodedImageFormat.PNG)).bytes
+
+    private const val SCALE = 4
+
+    /** Pixels of the small picture: 40 of the screen's. */
+    private const val TILE = 10
+
+    /** Of 255: what text in another font, or a line one pixel further, changes a tile's mean by. */
+    private const val MOST_DIFFERENCE = 14
+    private const val MOST_OTHER_TILES = 0.04
+}

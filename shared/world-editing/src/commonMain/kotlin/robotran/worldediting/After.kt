@@ -1,0 +1,113 @@
+package robotran.worldediting
+
+import robotran.world.World
+
+/**
+ * This after [edit]. Whatever the edit is, there is a result: what cannot be done leaves the world as it is and says so in [WorldEditing.refusal], and
+ * what concerns something that is not there does nothing.
+ */
+fun WorldEditing.after(edit: Edit): WorldEditing {
+    val calm = copy(refusal = null)
+    return when (edit) {
+        is Edit.TapAt, is Edit.Choose, is Edit.ChooseWithin, Edit.ChooseAll, is Edit.ChooseNext -> calm.chosen(edit)
+
+        is Edit.Grab -> calm.grabbed(edit)
+
+        is Edit.DragTo -> calm.dragged(edit)
+
+        Edit.Drop -> calm.dropped()
+
+        Edit.LetGo -> calm.letGo()
+
+        is Edit.ChooseTool -> calm.copy(tool = edit.tool, selection = if (edit.tool == Tool.CHOOSE) selection else emptySet())
+
+        is Edit.ChooseSeveral -> calm.copy(several = edit.several)
+
+        is Edit.Snap -> calm.copy(snapping = edit.snapping)
+
+        Edit.Settle -> calm.copy(history = history.settled())
+
+        is Edit.Together -> calm.together(edit.edits)
+
+        Edit.Undo -> calm.undone()
+
+        Edit.Redo -> calm.redone()
+
+        Edit.Copy -> if (selection.isEmpty()) calm else calm.copy(clipboard = selection.mapNotNull(world::piece))
+
+        is Edit.Draw, is Edit.Nudge, is Edit.TurnBy, is Edit.ScaleBy, Edit.Duplicate, Edit.Delete, is Edit.Paste, Edit.Group, Edit.Ungroup,
+        is Edit.Align, is Edit.Restack, is Edit.Put, is Edit.Change, is Edit.MoveCorner, is Edit.AddCorner, is Edit.RemoveCorner,
+        is Edit.MakeCorners, is Edit.AddGoal, is Edit.MoveGoal, is Edit.WrapGoal, is Edit.UnwrapGoal, is Edit.ChangeSheet, is Edit.NewWorld,
+        -> calm.dropped().changed(edit)
+    }
+}
+
+/** What a change makes of a moment. */
+internal sealed interface Outcome {
+    /** @property part what the change is a part of, see [History.going]. */
+    class Made(val moment: Moment, val part: Any? = null) : Outcome
+
+    class Not(val refusal: Refusal) : Outcome
+}
+
+private fun WorldEditing.changed(edit: Edit): WorldEditing = when (val outcome = outcomeOf(edit)) {
+    null -> this
+    is Outcome.Not -> copy(refusal = outcome.refusal)
+    is Outcome.Made -> made(moment, outcome.moment, outcome.part)
+}
+
+/** This with [after] instead of [before], unless a world cannot be like that. */
+internal fun WorldEditing.made(before: Moment, after: Moment, part: Any? = null): WorldEditing {
+    if (after == before) return this
+    val refusal = if (after.world == before.world) null else refusalOf(after.world)
+    if (refusal != null) return copy(refusal = refusal)
+    val isSameWorld = after.world == before.world && after.groups == before.groups
+    return copy(
+        world = after.world,
+        selection = after.selection,
+        groups = after.groups.filter { it.size > 1 },
+        history = if (isSameWorld) history else history.changed(before, part),
+        troubles = if (after.world == world) troubles else troublesOf(after.world),
+    )
+}
+
+private fun WorldEditing.together(edits: List<Edit>): WorldEditing {
+    val begun = dropped()
+    val done = edits.fold(begun) { now, edit -> if (now.refusal != null) now else now.after(edit) }
+    if (done.refusal != null) return copy(refusal = done.refusal)
+    val isSameWorld = done.world == begun.world && done.groups == begun.groups
+    return done.copy(history = if (isSameWorld) begun.history else begun.history.changed(begun.moment, null))
+}
+
+private fun WorldEditing.undone(): WorldEditing {
+    if (gesture != null) return letGo()
+    val before = history.past.lastOrNull() ?: return this
+    return back(before, History(history.past.dropLast(1), history.future + moment))
+}
+
+private fun WorldEditing.redone(): WorldEditing {
+    val next = history.future.lastOrNull() ?: return this
+    return letGo().back(next, History(history.past + moment, history.future.dropLast(1)))
+}
+
+internal fun WorldEditing.back(to: Moment, history: History): WorldEditing = copy(
+    world = to.world,
+    selection = to.selection,
+    groups = to.groups,
+    history = history,
+    gesture = null,
+    guides = emptyList(),
+    troubles = troublesOf(to.world),
+)
+
+/** [things] as they are called after the goals' order has changed from [before] to [after]: a goal stays the one it is. */
+internal fun renumbered(things: Set<Thing>, before: World, after: World): Set<Thing> {
+    if (things.none { it.kind == ThingKind.GOAL }) return things
+    val old = allGoals(before.goals)
+    val new = allGoals(after.goals)
+    return things.mapNotNull { thing ->
+        if (thing.kind != ThingKind.GOAL) return@mapNotNull thing
+        val goal = old.getOrNull(thing.number)?.goal
+        new.indexOfFirst { it.goal === goal }.takeIf { it >= 0 }?.let { Thing(ThingKind.GOAL, it) }
+    }.toSet()
+}

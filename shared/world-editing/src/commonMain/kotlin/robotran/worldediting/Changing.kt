@@ -1,0 +1,120 @@
+package robotran.worldediting
+
+import robotran.world.Paper
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.RobotPlace
+import robotran.world.World
+
+/** What [edit] makes of this; null if there is nothing to be done. */
+internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {
+    is Edit.Draw -> drawn(edit.points)
+    is Edit.Nudge -> each { it.movedBy(edit.x, edit.y) }
+    is Edit.TurnBy -> middleOfSelection()?.let { middle -> each { it.turnedBy(edit.degrees, middle) } }
+    is Edit.ScaleBy -> middleOfSelection()?.let { middle -> each { it.scaledBy(edit.factor, middle) } }
+    Edit.Duplicate -> added(selection.mapNotNull(world::piece), Point(STEP_ASIDE, -STEP_ASIDE))
+    Edit.Delete -> deleted()
+    is Edit.Paste -> pasted(edit.at)
+    Edit.Group -> grouped()
+    Edit.Ungroup -> Outcome.Made(moment.copy(groups = groups.filter { group -> group.none { it in selection } }))
+    is Edit.Align -> aligned(edit.side)
+    is Edit.Restack -> restacked(edit.order)
+    is Edit.Put -> put(edit.piece, edit.at)
+    is Edit.Change -> changed(edit.thing, edit.piece)
+    is Edit.MoveCorner -> corners(edit.thing) { it.with(edit.number, edit.to) }
+    is Edit.AddCorner -> cornerAdded(edit)
+    is Edit.RemoveCorner -> corners(edit.thing) { corners -> corners.filterIndexed { number, _ -> number != edit.number } }
+    is Edit.MakeCorners -> cornersMade(edit.thing)
+    is Edit.AddGoal -> goalAdded(edit)
+    is Edit.MoveGoal -> goals(movedGoal(world.goals, edit.number, edit.move))
+    is Edit.WrapGoal -> goals(world.goals.wrapped(edit.number, edit.group))
+    is Edit.UnwrapGoal -> goals(world.goals.unwrapped(edit.number))
+    is Edit.ChangeSheet -> Outcome.Made(moment.copy(world = world.with(edit.figures)), part = "sheet")
+    is Edit.NewWorld -> Outcome.Made(Moment(newWorld(edit.title), emptySet(), emptyList()))
+    else -> null
+}
+
+/** A sheet with nothing on it but the pupil's robot. */
+fun newWorld(title: String) = World(title, Paper(NEW_WIDTH, NEW_HEIGHT), listOf(RobotPlace(Pose(NEW_WIDTH / 4, NEW_HEIGHT / 2, 0.0))))
+
+/** What is chosen, changed one by one. */
+private fun WorldEditing.each(change: (Form) -> Form): Outcome? {
+    if (selection.isEmpty()) return null
+    var now = world
+    for (thing in selection) {
+        val piece = world.piece(thing) ?: continue
+        val changed = piece.form?.let { piece.withForm(change(it)) } ?: continue
+        refusalOf(changed)?.let { return Outcome.Not(it) }
+        now = now.with(thing.number, changed)
+    }
+    return Outcome.Made(moment.copy(world = now))
+}
+
+private fun WorldEditing.middleOfSelection(): Point? =
+    only?.let { world.piece(it)?.form?.middle } ?: world.frameOf(selection)?.centre
+
+private fun WorldEditing.deleted(): Outcome? {
+    if (selection.isEmpty()) return null
+    val robots = selection.count { it.kind == ThingKind.ROBOT }
+    if (robots == world.robots.size) return Outcome.Not(Refusal.LastRobot)
+    val left = world.without(selection)
+    val kept = groups.map { group -> renumbered((group - selection).map(::numberLeft).toSet(), world, left) }
+    return Outcome.Made(Moment(left, emptySet(), kept))
+}
+
+/** What a thing is called when what is chosen is gone; goals have their own way. */
+private fun WorldEditing.numberLeft(thing: Thing): Thing = if (thing.kind == ThingKind.GOAL) {
+    thing
+} else {
+    thing.copy(number = thing.number - selection.count { it.kind == thing.kind && it.number < thing.number })
+}
+
+private fun WorldEditing.grouped(): Outcome? {
+    val placed = selection.filter { world.piece(it)?.form != null }.toSet()
+    if (placed.size < 2) return null
+    return Outcome.Made(moment.copy(groups = groups.map { it - placed }.filter { it.size > 1 } + listOf(placed)))
+}
+
+private fun WorldEditing.restacked(order: StackOrder): Outcome? {
+    val chosen = selection.filter { it.kind == ThingKind.MARK }.map { it.number }.toSet()
+    if (chosen.isEmpty()) return null
+    val places = restackedPlaces(world.marks.size, chosen, order)
+    val marks = places.map { world.marks[it] }
+
+    fun moved(things: Set<Thing>) =
+        things.map { if (it.kind == ThingKind.MARK) it.copy(number = places.indexOf(it.number)) else it }.toSet()
+    return Outcome.Made(Moment(world.copy(marks = marks), moved(selection), groups.map(::moved)))
+}
+
+/** The old places, from the lowest up. */
+private fun restackedPlaces(count: Int, chosen: Set<Int>, order: StackOrder): List<Int> {
+    val all = (0..<count).toMutableList()
+    return when (order) {
+        StackOrder.TO_BACK -> all.filter { it in chosen } + all.filter { it !in chosen }
+
+        StackOrder.TO_FRONT -> all.filter { it !in chosen } + all.filter { it in chosen }
+
+        StackOrder.FORWARD -> {
+            for (place in count - 2 downTo 0) if (all[place] in chosen && all[place + 1] !in chosen) all.swap(place)
+            all
+        }
+
+        StackOrder.BACK -> {
+            for (place in 0..<count - 1) if (all[place + 1] in chosen && all[place] !in chosen) all.swap(place)
+            all
+        }
+    }
+}
+
+private fun MutableList<Int>.swap(place: Int) {
+    val item = this[place]
+    this[place] = this[place + 1]
+    this[place + 1] = item
+}
+
+/** How far a copy lies beside what it was made of. */
+internal const val STEP_ASIDE = 3.0
+
+/** A sheet of wrapping paper on a classroom table. */
+private const val NEW_WIDTH = 120.0
+private const val NEW_HEIGHT = 90.0

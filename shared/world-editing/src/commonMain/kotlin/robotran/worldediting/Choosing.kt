@@ -1,0 +1,47 @@
+package robotran.worldediting
+
+internal fun WorldEditing.chosen(edit: Edit): WorldEditing = when (edit) {
+    is Edit.TapAt -> tapped(edit)
+
+    is Edit.Choose -> when {
+        edit.thing == null -> if (edit.adding) this else copy(selection = emptySet())
+        world.piece(edit.thing) == null -> this
+        else -> choosing(setOf(edit.thing), edit.adding)
+    }
+
+    is Edit.ChooseWithin -> copy(selection = (if (edit.adding) selection else emptySet()) + withGroups(world.thingsWithin(edit.area), groups))
+
+    Edit.ChooseAll -> copy(selection = world.listed().filter { world.piece(it)?.form != null }.toSet())
+
+    is Edit.ChooseNext -> next(edit.backwards)
+
+    else -> this
+}
+
+private fun WorldEditing.tapped(edit: Edit.TapAt): WorldEditing {
+    val there = world.thingsAt(edit.place, edit.reach)
+    val adding = edit.adding || several
+    if (there.isEmpty()) return if (adding) this else copy(selection = emptySet())
+    if (adding) return choosing(setOf(there.first()), adding = true)
+    val chosen = there.indexOf(only)
+    return choosing(setOf(there[(chosen + 1) % there.size]), adding = false)
+}
+
+/** What is chosen already and is chosen beside others once more, is not chosen any longer. */
+private fun WorldEditing.choosing(things: Set<Thing>, adding: Boolean): WorldEditing {
+    val whole = withGroups(things, groups)
+    return copy(
+        selection = when {
+            !adding -> whole
+            selection.containsAll(whole) -> selection - whole
+            else -> selection + whole
+        },
+    )
+}
+
+private fun WorldEditing.next(backwards: Boolean): WorldEditing {
+    val all = world.listed()
+    val ordered = if (backwards) all.asReversed() else all
+    val last = ordered.indexOfLast { it in selection }
+    return choosing(setOf(ordered[(last + 1) % ordered.size]), adding = false)
+}

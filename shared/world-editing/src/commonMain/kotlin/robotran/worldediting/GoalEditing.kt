@@ -1,0 +1,96 @@
+package robotran.worldediting
+
+import robotran.world.Goal
+import robotran.world.MarkFigure
+
+/** The same goal once more, so that the two can be told apart. */
+internal fun Goal.separate(): Goal = withParts(parts.map { it.separate() }).saying(says).tidied()
+
+internal fun WorldEditing.goalAdded(edit: Edit.AddGoal): Outcome? {
+    val goal = edit.goal.separate()
+    val all = listOf(goal) + allGoals(goal.parts).map { it.goal }
+    if (goal.isGroup && goal.parts.isEmpty()) return null
+    if (all.any { it is Goal.FollowLine } && world.marks.none { it.figure is MarkFigure.Line }) return Outcome.Not(Refusal.NeedsLine)
+    if (all.any { it is Goal.DrawTemplate } && world.template == null) return Outcome.Not(Refusal.NeedsTemplate)
+    all.firstNotNullOfOrNull { refusalOf(it) }?.let { return Outcome.Not(it) }
+    val into = edit.into?.takeIf { allGoals(world.goals).getOrNull(it)?.goal?.isGroup == true }
+    val goals = if (into == null) world.goals + goal else world.goals.replaced(into) { listOf(it.withParts(it.parts + goal)) }
+    val changed = world.copy(goals = goals)
+    val number = allGoals(goals).indexOfFirst { it.goal === goal }
+    return Outcome.Made(Moment(changed, setOf(Thing(ThingKind.GOAL, number)), groups.map { renumbered(it, world, changed) }))
+}
+
+/** The world with [goals], what is chosen still being so. */
+internal fun WorldEditing.goals(goals: List<Goal>?): Outcome? {
+    if (goals == null) return null
+    val changed = world.copy(goals = goals)
+    return Outcome.Made(Moment(changed, renumbered(selection, world, changed), groups.map { renumbered(it, world, changed) }))
+}
+
+internal fun List<Goal>.wrapped(number: Int, group: GoalGroup): List<Goal>? {
+    if (number !in allGoals(this).indices) return null
+    return replaced(number) { goal ->
+        listOf(
+            when (group) {
+                GoalGroup.IN_ORDER -> Goal.InOrder(listOf(goal))
+                GoalGroup.ALL -> Goal.All(listOf(goal))
+                GoalGroup.ANY_OF -> Goal.AnyOf(listOf(goal))
+            },
+        )
+    }
+}
+
+internal fun List<Goal>.unwrapped(number: Int): List<Goal>? =
+    if (allGoals(this).getOrNull(number)?.goal?.isGroup == true) replaced(number) { it.parts } else null
+
+/** [goals] with the one with this [number] elsewhere; null if it cannot go there. */
+internal fun movedGoal(goals: List<Goal>, number: Int, move: GoalMove): List<Goal>? {
+    val goal = allGoals(goals).getOrNull(number)?.goal ?: return null
+    return movedWithin(goals, goal, move)
+}
+
+private fun movedWithin(goals: List<Goal>, goal: Goal, move: GoalMove): List<Goal>? {
+    val place = goals.indexOfFirst { it === goal }
+    if (place >= 0) return movedHere(goals, place, move)
+    for ((outer, group) in goals.withIndex()) {
+        val inner = group.parts.indexOfFirst { it === goal }
+        if (inner >= 0 && move == GoalMove.OUT) {
+            val left = group.parts.filterIndexed { number, _ -> number != inner }
+            val stays = if (left.isEmpty()) emptyList() else listOf(group.withParts(left))
+            return goals.take(outer) + stays + goal + goals.drop(outer + 1)
+        }
+        if (group.isGroup) movedWithin(group.parts, goal, move)?.let { return goals.with(outer, group.withParts(it)) }
+    }
+    return null
+}
+
+private fun movedHere(goals: List<Goal>, place: Int, move: GoalMove): List<Goal>? {
+    val goal = goals[place]
+    val others = goals.filterIndexed { number, _ -> number != place }
+    return when (move) {
+        GoalMove.UP -> if (place == 0) null else others.take(place - 1) + goal + others.drop(place - 1)
+
+        GoalMove.DOWN -> if (place == goals.lastIndex) null else others.take(place + 1) + goal + others.drop(place + 1)
+
+        GoalMove.IN -> others.getOrNull(place - 1)?.takeIf { it.isGroup }?.let { others.with(place - 1, it.withParts(it.parts + goal)) }
+
+        GoalMove.OUT -> null
+    }
+}
+
+/** These with the one with this [number] replaced. */
+private fun List<Goal>.replaced(number: Int, change: (Goal) -> List<Goal>): List<Goal> {
+    val wanted = allGoals(this)[number].goal
+    return flatMap { goal ->
+        when {
+            goal === wanted -> change(goal)
+            goal.isGroup && allGoals(goal.parts).any { it.goal === wanted } -> listOf(goal.withParts(goal.parts.replacedOne(wanted, change)))
+            else -> listOf(goal)
+        }
+    }
+}
+
+private fun List<Goal>.replacedOne(wanted: Goal, change: (Goal) -> List<Goal>): List<Goal> {
+    val number = allGoals(this).indexOfFirst { it.goal === wanted }
+    return replaced(number, change)
+}

@@ -1,0 +1,156 @@
+package robotran.worldediting
+
+import robotran.world.Lamp
+import robotran.world.Mark
+import robotran.world.MarkFigure
+import robotran.world.Point
+import robotran.world.RobotPlace
+import robotran.world.Shade
+import robotran.world.Shape
+import robotran.world.World
+import robotran.world.WorldLimits
+
+/** Why a world cannot have [piece], whatever else is in it; null if it can. */
+internal fun refusalOf(piece: Piece): Refusal? {
+    val name = piece.name
+    if (name != null && !isText(name, WorldLimits.MAXIMUM_NAME_CHARACTERS)) return Refusal.NoSuchText
+    return piece.form?.let(::refusalOf) ?: refusalOfFigures(piece)
+}
+
+/** Why a world cannot be as [world] is as a whole, things and goals apart; null if it can. */
+internal fun refusalOf(world: World): Refusal? {
+    val sides = WorldLimits.MINIMUM_PAPER_SIDE..WorldLimits.MAXIMUM_PAPER_SIDE
+    val isWithin = world.paper.width in sides && world.paper.height in sides &&
+        world.ambientLight in 0.0..WorldLimits.MAXIMUM_BRIGHTNESS &&
+        world.temperature in WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE &&
+        world.timeLimit in 1..WorldLimits.MAXIMUM_SECONDS && world.realism in 0.0..1.0 && world.seed >= 0
+    val areTexts = isText(world.title, WorldLimits.MAXIMUM_TITLE_CHARACTERS) &&
+        (world.task.isEmpty() || isText(world.task, WorldLimits.MAXIMUM_SENTENCE_CHARACTERS, mayBeBlank = true))
+    return if (!isWithin) Refusal.OutOfRange else Refusal.NoSuchText.takeIf { !areTexts } ?: refusalOfCounts(world)
+}
+
+/** Whether a file can hold [text] as one of its lines. */
+fun isText(text: String, maximum: Int, mayBeBlank: Boolean = false): Boolean =
+    (mayBeBlank || text.isNotBlank()) && text.length <= maximum && text.none { it.isISOControl() } && hasWholeCharacters(text)
+
+/** As many of [kind] as a world can have. */
+fun most(kind: ThingKind): Int = when (kind) {
+    ThingKind.MARK -> WorldLimits.MAXIMUM_MARKS
+    ThingKind.STROKE -> WorldLimits.MAXIMUM_STROKES
+    ThingKind.GOAL -> WorldLimits.MAXIMUM_GOALS
+    ThingKind.WALL -> WorldLimits.MAXIMUM_WALLS
+    ThingKind.BARRIER -> WorldLimits.MAXIMUM_BARRIERS
+    ThingKind.BLOCK -> WorldLimits.MAXIMUM_BLOCKS
+    ThingKind.ROBOT -> WorldLimits.MAXIMUM_ROBOTS
+    ThingKind.LAMP -> WorldLimits.MAXIMUM_LAMPS
+}
+
+private fun refusalOfCounts(world: World): Refusal? {
+    ThingKind.entries.firstOrNull { world.count(it) > most(it) }?.let { return Refusal.TooMany(it) }
+    if (world.robots.isEmpty()) return Refusal.LastRobot
+    val goals = allGoals(world.goals)
+    if (goals.any { it.depth >= WorldLimits.MAXIMUM_GOAL_DEPTH }) return Refusal.TooDeep
+    val points = world.marks.sumOf { (it.figure as? MarkFigure.Line)?.points?.size ?: pointsIn((it.figure as? MarkFigure.Area)?.shape) } +
+        world.strokes.sumOf { it.size } + goals.sumOf { pointsIn(it.goal.region) } +
+        world.barriers.sumOf { pointsIn(it.shape) } + world.blocks.sumOf { pointsIn(it.shape) }
+    return when {
+        points > WorldLimits.MAXIMUM_POINTS -> Refusal.TooManyPoints
+        cellsIn(world.marks) > WorldLimits.MAXIMUM_MAP_CELLS -> Refusal.TooMany(ThingKind.MARK)
+        else -> null
+    }
+}
+
+private fun pointsIn(shape: Shape?) = (shape as? Shape.Polygon)?.corners?.size ?: 0
+
+private fun cellsIn(marks: List<Mark>) = marks.sumOf { mark -> (mark.figure as? MarkFigure.GreyMap)?.rows?.sumOf { it.length } ?: 0 }
+
+private fun refusalOf(form: Form): Refusal? = when (form) {
+    is Form.Area -> refusalOf(form.shape)
+    is Form.Way -> refusalOf(form)
+    is Form.Start -> refusalOf(Point(form.pose.x, form.pose.y))
+    is Form.Light -> refusalOf(form.place)
+    is Form.Picture -> refusalOf(form.corner)
+}
+
+private fun refusalOf(shape: Shape): Refusal? = when (shape) {
+    is Shape.Rectangle -> refusalOf(shape.centre) ?: sizeRefusal(shape.width) ?: sizeRefusal(shape.height)
+
+    is Shape.Circle -> refusalOf(shape.centre) ?: sizeRefusal(shape.radius)
+
+    is Shape.Polygon -> when {
+        shape.corners.size < LEAST_CORNERS -> Refusal.TooFewCorners
+        shape.corners.size > WorldLimits.MAXIMUM_CORNERS -> Refusal.TooManyPoints
+        else -> shape.corners.firstNotNullOfOrNull(::refusalOf)
+    }
+}
+
+private fun refusalOf(way: Form.Way): Refusal? = when {
+    way.points.size < (if (way.closed) LEAST_CORNERS else 2) -> Refusal.TooFewCorners
+    way.points.size > WorldLimits.MAXIMUM_LINE_POINTS -> Refusal.TooManyPoints
+    way.isBent && way.edges().any { (from, to) -> from == to } -> Refusal.SamePlace
+    else -> way.points.firstNotNullOfOrNull(::refusalOf)
+}
+
+private fun refusalOf(place: Point): Refusal? {
+    val range = WorldLimits.MINIMUM_COORDINATE..WorldLimits.MAXIMUM_COORDINATE
+    return Refusal.TooFar.takeIf { place.x !in range || place.y !in range }
+}
+
+private fun sizeRefusal(side: Double): Refusal? =
+    Refusal.NoSuchSize.takeIf { side !in WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE }
+
+private fun refusalOfFigures(piece: Piece): Refusal? = when (piece) {
+    is Piece.OfRobot -> refusalOf(piece.robot)
+    is Piece.OfWall -> Refusal.OutOfRange.takeIf { piece.wall.thickness !in THICKNESSES }
+    is Piece.OfBlock -> Refusal.OutOfRange.takeIf { piece.block.mass !in MASSES || piece.block.friction !in FRICTIONS }
+    is Piece.OfMark -> refusalOf(piece.mark)
+    is Piece.OfLamp -> refusalOf(piece.lamp)
+    is Piece.OfGoal -> refusalOf(piece.goal)
+    is Piece.OfBarrier, is Piece.OfStroke -> null
+}
+
+private fun refusalOf(robot: RobotPlace): Refusal? {
+    val lines = robot.program?.lines().orEmpty()
+    val areLines = lines.size <= WorldLimits.MAXIMUM_PROGRAM_LINES && lines.all { line ->
+        line.length <= WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS && line.none { it.isISOControl() && it != '\t' } && hasWholeCharacters(line)
+    }
+    val arePorts = robot.ports.size == PORTS && robot.ports.all { it.size <= WorldLimits.MAXIMUM_SENSORS_PER_PORT && it.toSet().size == it.size }
+    return when {
+        !areLines -> Refusal.NoSuchText
+        !arePorts || robot.beacon !in BRIGHTNESSES -> Refusal.OutOfRange
+        else -> null
+    }
+}
+
+private fun refusalOf(mark: Mark): Refusal? {
+    val isShade = when (val shade = mark.shade) {
+        is Shade.Grey -> shade.reflectance in 0.0..1.0
+        is Shade.Colour -> listOf(shade.red, shade.green, shade.blue).all { it in 0..MOST_COLOUR }
+    }
+    val isWidth = (mark.figure as? MarkFigure.Line)?.let { it.width in THICKNESSES } ?: true
+    return Refusal.OutOfRange.takeIf { !isShade || !isWidth }
+}
+
+private fun refusalOf(lamp: Lamp): Refusal? = Refusal.OutOfRange.takeIf {
+    lamp.brightness !in BRIGHTNESSES || lamp.cone !in WorldLimits.MINIMUM_CONE..Lamp.ALL_ROUND ||
+        lamp.direction !in -WorldLimits.MAXIMUM_ANGLE..WorldLimits.MAXIMUM_ANGLE
+}
+
+/** Half of a character that takes two, which no text in UTF-8 can hold. */
+internal fun hasWholeCharacters(text: String): Boolean {
+    var place = 0
+    while (place < text.length) {
+        val isPair = text[place].isHighSurrogate() && place + 1 < text.length && text[place + 1].isLowSurrogate()
+        if (text[place].isSurrogate() && !isPair) return false
+        place += if (isPair) 2 else 1
+    }
+    return true
+}
+
+internal const val LEAST_CORNERS = 3
+private const val PORTS = 3
+private const val MOST_COLOUR = 255
+private val THICKNESSES = WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_WALL_THICKNESS
+private val MASSES = WorldLimits.MINIMUM_MASS..WorldLimits.MAXIMUM_MASS
+private val FRICTIONS = 0.0..WorldLimits.MAXIMUM_FRICTION
+private val BRIGHTNESSES = 0.0..WorldLimits.MAXIMUM_BRIGHTNESS

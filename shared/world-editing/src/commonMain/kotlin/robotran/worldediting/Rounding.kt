@@ -1,0 +1,31 @@
+package robotran.worldediting
+
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.Shape
+import kotlin.math.floor
+
+/** To thousandths of a centimetre or a degree: finer than anybody sees, and short in a file. */
+internal fun rounded(number: Double): Double = floor(number * THOUSAND + HALF) / THOUSAND
+
+/** Above -180 and up to 180 degrees. */
+internal fun roundedAngle(degrees: Double): Double = fullTurn(rounded(fullTurn(degrees)))
+
+internal fun Point.rounded() = Point(rounded(x), rounded(y))
+
+internal fun Form.rounded(): Form = when (this) {
+    is Form.Area -> Form.Area(shape.rounded())
+    is Form.Way -> copy(points = points.map(Point::rounded))
+    is Form.Start -> Form.Start(Pose(rounded(pose.x), rounded(pose.y), roundedAngle(pose.heading)))
+    is Form.Light -> copy(place = place.rounded(), direction = roundedAngle(direction))
+    is Form.Picture -> copy(corner = corner.rounded())
+}
+
+private fun Shape.rounded(): Shape = when (this) {
+    is Shape.Rectangle -> Shape.Rectangle(centre.rounded(), rounded(width), rounded(height), roundedAngle(angle))
+    is Shape.Circle -> Shape.Circle(centre.rounded(), rounded(radius))
+    is Shape.Polygon -> Shape.Polygon(corners.map(Point::rounded))
+}
+
+private const val THOUSAND = 1000.0
+private const val HALF = 0.5

@@ -1,0 +1,25 @@
+package robotran.worldediting
+
+import robotran.world.Bounds
+import robotran.world.Point
+import robotran.world.World
+
+/** The things within [reach] of [place], what lies on top first; what is small goes before what it lies in. */
+fun World.thingsAt(place: Point, reach: Double): List<Thing> = things().asReversed().mapNotNull { thing ->
+    val distance = piece(thing)?.form?.distanceTo(place)
+    thing.takeIf { distance != null && distance <= reach }?.let { it to checkNotNull(distance) }
+}.sortedBy { (_, distance) -> if (distance == 0.0) 0.0 else distance }.map { it.first }
+
+/** The things that lie wholly in [area]. */
+fun World.thingsWithin(area: Bounds): Set<Thing> = things().filter { thing -> piece(thing)?.form?.let { it.bounds in area } == true }.toSet()
+
+/** In the order in which a list shows them and the Tab key goes through them: the pupil's robot first. */
+fun World.listed(): List<Thing> = LISTED.flatMap { kind -> List(count(kind)) { Thing(kind, it) } }
+
+private val LISTED = listOf(
+    ThingKind.ROBOT, ThingKind.WALL, ThingKind.BARRIER, ThingKind.BLOCK, ThingKind.MARK, ThingKind.STROKE, ThingKind.LAMP, ThingKind.GOAL,
+)
+
+/** [things] and all that are in one group with any of them. */
+internal fun withGroups(things: Set<Thing>, groups: List<Set<Thing>>): Set<Thing> =
+    things + groups.filter { group -> group.any { it in things } }.flatten()

@@ -1,0 +1,29 @@
+package robotran.worldediting
+
+import robotran.world.Point
+import robotran.world.distance
+
+/**
+ * A line with the ends of the one through [points], no point of which is further than [tolerance] from it: straight pieces need no points between their ends
+ * (Ramer, Douglas and Peucker). No two points after one another are the same.
+ */
+internal fun simplified(points: List<Point>, tolerance: Double): List<Point> {
+    val distinct = points.filterIndexed { number, point -> number == 0 || point != points[number - 1] }
+    if (distinct.size < LEAST) return distinct
+    val kept = BooleanArray(distinct.size)
+    kept[0] = true
+    kept[distinct.lastIndex] = true
+    val open = ArrayDeque(listOf(0 to distinct.lastIndex))
+    while (open.isNotEmpty()) {
+        val (from, to) = open.removeLast()
+        val furthest = (from + 1..<to).maxByOrNull { distance(distinct[it], distinct[from], distinct[to]) } ?: continue
+        if (distance(distinct[furthest], distinct[from], distinct[to]) > tolerance) {
+            kept[furthest] = true
+            open += from to furthest
+            open += furthest to to
+        }
+    }
+    return distinct.filterIndexed { number, _ -> kept[number] }.let { line -> line.filterIndexed { n, point -> n == 0 || point != line[n - 1] } }
+}
+
+private const val LEAST = 3

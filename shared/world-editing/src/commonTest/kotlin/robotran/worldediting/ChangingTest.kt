@@ -1,0 +1,120 @@
+package robotran.worldediting
+
+import kotlinx.serialization.json.JsonPrimitive
+import robotran.world.BuiltInWorlds
+import robotran.world.Point
+import robotran.world.UnknownFields
+import robotran.world.WorldFileResult
+import robotran.world.readWorld
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+class ChangingTest {
+    @Test
+    fun `typing a title is one step until it is settled`() {
+        val figures = emptySheet().world.figures
+        val typed = emptySheet().after(
+            Edit.ChangeSheet(figures.copy(title = "A")), Edit.ChangeSheet(figures.copy(title = "Ab")), Edit.Settle,
+            Edit.ChangeSheet(figures.copy(title = "Ab", seed = 7)),
+        )
+        assertEquals(2, typed.history.past.size)
+        val undone = typed.after(Edit.Undo, Edit.Undo)
+        assertEquals("Test", undone.world.title)
+        assertEquals(typed.world, undone.after(Edit.Redo, Edit.Redo).world)
+    }
+
+    @Test
+    fun `what a world cannot be like is refused and changes nothing`() {
+        val sheet = emptySheet()
+        val figures = sheet.world.figures
+        val impossible = listOf(
+            figures.copy(title = " "), figures.copy(title = "x".repeat(101)), figures.copy(task = "a\nb"), figures.copy(width = 19.0),
+            figures.copy(height = 1001.0), figures.copy(ambientLight = -1.0), figures.copy(temperature = 51.0), figures.copy(timeLimit = 0),
+            figures.copy(realism = 1.1), figures.copy(seed = -1), figures.copy(width = Double.NaN),
+        )
+        for (wanted in impossible) {
+            val refused = sheet.after(Edit.ChangeSheet(wanted))
+            assertTrue(refused.refusal != null, "$wanted is taken")
+            assertEquals(sheet.world, refused.world)
+        }
+    }
+
+    @Test
+    fun `two things cannot be called the same`() {
+        val lamp = emptySheet().with(PaletteItem.LAMP, 80.0, 45.0)
+        assertEquals(Refusal.NameTaken("yellow"), lamp.after(Edit.Change(checkNotNull(lamp.only), lamp.chosenPiece.named("yellow"))).refusal)
+    }
+
+    @Test
+    fun `the last robot stays`() {
+        val sheet = emptySheet().after(Edit.ChooseAll, Edit.Delete)
+        assertEquals(Refusal.LastRobot, sheet.refusal)
+        assertEquals(1, sheet.world.robots.size)
+    }
+
+    @Test
+    fun `a robot in a wall or beside the paper is told of until it is mended, and the paper may still shrink`() {
+        val wall = emptySheet().with(PaletteItem.WALL, 80.0, 45.0).after(Edit.Nudge(-50.0, 0.0))
+        assertEquals(listOf<Trouble>(Trouble.InTheWay(Thing(ThingKind.ROBOT, 0), Thing(ThingKind.WALL, 0))), wall.troubles)
+        wall.after(Edit.Delete).assertSound()
+        val narrow = emptySheet().after(Edit.ChangeSheet(emptySheet().world.figures.copy(width = 25.0)))
+        assertEquals(listOf<Trouble>(Trouble.OffPaper(Thing(ThingKind.ROBOT, 0))), narrow.troubles)
+    }
+
+    @Test
+    fun `what a file says beyond what is known stays with its thing`() {
+        val box = emptySheet().with(PaletteItem.BOX, 80.0, 45.0)
+        val barrier = (box.chosenPiece as Piece.OfBarrier).barrier.copy(unknown = UnknownFields(mapOf("paint" to JsonPrimitive("wet"))))
+        val marked = box.after(Edit.Change(checkNotNull(box.only), Piece.OfBarrier(barrier)))
+        val copied = marked.after(Edit.Nudge(1.0, 1.0), Edit.TurnBy(30.0), Edit.MakeCorners(checkNotNull(marked.only)), Edit.Duplicate)
+        assertEquals(List(2) { barrier.unknown }, copied.world.barriers.map { it.unknown })
+        copied.assertSound()
+    }
+
+    @Test
+    fun `several edits together are one step or nothing`() {
+        val box = emptySheet().with(PaletteItem.BOX, 80.0, 45.0)
+        val moved = box.after(Edit.Together(listOf(Edit.Nudge(1.0, 0.0), Edit.TurnBy(15.0))))
+        assertEquals(box.history.past.size + 1, moved.history.past.size)
+        assertEquals(box.world, moved.after(Edit.Undo).world)
+        val refused = box.after(Edit.Together(listOf(Edit.Nudge(1.0, 0.0), Edit.Nudge(1e7, 0.0))))
+        assertEquals(box.world, refused.world)
+        assertEquals(Refusal.TooFar, refused.refusal)
+    }
+
+    @Test
+    fun `a new world has nothing but a robot, and undoing brings the old one back`() {
+        val old = emptySheet().with(PaletteItem.BOX, 80.0, 45.0)
+        val new = old.after(Edit.NewWorld("Fresh"))
+        assertEquals(listOf(Thing(ThingKind.ROBOT, 0)), new.world.things())
+        new.assertSound()
+        assertEquals(old.world, new.after(Edit.Undo).world)
+    }
+
+    @Test
+    fun `every world that comes with Robotran can be opened, moved as a whole and kept`() {
+        for ((name, text) in BuiltInWorlds.texts) {
+            val editing = WorldEditing.of((readWorld(text) as WorldFileResult.Loaded).world)
+            assertEquals(emptyList(), editing.troubles, name)
+            val moved = editing.after(Edit.ChooseAll, Edit.Nudge(1.0, 1.0), Edit.Choose(null))
+            moved.assertSound()
+            assertEquals(editing.world, moved.after(Edit.Undo).world)
+        }
+    }
+
+    @Test
+    fun `undoing goes back at most so many steps`() {
+        val moved = (1..History.MOST_STEPS + 20).fold(emptySheet().after(Edit.Choose(Thing(ThingKind.ROBOT, 0)))) { now, number ->
+            now.after(Edit.Nudge(if (number % 2 == 0) 1.0 else -1.0, 0.0))
+        }
+        assertEquals(History.MOST_STEPS, moved.history.past.size)
+    }
+
+    @Test
+    fun `the place of a tap is exact enough for small things`() {
+        val stroke = emptySheet().with(PaletteItem.TEMPLATE_LINE, 80.0, 45.0).after(Edit.Choose(null))
+        assertEquals(ThingKind.STROKE, stroke.after(Edit.TapAt(Point(80.0, 46.0), REACH)).only?.kind)
+        assertEquals(null, stroke.after(Edit.TapAt(Point(80.0, 47.0), REACH)).only)
+    }
+}

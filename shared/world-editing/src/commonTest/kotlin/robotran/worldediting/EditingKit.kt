@@ -1,0 +1,40 @@
+package robotran.worldediting
+
+import robotran.world.Point
+import robotran.world.WorldFileResult
+import robotran.world.readWorld
+import robotran.world.writeWorld
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** A new sheet of 120 by 90 cm with the robot at 30, 45. */
+internal fun emptySheet() = WorldEditing.of(newWorld("Test"))
+
+internal fun WorldEditing.after(vararg edits: Edit): WorldEditing = edits.fold(this) { now, edit -> now.after(edit) }
+
+/** With a new [item] whose middle is at [x], [y], chosen. */
+internal fun WorldEditing.with(item: PaletteItem, x: Double, y: Double): WorldEditing {
+    val put = after(Edit.Snap(Snapping(0.0, 0.0, toOthers = false)), Edit.Put(item.piece(world), Point(x, y)))
+    return put.after(Edit.Snap(Snapping()))
+}
+
+/** Somebody takes what is chosen by [grip] at [from] and lets go at [to]. */
+internal fun WorldEditing.drag(grip: Grip, from: Point, to: Point): WorldEditing =
+    after(Edit.Grab(grip, from), Edit.DragTo(to, REACH), Edit.Drop)
+
+internal fun WorldEditing.handle(grip: Grip): Point = world.handlesOf(selection).first { it.grip == grip }.place
+
+internal val WorldEditing.chosenPiece: Piece get() = checkNotNull(world.piece(checkNotNull(only)))
+
+internal val WorldEditing.chosenForm: Form get() = checkNotNull(chosenPiece.form)
+
+/** That the world can be kept. */
+internal fun WorldEditing.assertSound() {
+    assertEquals(emptyList(), troubles)
+    assertEquals(WorldFileResult.Loaded(world), readWorld(writeWorld(world)))
+}
+
+internal fun assertNear(expected: Point, actual: Point) =
+    assertTrue(robotran.world.length(expected.x - actual.x, expected.y - actual.y) < 0.01, "$actual is not $expected")
+
+internal const val REACH = 1.5
