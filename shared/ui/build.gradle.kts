@@ -24,6 +24,7 @@ kotlin {
             api(project(":shared:world"))
             api(project(":shared:run-control"))
             api(project(":shared:projects"))
+            api(project(":shared:learning"))
             api(project(":shared:text-editing"))
             implementation(project(":shared:learning"))
             api(project(":shared:world-editing"))
