@@ -13,6 +13,8 @@ android {
 
 dependencies {
     implementation(project(":shared:ui"))
+    implementation(project(":shared:projects"))
+    implementation(project(":shared:documents"))
     implementation(libs.androidx.activity.compose)
     testImplementation(libs.androidx.compose.ui.test)
     testImplementation(libs.junit4)

@@ -6,11 +6,12 @@ dependencies {
     implementation(project(":shared:ui"))
     implementation(project(":shared:programs"))
     implementation(project(":shared:projects"))
+    implementation(project(":shared:documents"))
     implementation(compose.desktop.currentOs)
     implementation(libs.coroutines.swing)
     implementation(libs.clikt)
     implementation(libs.mordant)
-    implementation(libs.commons.compress)
+    testImplementation(libs.commons.compress)
     implementation(libs.serialization.json)
     testImplementation(project(":shared:lejos-library"))
 }

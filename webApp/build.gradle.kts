@@ -7,6 +7,7 @@ kotlin {
         wasmJsMain.dependencies {
             implementation(project(":shared:ui"))
             implementation(project(":shared:projects"))
+            implementation(project(":shared:documents"))
             implementation(libs.coroutines.core)
         }
     }

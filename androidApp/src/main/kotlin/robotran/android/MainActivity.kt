@@ -1,5 +1,6 @@
 package robotran.android
 
+import android.content.Intent
 import android.os.Bundle
 import androidx.activity.ComponentActivity
 import androidx.activity.compose.setContent
@@ -23,7 +24,19 @@ class MainActivity : ComponentActivity() {
     override fun onCreate(savedInstanceState: Bundle?) {
         enableEdgeToEdge()
         super.onCreate(savedInstanceState)
+        kept.platform.files.attachTo(this)
+        if (savedInstanceState == null) kept.receive(intent)
         setContent { kept.workshop?.let { EdgeToEdge(it) } }
+    }
+
+    override fun onNewIntent(intent: Intent) {
+        super.onNewIntent(intent)
+        kept.receive(intent)
+    }
+
+    override fun onStop() {
+        super.onStop()
+        kept.rest()
     }
 }
 

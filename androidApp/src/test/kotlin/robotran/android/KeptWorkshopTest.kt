@@ -1,6 +1,7 @@
 package robotran.android
 
-import androidx.lifecycle.SavedStateHandle
+import android.app.Application
+import android.os.Looper
 import kotlinx.coroutines.runBlocking
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
@@ -8,34 +9,41 @@ import org.junit.Assert.assertTrue
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
+import org.robolectric.RuntimeEnvironment
+import org.robolectric.Shadows.shadowOf
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ProgramLanguage
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.WorkshopStatus
+import java.util.concurrent.TimeUnit
 
 @RunWith(RobolectricTestRunner::class)
 class KeptWorkshopTest {
+    private val app: Application = RuntimeEnvironment.getApplication()
+    private lateinit var kept: KeptWorkshop
+
     @Test
     fun `the program text comes back after Android has ended the process`() {
-        val first = SavedStateHandle()
-        opened(first).handle(ProgramEvent.ProgramEdited("forward 7"))
-        assertEquals("forward 7", opened(broughtBack(first)).state.programText)
+        opened().handle(ProgramEvent.ProgramEdited("forward 7"))
+        endTheProcess()
+        assertEquals("forward 7", opened().state.programText)
     }
 
     @Test
     fun `all programs come back with all their files`() {
-        val first = SavedStateHandle()
-        val workshop = opened(first)
+        val workshop = opened()
         workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
         workshop.handle(ProgramEvent.ClassAdded)
-        assertEquals(workshop.state.programs.programs, opened(broughtBack(first)).state.programs.programs)
+        val programs = workshop.state.programs.programs
+        endTheProcess()
+        assertEquals(programs, opened().state.programs.programs)
     }
 
     @Test
     fun `a Java program is compiled and drives`() = runBlocking {
-        val workshop = opened(SavedStateHandle())
+        val workshop = opened()
         workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
         workshop.readPrograms()
         workshop.handle(RunEvent.RunPressed)
@@ -45,22 +53,51 @@ class KeptWorkshopTest {
     }
 
     @Test
-    fun `a text too long for the saved state gives way to the first program`() {
-        val first = SavedStateHandle()
-        val firstText = opened(first).state.programText
-        opened(first).handle(ProgramEvent.ProgramEdited("beep\n".repeat(100_000)))
-        assertEquals(firstText, opened(broughtBack(first)).state.programText)
+    fun `a long text comes back too`() {
+        val long = "beep\n".repeat(30_000)
+        opened().handle(ProgramEvent.ProgramEdited(long))
+        endTheProcess()
+        assertEquals(long, opened().state.programText)
     }
 
     @Test
     fun `sound that was switched off stays off after Android has ended the process`() {
-        val first = SavedStateHandle()
-        opened(first).handle(SettingsEvent.SoundSwitched(on = false))
-        assertFalse(opened(broughtBack(first)).state.soundOn)
+        opened().handle(SettingsEvent.SoundSwitched(on = false))
+        endTheProcess()
+        assertFalse(opened().state.soundOn)
     }
 
-    private fun opened(savedState: SavedStateHandle): Workshop = checkNotNull(KeptWorkshop(savedState).workshop)
+    private fun opened(): Workshop {
+        kept = KeptWorkshop(app)
+        waitUntil { kept.workshop != null }
+        return checkNotNull(kept.workshop)
+    }
 
-    private fun broughtBack(savedState: SavedStateHandle): SavedStateHandle =
-        SavedStateHandle.createHandle(savedState.savedStateProvider().saveState(), null)
+    /** What the user sees is stopped first; then the process is gone. */
+    private fun endTheProcess() {
+        kept.rest()
+        settle()
+        kept.workshop?.close()
+    }
+
+    private fun settle() {
+        repeat(TURNS) {
+            Thread.sleep(TURN_MILLISECONDS)
+            shadowOf(Looper.getMainLooper()).idle()
+        }
+    }
+
+    private fun waitUntil(isTrue: () -> Boolean) {
+        val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(30)
+        while (!isTrue()) {
+            check(System.nanoTime() < end) { "it does not come" }
+            Thread.sleep(TURN_MILLISECONDS)
+            shadowOf(Looper.getMainLooper()).idle()
+        }
+    }
+
+    private companion object {
+        const val TURNS = 50
+        const val TURN_MILLISECONDS = 10L
+    }
 }

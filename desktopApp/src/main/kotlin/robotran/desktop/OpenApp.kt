@@ -1,38 +1,66 @@
 package robotran.desktop
 
-import robotran.desktop.files.ProgramFiles
-import robotran.desktop.files.nameOf
-import robotran.desktop.files.readProgramFiles
-import robotran.programs.ProgramSource
-import robotran.ui.workshop.ProgramFile
-import robotran.ui.workshop.PupilProgram
+import robotran.desktop.messages.CommandMessages
+import robotran.desktop.platform.openedFile
+import robotran.desktop.window.showWindows
+import robotran.projects.isLink
+import robotran.ui.language.spokenLanguage
+import robotran.ui.platform.Arrival
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
 
 /**
- * Opens the window, with the programs in [files] or, without any, the square, and returns when it is closed.
+ * Opens the window, with [files] - programs, worlds, projects - or one link or, without any, with the work that was open last, and returns when it is
+ * closed.
  *
  * @return what the process is to tell its shell.
  */
 internal fun openApp(files: List<String>): ExitCode {
-    val sources =
-        when (val read = readProgramFiles(files)) {
-            is ProgramFiles.Read -> read.programs.map { it.source }
-            is ProgramFiles.Refused -> return refuse(read.reason, ExitCode.BAD_INPUT)
+    val arrival =
+        when (val read = readArrival(files)) {
+            is ReadArrival.Read -> read.arrival
+            is ReadArrival.Refused -> return refuse(read.reason, ExitCode.BAD_INPUT)
         }
-    sources.firstOrNull { it is ProgramSource.ClassFiles }?.let { return refuse(COMPILED.replace("NAME", it.name), ExitCode.BAD_INPUT) }
     if (!hasDisplay()) return refuse(NO_DISPLAY, ExitCode.NO_DISPLAY)
-    showWindow(sources.mapNotNull(::pupilProgramOf))
+    showWindows(arrival)
     return ExitCode.DONE
 }
 
-/** Null for a program without sources, which cannot be written in. */
-private fun pupilProgramOf(source: ProgramSource): PupilProgram? =
-    when (source) {
-        is ProgramSource.Robolang -> PupilProgram(source.name, source.text)
-        is ProgramSource.Java -> PupilProgram(source.files.map { ProgramFile(nameOf(it.name), it.text) })
-        is ProgramSource.ClassFiles -> null
-    }
+/** What came of reading what the command line names. */
+internal sealed interface ReadArrival {
+    /** [arrival] is null if nothing was named. */
+    data class Read(
+        val arrival: Arrival?,
+    ) : ReadArrival
 
-private fun refuse(message: String, status: ExitCode): ExitCode {
+    data class Refused(
+        val reason: String,
+    ) : ReadArrival
+}
+
+/** Reads [names], so that a shell is told of what cannot be read; what is in the files, the window tells. */
+internal fun readArrival(names: List<String>): ReadArrival {
+    if (names.isEmpty()) return ReadArrival.Read(null)
+    names.singleOrNull()?.takeIf(::isLink)?.let { return ReadArrival.Read(Arrival.OfLink(it)) }
+    names.firstOrNull { it.endsWith(".class") || it.endsWith(".jar") }?.let { return ReadArrival.Refused(COMPILED.replace("NAME", it)) }
+    val opened =
+        names.distinct().map { name ->
+            val path =
+                try {
+                    Path.of(name)
+                } catch (_: InvalidPathException) {
+                    return ReadArrival.Refused(CommandMessages.of(spokenLanguage(null)).noFile(name))
+                }
+            var trouble = ""
+            openedFile(path) { trouble = it } ?: return ReadArrival.Refused(trouble)
+        }
+    return ReadArrival.Read(Arrival.OfFiles(opened))
+}
+
+private fun refuse(
+    message: String,
+    status: ExitCode,
+): ExitCode {
     System.err.println(message)
     return status
 }

@@ -1,5 +1,6 @@
 package robotran.documents
 
+import robotran.language.Language
 import robotran.projects.Project
 
 /**
@@ -41,8 +42,12 @@ sealed interface WorkReading {
 
     data object Missing : WorkReading
 
-    /** It is there, but it cannot be used: it is broken, or a newer Robotran has made it. Nothing is written over it. */
-    data class Unusable(val reason: String) : WorkReading
+    /**
+     * It is there, but it cannot be used: it is broken, or a newer Robotran has made it. Nothing is written over it.
+     *
+     * @property reason a sentence, in any language.
+     */
+    class Unusable(val reason: (Language) -> String) : WorkReading
 }
 
 /** What came of keeping a work. */

@@ -19,9 +19,9 @@ class WorkShelf(private val store: WorkStore) {
     suspend fun read(id: String): WorkReading {
         val copies = copies(id)
         val whole = copies.filter { it.second is WorkCopy.Whole }
-        if (copies.any { it.second is WorkCopy.Newer }) return WorkReading.Unusable(NEWER)
+        if (copies.any { it.second is WorkCopy.Newer }) return WorkReading.Unusable { DocumentMessages.of(it).keptByNewer() }
         val (place, copy) = whole.newestWhole()
-            ?: return if (copies.isEmpty()) WorkReading.Missing else WorkReading.Unusable(BROKEN)
+            ?: return if (copies.isEmpty()) WorkReading.Missing else WorkReading.Unusable { DocumentMessages.of(it).copiesBroken() }
         newest[id] = Place(place, copy.order)
         val reading = copy.read()
         return if (reading is WorkReading.Found) reading.copy(wasTorn = copies.size > whole.size) else reading
@@ -73,7 +73,5 @@ class WorkShelf(private val store: WorkStore) {
     private companion object {
         const val PREFIX = "work-"
         val COPIES = listOf("a", "b")
-        const val NEWER = "It was kept by a newer Robotran."
-        const val BROKEN = "Both copies of it are broken."
     }
 }

@@ -18,7 +18,7 @@ internal object GermanRunMessages : RunMessages {
     override fun listsTooLarge(limit: Int) =
         "Der Speicher des Steins ist voll: Alle Listen bis jetzt haben zusammen mehr als $limit Elemente, und er behält jedes."
 
-    override fun negativeTime(value: String) = "$value ist für den Roboter keine Zeit. Nimm 0 oder mehr."
+    override fun negativeTime(value: String) = "Eine Zeit von $value gibt es für den Roboter nicht. Nimm 0 oder mehr."
 
     override fun negativeCount(value: Int) = "Nichts kann $value-mal wiederholt werden. Nimm 0 oder mehr."
 

@@ -11,10 +11,13 @@ fun Set<Int>.movedWith(edit: TextEdit, before: TextLines): Set<Int> {
     val inserted = edit.inserted.count { it == '\n' }
     if (removed == 0 && inserted == 0) return this
     // What is put in before the first word of a line pushes that line down.
-    val pushesFirst = edit.start <= before.start(first - 1) + indentOf(before.line(first - 1)).length && removed == 0
+    val isBeforeWords = edit.start <= before.start(first - 1) + indentOf(before.line(first - 1)).length
+    val pushesFirst = isBeforeWords && removed == 0
+    val takesFirst = isBeforeWords && removed > 0 && edit.inserted.substringBefore('\n').isBlank()
     return mapNotNullTo(mutableSetOf()) { line ->
         when {
-            line < first || (line == first && !pushesFirst) -> line
+            line < first || (line == first && !pushesFirst && !takesFirst) -> line
+            line == first && takesFirst -> null
             line > first + removed || removed == 0 -> line + inserted - removed
             line - first <= inserted -> line
             line == first + removed && keepsLastLine(edit, before, line) -> line + inserted - removed

@@ -48,8 +48,13 @@ fun RobotranStart(
         }
     }
     DisposableEffect(Unit) { onDispose { workshop?.close() } }
-    val ready = workshop
-    if (ready == null) RobotranTheme { GettingReady() } else RobotranApp(ready)
+    RobotranWindow(workshop)
+}
+
+/** What a window shows whose [workshop] somebody else holds; null while it is getting ready. */
+@Composable
+fun RobotranWindow(workshop: Workshop?) {
+    if (workshop == null) RobotranTheme { GettingReady() } else RobotranApp(workshop)
 }
 
 @Composable

@@ -41,23 +41,22 @@ sealed interface Trouble {
     data class NothingToTrace(override val thing: Thing) : Trouble
 
     /** Something that none of the others is, as the reader of world files says it. */
-    data class Refused(val message: String) : Trouble {
+    data class Refused(private val world: World) : Trouble {
         override val thing: Thing? get() = null
+
+        /** A sentence; empty if nothing is wrong with the world after all. */
+        fun message(language: Language): String = (readWorld(writeWorld(world), language) as? WorldFileResult.Refused)?.message.orEmpty()
     }
 }
 
 /** What is to be seen at once of what is wrong with [world]. */
 fun plainTroubles(world: World): List<Trouble> = startTroubles(world) + shapeTroubles(world) + goalTroubles(world)
 
-/**
- * All that is wrong with [world]: if this is empty, a file of it can be read again.
- *
- * @param language what [Trouble.Refused] is told in.
- */
-fun troublesOf(world: World, language: Language = Language.ENGLISH): List<Trouble> = plainTroubles(world).ifEmpty {
-    when (val result = readWorld(writeWorld(world), language)) {
+/** All that is wrong with [world]: if this is empty, a file of it can be read again. */
+fun troublesOf(world: World): List<Trouble> = plainTroubles(world).ifEmpty {
+    when (readWorld(writeWorld(world))) {
         is WorldFileResult.Loaded -> emptyList()
-        is WorldFileResult.Refused -> listOf(Trouble.Refused(result.message))
+        is WorldFileResult.Refused -> listOf(Trouble.Refused(world))
     }
 }
 

@@ -7,14 +7,16 @@ import robotran.world.goal.Region
 import java.lang.reflect.Method
 import java.lang.reflect.ParameterizedType
 import java.lang.reflect.Type
+import java.lang.reflect.WildcardType
 
 /**
  * What messages are called with: every text is another marker, every number another one of its own, each kind of thing and each yes or no is tried, and so
- * is what may be left out.
+ * is what may be left out, but for leaving out all.
  */
 internal fun argumentsOf(message: Method): List<List<Any?>> {
     val choices = message.genericParameterTypes.mapIndexed { number, type -> choicesOf(type, number) }
-    return choices.fold(listOf(emptyList<Any?>())) { begun, next -> begun.flatMap { some -> next.map { some + it } } }.take(MOST_CALLS)
+    return choices.fold(listOf(emptyList<Any?>())) { begun, next -> begun.flatMap { some -> next.map { some + it } } }
+        .filter { arguments -> arguments.isEmpty() || arguments.any { it != null } }.take(MOST_CALLS)
 }
 
 /** The texts and numbers in [arguments] that can be found again in a sentence. */
@@ -42,6 +44,7 @@ private fun choicesOf(type: Type, number: Int): List<Any?> = when (type) {
     Mover::class.java -> listOf(Mover.OwnRobot, Mover.OtherRobot("marker-robot"), Mover.Block("marker-block"))
     Region::class.java -> listOf(Region("marker-region", PaperPlace.TOP)) + PaperPlace.entries.map { Region(null, it) }
     ProgramFailure::class.java -> listOf(ProgramFailure("marker-failure.", LARGE), ProgramFailure("marker-failure.", LARGE, sourceFile = "marker-file"))
+    is WildcardType -> choicesOf(type.upperBounds.single(), number)
     is ParameterizedType -> listsOf(type.actualTypeArguments.single(), number)
     is Class<*> -> type.enumConstants?.toList() ?: error("No argument of type $type is known.")
     else -> error("No argument of type $type is known.")

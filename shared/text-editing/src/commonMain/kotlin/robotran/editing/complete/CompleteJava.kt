@@ -29,6 +29,7 @@ internal fun completeJava(draft: Draft, help: WordHelp, isWanted: Boolean): Comp
             JAVA_KEYWORDS.map { Completion(it, CompletionKind.WORD, help = help.of(it)) } +
             LejosApi.classNames.sorted().map { Completion(it, CompletionKind.CLASS, help = LejosApi.classOf(it)?.help?.ifEmpty { null }) }
     }
+    if (!isWanted && candidates.any { it.inserted.equals(typed, ignoreCase = true) }) return null
     val items = matching(typed, candidates).filter { it.inserted != typed }
     return if (items.isEmpty()) null else CompletionList(lineStart + start, items)
 }

@@ -29,6 +29,7 @@ internal fun completeRobolang(draft: Draft, help: WordHelp, isWanted: Boolean): 
         val expected = FOLLOWERS[before.takeLast(2).joinToString(" ")] ?: FOLLOWERS[before.last()]
         if (expected != null) words(expected, help) else words(VALUE_WORDS, help) + names + functions(help) + words(RobolangWords.keywords, help)
     }
+    if (!isWanted && candidates.any { it.inserted.equals(typed, ignoreCase = true) }) return null
     val items = matching(typed, candidates.distinctBy { it.label }).filter { it.inserted != typed }
     return if (items.isEmpty()) null else CompletionList(lineStart + start, items)
 }

@@ -9,7 +9,9 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
+import robotran.rom.BrickMessages
 import robotran.rom.LcdGlass
+import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.display
 import robotran.ui.resources.display_blank
@@ -28,8 +30,8 @@ internal fun LcdNumbers(glass: LcdGlass, modifier: Modifier = Modifier) {
 
 @Composable
 private fun Modifier.describing(glass: LcdGlass): Modifier {
-    val description =
-        if (glass == LcdGlass.BLANK) stringResource(Res.string.display_blank) else stringResource(Res.string.display, glass.description)
+    val shown = glass.describe(BrickMessages.of(LocalLanguage.current))
+    val description = if (glass == LcdGlass.BLANK) stringResource(Res.string.display_blank) else stringResource(Res.string.display, shown)
     return testTag("lcd").semantics {
         contentDescription = description
         liveRegion = LiveRegionMode.Polite

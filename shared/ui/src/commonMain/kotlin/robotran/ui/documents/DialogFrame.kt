@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ColumnScope
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
-import androidx.compose.foundation.layout.FlowRowScope
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
@@ -21,6 +20,7 @@ import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.heading
@@ -40,7 +40,7 @@ import robotran.ui.theme.focusRing
 internal fun DialogFrame(
     title: String,
     onClose: () -> Unit,
-    buttons: @Composable FlowRowScope.() -> Unit,
+    buttons: @Composable () -> Unit,
     content: @Composable ColumnScope.() -> Unit,
 ) {
     val colours = LocalRobotranColours.current
@@ -55,7 +55,7 @@ internal fun DialogFrame(
             Column(Modifier.padding(24.dp), Arrangement.spacedBy(16.dp)) {
                 Text(title, Modifier.semantics { heading() }, fontSize = 20.sp, fontWeight = FontWeight.Medium, lineHeight = 26.sp)
                 Column(Modifier.weight(1f, fill = false).verticalScroll(rememberScrollState()), Arrangement.spacedBy(12.dp), content = content)
-                FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, androidx.compose.ui.Alignment.End), content = buttons)
+                FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) { buttons() }
             }
         }
     }

@@ -1,8 +1,10 @@
 package robotran.ui.language
 
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.key
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.staticCompositionLocalOf
 import robotran.language.Language
 
 /**
@@ -13,8 +15,11 @@ import robotran.language.Language
 @Composable
 internal fun InLanguage(language: Language?, content: @Composable () -> Unit) {
     remember(language) { speak(language?.tag) }
-    key(language) { content() }
+    CompositionLocalProvider(LocalLanguage provides spokenLanguage(language)) { key(language) { content() } }
 }
+
+/** What is spoken here, for sentences that are no resources. */
+val LocalLanguage = staticCompositionLocalOf { Language.ENGLISH }
 
 /** Makes [tag], such as `de`, the language of the process, or again the one that it began with if that is null. */
 internal expect fun speak(tag: String?)

@@ -1,6 +1,7 @@
 package robotran.ui.program
 
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
@@ -33,13 +34,13 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ProgramLanguage
+import robotran.ui.workshop.ProgramsState
 import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
 
 /** The button with a plus: a new program in either language, an example, or one more class for a Java program. */
 @Composable
-internal fun AddProgram(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
     val choose = { event: WorkshopEvent ->
         open = false
@@ -53,13 +54,14 @@ internal fun AddProgram(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
             modifier = Modifier.widthIn(min = 300.dp).heightIn(max = 420.dp),
             containerColor = LocalRobotranColours.current.pane,
         ) {
-            if (state.programs.hasRoom) NewPrograms(choose) else Note(stringResource(Res.string.program_no_room))
+            if (state.hasRoom) NewPrograms(choose) else Note(stringResource(Res.string.program_no_room))
             if (state.program.language == ProgramLanguage.JAVA) {
                 Choice(stringResource(Res.string.program_new_class), "new-class") { choose(ProgramEvent.ClassAdded) }
             }
-            if (state.programs.hasRoom) {
-                Examples(stringResource(Res.string.program_examples_robolang), exampleTexts, choose)
-                Examples(stringResource(Res.string.program_examples_java), lejosExampleTexts, choose)
+            if (state.hasRoom) {
+                val language = state.program.language
+                Examples(stringResource(Res.string.program_examples_robolang), exampleTexts, ProgramLanguage.ROBOLANG, language, choose)
+                Examples(stringResource(Res.string.program_examples_java), lejosExampleTexts, ProgramLanguage.JAVA, language, choose)
             }
         }
     }
@@ -73,12 +75,30 @@ private fun NewPrograms(onEvent: (WorkshopEvent) -> Unit) {
     Choice(stringResource(Res.string.program_new_java), "new-java") { onEvent(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA)) }
 }
 
+/** The examples in one language under their title, which opens and closes them; first open are those of the language one works in. */
 @Composable
-private fun Examples(title: String, examples: Map<String, String>, onEvent: (WorkshopEvent) -> Unit) {
+private fun Examples(
+    title: String,
+    examples: Map<String, String>,
+    language: ProgramLanguage,
+    current: ProgramLanguage,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
+    var open by remember { mutableStateOf(language == current) }
     HorizontalDivider(color = LocalRobotranColours.current.line)
-    Note(title)
-    for ((name, text) in examples) Choice(name, "example-$name") { onEvent(ProgramEvent.ProgramAdded(PupilProgram(name, text))) }
+    DropdownMenuItem(
+        text = { Text(title, color = LocalRobotranColours.current.quiet, fontSize = 14.sp, fontWeight = FontWeight.Medium) },
+        onClick = { open = !open },
+        modifier = Modifier.testTag("examples-${language.name.lowercase()}").heightIn(min = Measures.TARGET),
+        trailingIcon = { SignPicture(if (open) Signs.UP else Signs.DOWN, LocalRobotranColours.current.quiet, 12.dp) },
+    )
+    if (open) {
+        for ((name, text) in examples) Choice(name, "example-$name", aboutExample(text)) { onEvent(ProgramEvent.ProgramAdded(PupilProgram(name, text))) }
+    }
 }
+
+/** What an example says about itself: its first line. */
+private fun aboutExample(text: String): String? = text.lineSequence().first().takeIf { it.startsWith("//") }?.removePrefix("//")?.trim()
 
 @Composable
 private fun Note(text: String) {
@@ -87,8 +107,13 @@ private fun Note(text: String) {
 }
 
 @Composable
-private fun Choice(text: String, tag: String, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
+private fun Choice(text: String, tag: String, about: String? = null, onClick: () -> Unit) = DropdownMenuItem(
+    text = {
+        Column(Modifier.padding(vertical = 4.dp)) {
+            Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp)
+            if (about != null) Text(about, Modifier.widthIn(max = 300.dp), LocalRobotranColours.current.quiet, fontSize = 13.sp, lineHeight = 17.sp)
+        }
+    },
     onClick = onClick,
     modifier = Modifier.testTag(tag).heightIn(min = Measures.TARGET),
 )

@@ -1,10 +1,11 @@
 package robotran.ui.program
 
+import androidx.compose.foundation.ExperimentalFoundationApi
+import androidx.compose.foundation.combinedClickable
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.selection.selectable
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
@@ -14,16 +15,27 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.selected
+import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.editor_rename
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
-/** One name in a row of names, underlined if it is the one that is [shown]. */
+/**
+ * One name in a row of names, underlined if it is the one that is [shown].
+ *
+ * @param onRename is told that it is to be called otherwise: a long or a double press; null if it cannot.
+ */
+@OptIn(ExperimentalFoundationApi::class)
 @Composable
-internal fun FileTab(title: String, shown: Boolean, tag: String, onChoose: () -> Unit) {
+internal fun FileTab(title: String, shown: Boolean, tag: String, onChoose: () -> Unit, onRename: (() -> Unit)? = null) {
+    val rename = stringResource(Res.string.editor_rename)
     val colours = LocalRobotranColours.current
     Box(
         Modifier
@@ -31,7 +43,14 @@ internal fun FileTab(title: String, shown: Boolean, tag: String, onChoose: () ->
             .fillMaxHeight()
             .defaultMinSize(minWidth = Measures.TARGET)
             .focusRing()
-            .selectable(shown, role = Role.Tab, onClick = onChoose)
+            .combinedClickable(
+                role = Role.Tab,
+                onLongClickLabel = rename.takeIf { onRename != null },
+                onLongClick = onRename,
+                onDoubleClick = onRename,
+                onClick = onChoose,
+            )
+            .semantics { selected = shown }
             .drawBehind {
                 val margin = 16.dp.toPx()
                 val thickness = 3.dp.toPx()

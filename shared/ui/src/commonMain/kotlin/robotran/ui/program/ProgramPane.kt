@@ -1,49 +1,193 @@
 package robotran.ui.program
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.program.editor.CodeEditor
+import robotran.ui.program.editor.EditorCommand
+import robotran.ui.program.editor.EditorControl
+import robotran.ui.program.editor.EditorMarks
+import robotran.ui.program.editor.EditorView
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ProgramLanguage
+import robotran.ui.workshop.ProgramsState
+import robotran.ui.workshop.PupilProgram
+import robotran.ui.workshop.Settings
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
+import robotran.ui.workshop.code
 
 /**
- * The programs to choose from, the one to write in, and under it what is wrong with it.
+ * The programs to choose from, the one to write in, what is wrong with it, and its translation.
  *
- * @param mostMistakes how many mistakes there is room for.
+ * @param mostMistakes how many mistakes that are not told at their lines there is room for.
  */
 @Composable
-internal fun ProgramPane(state: WorkshopState, mostMistakes: Int, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun ProgramPane(
+    state: WorkshopState,
+    mostMistakes: Int,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    var renaming by remember { mutableStateOf(false) }
+    val programs = state.programs
     Column(modifier.background(LocalRobotranColours.current.pane)) {
-        ProgramTabs(state, onEvent)
-        if (state.program.files.size > 1) FileTabs(state.program.files, state.programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) })
-        ProgramEditor(
-            text = state.programText,
-            hint = stringResource(hintFor(state.program.language)),
-            runningLine = state.runningLine,
-            mistakes = state.mistakes.filter { it.file == state.file.name }.mapNotNull { it.range },
-            onEdit = { onEvent(ProgramEvent.ProgramEdited(it)) },
-            modifier = Modifier.weight(1f),
+        if (programs.robots.size > 1) RobotChooser(programs) { onEvent(ProgramEvent.RobotChosen(it)) }
+        ProgramTabs(programs, onEvent) { renaming = true }
+        if (programs.program.files.size > 1) FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) })
+        ShownFile(programs, state.settings, state.runningLine, mostMistakes, onEvent, Modifier.weight(1f)) { renaming = true }
+        if (state.remarks.isNotEmpty()) RemarkList(state.remarks, mostMistakes)
+        programs.closedProgram?.let { ClosedProgram(it.name, programs.hasRoom) { onEvent(ProgramEvent.ProgramReopened) } }
+    }
+    if (renaming) {
+        RenameDialog(
+            programs,
+            {
+                renaming = false
+                onEvent(ProgramEvent.FileRenamed(programs.shownFile, it))
+            },
+        ) { renaming = false }
+    }
+}
+
+/** The tools, the text and its translation; all that is only about the file that is shown. */
+@Composable
+private fun ShownFile(
+    state: ProgramsState,
+    settings: Settings,
+    runningLine: Int,
+    mostMistakes: Int,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier,
+    onRename: () -> Unit,
+) {
+    val now by rememberUpdatedState(state to settings)
+    val event by rememberUpdatedState(onEvent)
+    val rename by rememberUpdatedState(onRename)
+    val focus = remember { FocusRequester() }
+    val find = remember { FindState() }
+    // A file has its own place on the screen and its own keyboard; another of the same name begins afresh.
+    val key = listOf(state.shownRobot, state.shownProgram, state.shownFile, state.programs.size, state.program.language)
+    val view = remember(key) { EditorView() }
+    val control = remember(key) { EditorControl(state.program.language.code, view) { draft, kind -> event(ProgramEvent.Written(draft, kind)) } }
+    control.help = rememberWordHelp(state.program.language)
+    val actions = remember(control) { PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() }) }
+    val matches = remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
+    actions.matches = matches
+    Column(modifier) {
+        EditorTools(state, { onEvent(ProgramEvent.TranslationShown(it)) }) {
+            if (!control.perform(it)) actions.perform(it)
+        }
+        if (find.isOpen) {
+            val place = matches.indexOfFirst { it.start == state.draft.selection.start && it.end == state.draft.selection.end } + 1
+            FindBar(find, matches.size, place, actions)
+        }
+        HorizontalDivider(color = LocalRobotranColours.current.line)
+        val lit = state.translation?.takeIf { state.isTranslated }
+        val line = state.draft.lines.lineOf(state.draft.selection.caret) + 1
+        val marks = remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, lit, if (lit == null) 0 else line) {
+            marksOf(state, runningLine, if (lit == null) emptySet() else setOf(line)).copy(matches = matches)
+        }
+        BesideOrBelow(
+            state.translationShown && state.program.language == ProgramLanguage.ROBOLANG,
+            Modifier.weight(1f),
+            { part ->
+                CodeEditor(
+                    control = control,
+                    view = view,
+                    draft = state.draft,
+                    hint = stringResource(hintFor(state.program.language)),
+                    marks = marks,
+                    notes = remember(state.notes, state.file.name) { state.notes.filter { it.mistake.file == state.file.name } },
+                    pointedOut = state.mistakePointedOut,
+                    codeSize = settings.codeSize,
+                    focus = focus,
+                    onCommand = { (it as? EditorCommand.Plain)?.let(actions::perform) },
+                    onBreakpoint = { onEvent(ProgramEvent.BreakpointToggled(it)) },
+                    onZoom = actions::zoom,
+                    onFix = { onEvent(ProgramEvent.FixApplied(it)) },
+                    modifier = part,
+                )
+            },
+            { part ->
+                TranslationPane(
+                    translation = state.translation,
+                    isNow = state.isTranslated,
+                    lit = lit?.lineMap?.javaLinesOf(line)?.toSet().orEmpty(),
+                    codeSize = settings.codeSize,
+                    onLine = { javaLine -> lit?.lineMap?.robolangLineOf(javaLine)?.let(actions::goToLine) },
+                    onZoom = actions::zoom,
+                    onKeep = lit?.takeIf { state.hasRoom }?.let { { onEvent(ProgramEvent.ProgramAdded(PupilProgram(it.fileName, it.java))) } },
+                    modifier = part,
+                )
+            },
         )
         if (state.mistakes.isNotEmpty()) {
-            MistakeList(state.mistakes, state.program.files.size > 1, mostMistakes, state.programs.mistakePointedOut, {
+            MistakeStrip(state.mistakes, state.file.name, mostMistakes, state.mistakePointedOut, actions::goToNextNote, {
                 onEvent(ProgramEvent.FixApplied(it))
             })
         }
-        if (state.remarks.isNotEmpty()) RemarkList(state.remarks, mostMistakes)
-        state.programs.closedProgram?.let { ClosedProgram(it.name, state.programs.hasRoom) { onEvent(ProgramEvent.ProgramReopened) } }
     }
+}
+
+/** [second] beside [first] where there is room, otherwise below it. */
+@Composable
+private fun BesideOrBelow(both: Boolean, modifier: Modifier, first: @Composable (Modifier) -> Unit, second: @Composable (Modifier) -> Unit) {
+    BoxWithConstraints(modifier) {
+        val colour = LocalRobotranColours.current.line
+        if (both && maxWidth >= LEAST_FOR_TWO) {
+            Row(Modifier.fillMaxSize()) {
+                first(Modifier.weight(1f).fillMaxHeight())
+                VerticalDivider(color = colour)
+                second(Modifier.weight(1f).fillMaxHeight())
+            }
+        } else {
+            Column(Modifier.fillMaxSize()) {
+                first(Modifier.weight(1f).fillMaxWidth())
+                if (both) {
+                    HorizontalDivider(color = colour)
+                    second(Modifier.weight(1f).fillMaxWidth())
+                }
+            }
+        }
+    }
+}
+
+private fun marksOf(state: ProgramsState, runningLine: Int, partners: Set<Int>): EditorMarks {
+    val (doubts, mistakes) = state.notes.filter { it.mistake.file == state.file.name }.partition { it.isDoubt }
+    return EditorMarks(
+        runningLine = runningLine,
+        mistakes = mistakes.mapNotNull { it.mistake.range },
+        doubts = doubts.mapNotNull { it.mistake.range },
+        breakpoints = state.breakpoints,
+        partners = partners,
+    )
 }
 
 private fun hintFor(language: ProgramLanguage): StringResource = when (language) {
     ProgramLanguage.ROBOLANG -> Res.string.program_hint
     ProgramLanguage.JAVA -> Res.string.program_hint_java
 }
+
+private val LEAST_FOR_TWO = 640.dp

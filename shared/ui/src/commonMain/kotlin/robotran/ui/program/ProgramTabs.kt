@@ -24,24 +24,26 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ProgramFile
+import robotran.ui.workshop.ProgramsState
 import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
 
 /**
  * The pupil's programs: which is shown, and another one. If there are several, each has the number that the brick's display shows for it, and can be
  * closed while it is shown.
+ *
+ * @param onRename is told that the one that is shown is to have another name.
  */
 @Composable
-internal fun ProgramTabs(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun ProgramTabs(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier, onRename: () -> Unit = {}) {
     val pane = LocalRobotranColours.current.pane
     Row(modifier.fillMaxWidth().background(pane).height(Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
         Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()).selectableGroup(), verticalAlignment = Alignment.CenterVertically) {
-            val several = state.programs.programs.size > 1
-            state.programs.programs.forEachIndexed { slot, program ->
-                val shown = slot == state.programs.shownProgram
+            val several = state.programs.size > 1
+            state.programs.forEachIndexed { slot, program ->
+                val shown = slot == state.shownProgram
                 val title = if (several) stringResource(Res.string.program_tab, slot, program.name) else program.name
-                Row(Modifier.keptInSight(shown, state.programs.programs.size)) {
-                    FileTab(title, shown, "program-$slot", { onEvent(ProgramEvent.ProgramChosen(slot)) })
+                Row(Modifier.keptInSight(shown, state.programs.size)) {
+                    FileTab(title, shown, "program-$slot", { onEvent(ProgramEvent.ProgramChosen(slot)) }, onRename.takeIf { shown && state.shownFile == 0 })
                     if (several && shown) {
                         val close = stringResource(Res.string.program_close, program.name)
                         RoundButton(Cross, close, "close-program") { onEvent(ProgramEvent.ProgramClosed(slot)) }

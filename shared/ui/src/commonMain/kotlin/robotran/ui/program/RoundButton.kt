@@ -18,6 +18,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
@@ -29,23 +30,27 @@ internal typealias Sign = List<Pair<Offset, Offset>>
 internal val Cross: Sign = listOf(Offset(0f, 0f) to Offset(1f, 1f), Offset(0f, 1f) to Offset(1f, 0f))
 internal val Plus: Sign = listOf(Offset(0.5f, 0f) to Offset(0.5f, 1f), Offset(0f, 0.5f) to Offset(1f, 0.5f))
 
-/** A button with a [sign] and, for those who cannot see it, [words]. */
+/** A button with a [sign], [size] large, and, for those who cannot see it, [words]. */
 @Composable
-internal fun RoundButton(sign: Sign, words: String, tag: String, onClick: () -> Unit) {
-    val colour = LocalRobotranColours.current.onPane
+internal fun RoundButton(sign: Sign, words: String, tag: String, size: Dp = 14.dp, enabled: Boolean = true, onClick: () -> Unit) {
+    val colour = LocalRobotranColours.current.onPane.let { if (enabled) it else it.copy(alpha = DISABLED) }
     Box(
         Modifier
             .testTag(tag)
             .size(Measures.TARGET)
             .clip(CircleShape)
             .focusRing()
-            .clickable(role = Role.Button, onClick = onClick)
+            .clickable(enabled, role = Role.Button, onClick = onClick)
             .semantics { contentDescription = words },
         Alignment.Center,
     ) {
-        Canvas(Modifier.size(14.dp)) { drawSign(sign, colour) }
+        SignPicture(sign, colour, size)
     }
 }
+
+/** A [sign] alone. */
+@Composable
+internal fun SignPicture(sign: Sign, colour: Color, size: Dp) = Canvas(Modifier.size(size)) { drawSign(sign, colour) }
 
 private fun DrawScope.drawSign(sign: Sign, colour: Color) {
     for ((from, to) in sign) {
@@ -54,3 +59,6 @@ private fun DrawScope.drawSign(sign: Sign, colour: Color) {
 }
 
 private fun Offset.on(size: Size) = Offset(x * size.width, y * size.height)
+
+/** As Material draws what cannot be pressed. */
+private const val DISABLED = 0.38f

@@ -39,13 +39,9 @@ import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorldEditEvent
 
-/**
- * The button with three lines: what is done seldom.
- *
- * @param withWork whether what can be done with the work as a whole is in it too, where its name has no place of its own.
- */
+/** The button with three lines: what is done seldom, and [withWork] what is done with the work as a whole. */
 @Composable
-internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, withWork: Boolean) {
+internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, withWork: Boolean = false) {
     var open by remember { mutableStateOf(false) }
     val choose = { event: WorkshopEvent ->
         open = false

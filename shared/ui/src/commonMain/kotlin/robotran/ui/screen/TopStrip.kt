@@ -37,7 +37,7 @@ internal fun TopStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
     BoxWithConstraints(modifier.fillMaxWidth().background(colours.pane)) {
         val withWords = maxWidth >= WORDS_WIDTH * LocalDensity.current.fontScale
         Row(Modifier.fillMaxWidth().defaultMinSize(minHeight = Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
-            MainMenu(state, onEvent, withWork = false)
+            MainMenu(state, onEvent)
             Box(Modifier.weight(1f)) { WorkMenu(state.document, onEvent) }
             IconTouch(Icon.BOOK, stringResource(Res.string.learn_help), "learn", {
                 onEvent(LearningEvent.PageWanted(LearningPage.TUTORIAL))

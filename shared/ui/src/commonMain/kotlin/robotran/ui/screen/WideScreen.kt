@@ -26,7 +26,9 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.LEAST_BRICK_WIDTH
-import robotran.ui.documents.KeepingBanner
+import robotran.ui.drawer.GoalChip
+import robotran.ui.drawer.RunAnnouncer
+import robotran.ui.drawer.RunDrawer
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
@@ -38,6 +40,7 @@ import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.world.WorldPane
+import robotran.world.SessionInput
 
 /** Tablet and laptop: the tutorial if it is wanted, the program, beside it the desk with paper and brick, the run bar under the desk. */
 @Composable
@@ -67,6 +70,7 @@ private fun ProgramAndDesk(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
     var share by rememberSaveable { mutableFloatStateOf(PROGRAM_SHARE) }
     BoxWithConstraints(modifier.fillMaxHeight()) {
         val whole = maxWidth
+        val tall = maxHeight
         Row(Modifier.fillMaxSize()) {
             Column(Modifier.width(whole * share).fillMaxHeight()) {
                 if (isReading) {
@@ -77,12 +81,13 @@ private fun ProgramAndDesk(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             }
             Column(Modifier.weight(1f).fillMaxHeight()) {
                 Desk(state, onEvent, Modifier.weight(1f))
-                KeepingBanner(state.document, onEvent)
+                RunDrawer(state.run, onEvent, most = tall * MOST_DRAWER_SHARE)
                 state.notice?.let { NoticeBar(it, onEvent) }
                 RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
             }
         }
         val pixels = with(LocalDensity.current) { whole.toPx() }
+        RunAnnouncer(state.run)
         PaneDivider(share, pixels, { share = it }, Modifier.offset(x = whole * share - 12.dp))
     }
 }
@@ -98,13 +103,16 @@ private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifie
                 Modifier.width(brickWidth + MARGIN).fillMaxHeight().padding(end = MARGIN, bottom = MARGIN),
                 Arrangement.spacedBy(MARGIN, Alignment.Bottom),
             ) {
-                BrickHint(state.session.brick)
+                GoalChip(state.session.goals, onEvent)
+                BrickHint(state.run.brick)
                 BrickFront(
-                    state.session.brick,
+                    state.run.brick,
                     state.down,
                     { onEvent(RunEvent.ButtonPressed(it)) },
                     { onEvent(RunEvent.ButtonReleased(it)) },
                     Modifier.width(brickWidth),
+                    state.world.robots[state.run.watched].ports,
+                    { port, pressed -> onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed))) },
                 )
             }
         }
@@ -116,6 +124,7 @@ private val TUTORIAL_BESIDE_WIDTH = 1100.dp
 private val TUTORIAL_WIDTH = 328.dp
 private const val PROGRAM_SHARE = 0.32f
 private const val MOST_MISTAKES = 3
+private const val MOST_DRAWER_SHARE = 0.6f
 private const val BRICK_SHARE = 0.3f
 private val MOST_BRICK_WIDTH = 300.dp
 private val MARGIN: Dp = 16.dp

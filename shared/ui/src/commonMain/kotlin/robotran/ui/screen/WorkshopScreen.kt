@@ -1,13 +1,16 @@
 package robotran.ui.screen
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.platform.LocalDensity
 import robotran.ui.documents.DocumentDialogs
+import robotran.ui.documents.KeepingBanner
 import robotran.ui.documents.documentShortcut
 import robotran.ui.learning.LearningPages
 import robotran.ui.settings.SettingsPage
@@ -15,29 +18,26 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
+import robotran.ui.worldedit.WorldEditPane
 
 /** The one screen: side by side where there is room, one pane at a time where there is not; pages lie over it. */
 @Composable
 internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
-    BoxWithConstraints(modifier.fillMaxSize().background(LocalRobotranColours.current.pane).shortcuts(onEvent)) {
+    BoxWithConstraints(modifier.fillMaxSize().background(LocalRobotranColours.current.pane).onPreviewKeyEvent { event ->
+            documentShortcut(event)?.let(onEvent) != null
+        }) {
         // Larger text needs the room of a larger screen.
         val scale = state.settings.textScale.coerceAtMost(LocalDensity.current.fontScale)
-        if (maxWidth >= Measures.WIDE_WIDTH * widthScale(scale) && maxHeight >= Measures.WIDE_HEIGHT) {
-            WideScreen(state, onEvent)
-        } else {
-            NarrowScreen(state, onEvent)
+        val isWide = maxWidth >= Measures.WIDE_WIDTH * widthScale(scale) && maxHeight >= Measures.WIDE_HEIGHT
+        Column(Modifier.fillMaxSize()) {
+            KeepingBanner(state.document, onEvent)
+            Box(Modifier.weight(1f)) { if (isWide) WideScreen(state, onEvent) else NarrowScreen(state, onEvent) }
         }
+        state.worldEdit?.let { WorldEditPane(it, state.session, onEvent) }
         LearningPages(state.learning, onEvent)
-        DocumentDialogs(state.document, onEvent)
         if (state.settingsShown) SettingsPage(state.settings, onEvent)
+        DocumentDialogs(state.document, onEvent)
     }
-}
-
-/** What keys do wherever the focus is. */
-private fun Modifier.shortcuts(onEvent: (WorkshopEvent) -> Unit): Modifier = onPreviewKeyEvent { pressed ->
-    val event = documentShortcut(pressed) ?: return@onPreviewKeyEvent false
-    onEvent(event)
-    true
 }
 
 /** Half of what text grows by goes into the width that two panes beside each other need; the other half they lose in words a line. */

@@ -47,6 +47,9 @@ interface Bench {
     /** Puts the same robots and programs into [world]; the run begins afresh. */
     fun changeWorld(world: World)
 
+    /** From now on [world] is what would be saved, while robots still drive in the one before; [changeWorld] puts them into it. */
+    fun keepWorld(world: World)
+
     /** Changes how the programs run; the run begins afresh. */
     fun changeProjectSettings(settings: ProjectSettings)
 

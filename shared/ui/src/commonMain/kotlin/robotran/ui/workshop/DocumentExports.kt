@@ -29,7 +29,7 @@ internal class DocumentExports(
 ) {
     suspend fun makeLink() {
         show(DocumentDialog.SharingLink())
-        val making = withContext(bench.platform.background) { linkOf(bench.project) }
+        val making = withContext(bench.platform.background) { linkOf(bench.project, bench.language) }
         show(
             when (making) {
                 is LinkMaking.Made -> DocumentDialog.SharingLink(link = bench.platform.pageAddress + making.fragment)

@@ -49,14 +49,14 @@ internal class DocumentFiles(
 
     suspend fun open(files: List<OpenedFile>) {
         val given = files.map { file -> GivenFile(file.name, file.bytes, file.place?.let { FilePlace(it, file.name) }) }
-        when (val opening = withContext(bench.platform.background) { openFiles(given) }) {
+        when (val opening = withContext(bench.platform.background) { openFiles(given, bench.language) }) {
             is Opening.Opened -> take(opening)
             is Opening.Refused -> show(DocumentDialog.Refused(opening.trouble))
         }
     }
 
     suspend fun openLink(link: String) {
-        when (val opening = openLinkText(link)) {
+        when (val opening = openLinkText(link, bench.language)) {
             is Opening.Opened -> {
                 show(null)
                 take(opening)

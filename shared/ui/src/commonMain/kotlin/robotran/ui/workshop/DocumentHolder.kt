@@ -132,6 +132,9 @@ class DocumentHolder(private val bench: Bench) {
         if (keepNow()) keeper.leave(comesBack = true)
     }
 
+    /** Gives back what this window has claimed: it is gone. */
+    fun release() = keeper.forget()
+
     private suspend fun receive(arrival: Arrival) {
         when (arrival) {
             is Arrival.OfFiles -> files.open(arrival.files)
@@ -237,7 +240,7 @@ class DocumentHolder(private val bench: Bench) {
 
             is WorkReading.Unusable -> {
                 claim.release()
-                bench.say(Notice(Res.string.documents_work_unusable, listOf(reading.reason), bad = true))
+                bench.say(Notice(Res.string.documents_work_unusable, listOf(reading.reason(bench.language)), bad = true))
             }
 
             WorkReading.Missing -> {

@@ -8,8 +8,8 @@ import kotlinx.coroutines.Dispatchers
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
-import robotran.ui.platform.MemoryPlatform
 import robotran.ui.language.spokenLanguage
+import robotran.ui.platform.MemoryPlatform
 import robotran.ui.platform.Platform
 import robotran.world.RecordedInput
 import robotran.world.RunReport
@@ -36,7 +36,7 @@ class Workshop(
 
     private val settingsHolder = SettingsHolder(this, settings)
     private val programs: ProgramsHolder = ProgramsHolder(project, this, ::programsRead)
-    private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this).also { it.hear(settings.soundOn) }
+    private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this, project.inputs).also { it.hear(settings.soundOn) }
     private val sheet = SheetHolder()
     private val worldEdit = WorldEditHolder(this)
     private val document = DocumentHolder(this)
@@ -91,6 +91,9 @@ class Workshop(
     /** Keeps the work as it changes, for ever; to be called once, for as long as the workshop is on a screen. */
     suspend fun keepDocument() = document.keepKeeping()
 
+    /** Keeps what has changed at once; false if it cannot be kept. */
+    suspend fun keepDocumentNow(): Boolean = document.keepNow()
+
     /** Keeps what has changed at once, since the window is out of sight and may be gone without a word. */
     suspend fun restDocument() = document.rest()
 
@@ -115,15 +118,16 @@ class Workshop(
     /** What came of the run up to now. */
     fun report(): RunReport = run.report()
 
-    /** Gives back what the session holds. Nothing may be called afterwards. */
+    /** Gives back what the session holds and what the document has claimed. Nothing may be called afterwards. */
     fun close() {
+        document.release()
         run.close()
     }
 
     override fun openProject(project: Project) {
         opened = project
         programs.open(project)
-        run.changeWorld(project.worldToRun)
+        run.changeWorld(project.worldToRun, project.inputs)
         learning.refresh()
         sheet.worldChanged()
     }
@@ -141,8 +145,17 @@ class Workshop(
         sheet.worldChanged()
     }
 
+    override fun keepWorld(world: World) {
+        val before = opened.world.robots
+        opened = opened.copy(world = world)
+        // A robot with another name would be one without programs.
+        val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
+        if (isRenamed) programs.worldChanged(world)
+    }
+
     override fun changeProjectSettings(settings: ProjectSettings) {
         opened = opened.copy(settings = settings)
+        programs.runJava(settings.java)
         run.changeWorld(opened.worldToRun)
     }
 

@@ -1,10 +1,21 @@
 package robotran.ui.workshop
 
+import robotran.worldediting.Edit
+
 /** Something a person does with the world in its editor. */
 sealed interface WorldEditEvent : WorkshopEvent {
     /** The world is to be changed. */
     data object EditorOpened : WorldEditEvent
 
-    /** The world is as it should be: robots are put into it. */
+    /** Something is to be done to the world. */
+    data class Edited(val edit: Edit) : WorldEditEvent
+
+    /** The world is as it should be: robots are put into it. If something has to be mended first, that is pointed out. */
     data object EditorClosed : WorldEditEvent
+
+    /** The same, and the program runs in it at once. */
+    data object TriedOut : WorldEditEvent
+
+    /** The world is to be as it was before it was changed. */
+    data object EditsDiscarded : WorldEditEvent
 }

@@ -4,7 +4,7 @@ import robotran.language.listed
 import robotran.language.withComma
 import robotran.world.TouchKind
 
-/** The goals in German; one thing has one word: area - Bereich, barrier - Barriere, block - Klotz, line - Linie, template - Vorlage. */
+/** The goals in German; one thing has one word: area - Bereich, barrier - Hindernis, block - Klotz, line - Linie, template - Vorlage. */
 object GermanGoalMessages : GoalMessages {
     override fun reach(who: Mover, region: Region, whole: Boolean, within: Int?, stays: Boolean): String {
         val verb = if (who is Mover.Block) "Schieb" else "Bring"
@@ -113,7 +113,7 @@ object GermanGoalMessages : GoalMessages {
 
     private fun name(kind: TouchKind): String = when (kind) {
         TouchKind.WALLS -> "eine Wand"
-        TouchKind.BARRIERS -> "eine Barriere"
+        TouchKind.BARRIERS -> "ein Hindernis"
         TouchKind.BLOCKS -> "einen Klotz"
         TouchKind.ROBOTS -> "einen anderen Roboter"
     }

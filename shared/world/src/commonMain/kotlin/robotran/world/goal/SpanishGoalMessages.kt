@@ -4,7 +4,7 @@ import robotran.language.listed
 import robotran.language.withComma
 import robotran.world.TouchKind
 
-/** The goals in Spanish; one thing has one word: area - zona, barrier - barrera, block - bloque, line - línea, template - plantilla. */
+/** The goals in Spanish; one thing has one word: area - zona, barrier - obstáculo, block - bloque, line - línea, template - plantilla. */
 object SpanishGoalMessages : GoalMessages {
     override fun reach(who: Mover, region: Region, whole: Boolean, within: Int?, stays: Boolean): String {
         val verb = if (who is Mover.Block) "Empuja" else "Lleva"
@@ -101,7 +101,7 @@ object SpanishGoalMessages : GoalMessages {
 
     private fun name(kind: TouchKind): String = when (kind) {
         TouchKind.WALLS -> "una pared"
-        TouchKind.BARRIERS -> "una barrera"
+        TouchKind.BARRIERS -> "un obstáculo"
         TouchKind.BLOCKS -> "un bloque"
         TouchKind.ROBOTS -> "otro robot"
     }

@@ -1,0 +1,16 @@
+package robotran.desktop.platform
+
+import robotran.ui.platform.Sharing
+import java.awt.Toolkit
+import java.awt.datatransfer.StringSelection
+
+/** The clipboard of this machine. */
+internal object Clipboard : Sharing {
+    override suspend fun share(text: String): Boolean =
+        try {
+            Toolkit.getDefaultToolkit().systemClipboard.setContents(StringSelection(text), null)
+            true
+        } catch (_: IllegalStateException) {
+            false // another app is just using it
+        }
+}

@@ -1,0 +1,77 @@
+package robotran.desktop.window
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.CompositionLocalProvider
+import androidx.compose.runtime.DisposableEffect
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.key
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberCoroutineScope
+import androidx.compose.runtime.snapshotFlow
+import androidx.compose.ui.ExperimentalComposeUiApi
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.window.LocalWindowExceptionHandlerFactory
+import androidx.compose.ui.window.Window
+import androidx.compose.ui.window.WindowState
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.collectLatest
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.withContext
+import robotran.ui.RobotranWindow
+import robotran.ui.brick.BrickIcon
+import robotran.ui.desktop.WorkshopMenuBar
+import robotran.ui.desktop.windowTitle
+import robotran.ui.openWorkshop
+import java.awt.Dimension
+
+/** The window [open], with the platform's menu; [close] is called once it can go, [openAnother] for one more. */
+@OptIn(ExperimentalComposeUiApi::class)
+@Composable
+internal fun AppWindow(
+    open: OpenWindow,
+    state: WindowState,
+    openAnother: () -> Unit,
+    close: () -> Unit,
+) {
+    val scope = rememberCoroutineScope()
+    val icon = remember { BrickIcon() }
+    val rescue = remember { Rescue(scope, open, close) }
+    val askToClose: () -> Unit = { scope.launch { if (open.workshop?.closeDocument(onLoss = close) != false) close() } }
+    LaunchedEffect(Unit) { open.workshop = openWorkshop(platform = open.platform, scope = scope) }
+    DisposableEffect(Unit) { onDispose { open.workshop?.close() } }
+    KeepPlace(open, state)
+    CompositionLocalProvider(LocalWindowExceptionHandlerFactory provides rescue) {
+        key(open.attempt) {
+            Window(askToClose, state, title = windowTitle(open.workshop), icon = icon) {
+                DisposableEffect(window) {
+                    window.minimumSize = Dimension(LEAST_WIDTH, LEAST_HEIGHT)
+                    open.frame = window
+                    onDispose { open.frame = null }
+                }
+                open.workshop?.let { WorkshopMenuBar(it.state, it::handle, openAnother, askToClose) }
+                Box(Modifier.fillMaxSize().opensDroppedFiles(open::bring)) { RobotranWindow(open.workshop) }
+            }
+        }
+    }
+}
+
+/** Remembers where the window is, for the next start, once it has come to rest there. */
+@Composable
+private fun KeepPlace(
+    open: OpenWindow,
+    state: WindowState,
+) {
+    LaunchedEffect(state) {
+        snapshotFlow { WindowPlace.of(state) }.collectLatest { place ->
+            delay(REST_MILLISECONDS)
+            if (place != null && !state.isMinimized) withContext(Dispatchers.IO) { open.platform.store.write(PLACE, place.toText()) }
+        }
+    }
+}
+
+/** The name of the text about the window's place. */
+internal const val PLACE = "window"
+private const val REST_MILLISECONDS = 500L

@@ -1,0 +1,56 @@
+package robotran.desktop.window
+
+import androidx.compose.foundation.draganddrop.dragAndDropTarget
+import androidx.compose.foundation.ExperimentalFoundationApi
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.ExperimentalComposeUiApi
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draganddrop.DragAndDropEvent
+import androidx.compose.ui.draganddrop.DragAndDropTarget
+import androidx.compose.ui.draganddrop.awtTransferable
+import robotran.desktop.platform.openedFile
+import robotran.projects.isLink
+import robotran.ui.platform.Arrival
+import java.awt.datatransfer.DataFlavor
+import java.awt.datatransfer.Transferable
+import java.awt.datatransfer.UnsupportedFlavorException
+import java.io.File
+import java.io.IOException
+
+/** Opens files and links that are dropped anywhere on it. */
+@OptIn(ExperimentalFoundationApi::class, ExperimentalComposeUiApi::class)
+@Composable
+internal fun Modifier.opensDroppedFiles(onArrival: (Arrival) -> Unit): Modifier {
+    val target =
+        remember(onArrival) {
+            object : DragAndDropTarget {
+                override fun onDrop(event: DragAndDropEvent): Boolean {
+                    val arrivals = arrivalsIn(event.awtTransferable)
+                    arrivals.forEach(onArrival)
+                    return arrivals.isNotEmpty()
+                }
+            }
+        }
+    return dragAndDropTarget({ event -> FLAVOURS.any(event.awtTransferable::isDataFlavorSupported) }, target)
+}
+
+/** What a drag brings: its files together, or the link in its text; none if there is neither. */
+internal fun arrivalsIn(dropped: Transferable): List<Arrival> {
+    val files = (dropped.contentIn(DataFlavor.javaFileListFlavor) as? List<*>)?.filterIsInstance<File>().orEmpty()
+    if (files.isEmpty()) return listOfNotNull((dropped.contentIn(DataFlavor.stringFlavor) as? String)?.takeIf(::isLink)?.let(Arrival::OfLink))
+    val troubles = mutableListOf<Arrival>()
+    val opened = files.mapNotNull { file -> openedFile(file.toPath()) { troubles += Arrival.Unreadable(it) } }
+    return troubles + listOfNotNull(opened.takeIf { it.isNotEmpty() }?.let(Arrival::OfFiles))
+}
+
+private fun Transferable.contentIn(flavour: DataFlavor): Any? =
+    try {
+        if (isDataFlavorSupported(flavour)) getTransferData(flavour) else null
+    } catch (_: IOException) {
+        null
+    } catch (_: UnsupportedFlavorException) {
+        null
+    }
+
+private val FLAVOURS = listOf(DataFlavor.javaFileListFlavor, DataFlavor.stringFlavor)

@@ -1,0 +1,42 @@
+package robotran.desktop.window
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableIntStateOf
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import robotran.desktop.platform.DesktopFileDesk
+import robotran.desktop.platform.DesktopPlatform
+import robotran.desktop.sound.soundCardSpeaker
+import robotran.ui.platform.Arrival
+import robotran.ui.platform.Arrivals
+import robotran.ui.platform.WorkStore
+import robotran.ui.workshop.Workshop
+import java.awt.Frame
+
+/**
+ * One window of the app and the workshop in it, which outlives what is drawn of it.
+ *
+ * @param arrival what it begins with; null for the work that was open last or, if it does not go on, for a new one.
+ */
+internal class OpenWindow(
+    store: WorkStore,
+    arrival: Arrival?,
+    goesOn: Boolean,
+) {
+    private val arrivals = Arrivals().also { arrivals -> arrival?.let(arrivals::bring) }
+
+    /** The window on the screen; null while there is none. */
+    var frame: Frame? = null
+
+    /** Null while it is getting ready. */
+    var workshop: Workshop? by mutableStateOf(null)
+
+    /** How often what is drawn had to be begun anew after something went wrong. */
+    var attempt: Int by mutableIntStateOf(0)
+
+    val platform = DesktopPlatform(soundCardSpeaker(), store, DesktopFileDesk({ frame }, ::tellUnreadable), arrivals, goesOn)
+
+    fun bring(arrival: Arrival) = arrivals.bring(arrival)
+
+    private fun tellUnreadable(sentence: String) = arrivals.bring(Arrival.Unreadable(sentence))
+}

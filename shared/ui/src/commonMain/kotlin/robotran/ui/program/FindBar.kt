@@ -1,0 +1,205 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.text.BasicTextField
+import androidx.compose.material3.FilterChip
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.Stable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableIntStateOf
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.graphics.SolidColor
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.isShiftPressed
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.editing.TextSpan
+import robotran.editing.find.Search
+import robotran.ui.program.editor.editorStyle
+import robotran.ui.resources.Res
+import robotran.ui.resources.editor_find
+import robotran.ui.resources.editor_find_case
+import robotran.ui.resources.editor_find_close
+import robotran.ui.resources.editor_find_count
+import robotran.ui.resources.editor_find_next
+import robotran.ui.resources.editor_find_none
+import robotran.ui.resources.editor_find_previous
+import robotran.ui.resources.editor_find_words
+import robotran.ui.resources.editor_replace
+import robotran.ui.resources.editor_replace_all
+import robotran.ui.resources.editor_replace_one
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+
+/** What is looked for, while somebody looks for something. */
+@Stable
+internal class FindState {
+    var isOpen by mutableStateOf(false)
+        private set
+    var search by mutableStateOf(Search(""))
+    var replacement by mutableStateOf("")
+
+    /** Counts how often somebody asked for it: then one writes there. */
+    var asked by mutableIntStateOf(0)
+        private set
+
+    /** Opens with [text], if it is one that could be looked for. */
+    fun open(text: String) {
+        if (text.isNotEmpty() && '\n' !in text) search = search.copy(text = text)
+        isOpen = true
+        asked++
+    }
+
+    fun close() {
+        isOpen = false
+    }
+
+    /** Where it stands in [text]; nowhere while nobody looks for it. */
+    fun matchesIn(text: String): List<TextSpan> = if (isOpen) search.matchesIn(text) else emptyList()
+}
+
+/** What can be done with what was found. */
+internal interface FindActions {
+    fun next()
+
+    fun previous()
+
+    fun replaceOne()
+
+    fun replaceAll()
+
+    fun close()
+}
+
+/**
+ * What to look for and what to put in its place.
+ *
+ * @param place the match that is selected, from 1; 0 for none.
+ */
+@Composable
+internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActions) {
+    val colours = LocalRobotranColours.current
+    val first = remember { FocusRequester() }
+    LaunchedEffect(state.asked) { first.requestFocus() }
+    Column(Modifier.fillMaxWidth().testTag("find-bar").background(colours.desk.copy(alpha = SHADE)).padding(horizontal = 8.dp, vertical = 4.dp)) {
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            val words = stringResource(Res.string.editor_find)
+            LineField(state.search.text, words, "find", { state.search = state.search.copy(text = it) }, actions, Modifier.weight(1f).focusRequester(first), actions::next)
+            RoundButton(Signs.UP, stringResource(Res.string.editor_find_previous), "find-previous", enabled = count > 0, onClick = actions::previous)
+            RoundButton(Signs.DOWN, stringResource(Res.string.editor_find_next), "find-next", enabled = count > 0, onClick = actions::next)
+            RoundButton(Cross, stringResource(Res.string.editor_find_close), "find-close", onClick = actions::close)
+        }
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            val words = stringResource(Res.string.editor_replace)
+            LineField(state.replacement, words, "replace", { state.replacement = it }, actions, Modifier.weight(1f), actions::replaceOne)
+            FindButton(stringResource(Res.string.editor_replace_one), "replace-one", count > 0, actions::replaceOne)
+            FindButton(stringResource(Res.string.editor_replace_all), "replace-all", count > 0, actions::replaceAll)
+        }
+        Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
+            Switch(stringResource(Res.string.editor_find_case), "find-case", state.search.matchCase) {
+                state.search = state.search.copy(matchCase = !state.search.matchCase)
+            }
+            Switch(stringResource(Res.string.editor_find_words), "find-words", state.search.wholeWords) {
+                state.search = state.search.copy(wholeWords = !state.search.wholeWords)
+            }
+            Text(
+                if (state.search.text.isEmpty()) "" else countText(count, place),
+                Modifier.weight(1f).testTag("find-count").semantics { liveRegion = LiveRegionMode.Polite },
+                color = colours.onPane,
+                fontSize = 14.sp,
+            )
+        }
+    }
+}
+
+@Composable
+private fun countText(count: Int, place: Int): String =
+    if (count == 0) stringResource(Res.string.editor_find_none) else stringResource(Res.string.editor_find_count, place, count)
+
+@Composable
+private fun FindButton(words: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
+    TextButton(onClick, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag(tag).focusRing(), enabled) {
+        Text(words, color = if (enabled) LocalRobotranColours.current.focus else LocalRobotranColours.current.quiet, fontSize = 15.sp)
+    }
+}
+
+@Composable
+private fun Switch(words: String, tag: String, on: Boolean, onClick: () -> Unit) {
+    FilterChip(on, onClick, { Text(words, fontSize = 14.sp) }, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag(tag).focusRing(8.dp))
+}
+
+@Composable
+private fun LineField(
+    text: String,
+    words: String,
+    tag: String,
+    onChange: (String) -> Unit,
+    actions: FindActions,
+    modifier: Modifier,
+    onEnter: () -> Unit,
+) {
+    val colours = LocalRobotranColours.current
+    BasicTextField(
+        text,
+        onChange,
+        modifier
+            .testTag(tag)
+            .defaultMinSize(minHeight = Measures.TARGET)
+            .padding(vertical = 4.dp)
+            .semantics { contentDescription = words }
+            .onPreviewKeyEvent { event ->
+                val isDown = event.type == KeyEventType.KeyDown
+                when (event.key) {
+                    Key.Enter, Key.NumPadEnter -> if (isDown) { if (event.isShiftPressed) actions.previous() else onEnter() }
+                    Key.Escape -> if (isDown) actions.close()
+                    else -> return@onPreviewKeyEvent false
+                }
+                true
+            },
+        singleLine = true,
+        textStyle = editorStyle(FIELD_SIZE),
+        cursorBrush = SolidColor(colours.focus),
+        decorationBox = { inner ->
+            Box(
+                Modifier.background(colours.pane, SHAPE).border(1.dp, colours.quiet, SHAPE).padding(horizontal = 12.dp, vertical = 9.dp),
+                Alignment.CenterStart,
+            ) {
+                if (text.isEmpty()) Text(words, color = colours.quiet, fontSize = 15.sp, maxLines = 1)
+                inner()
+            }
+        },
+    )
+}
+
+private val SHAPE = RoundedCornerShape(8.dp)
+private const val FIELD_SIZE = 15f
+private const val SHADE = 0.5f

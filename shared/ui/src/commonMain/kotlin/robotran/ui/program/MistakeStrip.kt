@@ -1,0 +1,89 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.programs.Mistake
+import robotran.ui.program.editor.FixButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.editor_mistake_one
+import robotran.ui.resources.editor_mistakes
+import robotran.ui.resources.editor_next_mistake
+import robotran.ui.resources.mistake_in_file
+import robotran.ui.resources.mistake_in_line_of_file
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+
+/**
+ * Under the text: how many mistakes there are, with a button that goes to the next, and what is wrong at no line of the text that is shown.
+ *
+ * @param mistakes all of the program; those in [file] that have a line are told there.
+ * @param most how many of the others there is room for.
+ */
+@Composable
+internal fun MistakeStrip(
+    mistakes: List<Mistake>,
+    file: String,
+    most: Int,
+    pointedOut: Boolean,
+    onNext: () -> Unit,
+    onFix: (Mistake) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    val colours = LocalRobotranColours.current
+    val (here, elsewhere) = mistakes.partition { it.file == file && it.range != null }
+    Column(modifier.fillMaxWidth().background(colours.mistakePane).testTag("mistakes").padding(start = 16.dp, end = 8.dp)) {
+        if (here.isNotEmpty()) {
+            Row(Modifier.fillMaxWidth().defaultMinSize(minHeight = Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
+                val count = mistakes.size
+                Text(
+                    if (count == 1) stringResource(Res.string.editor_mistake_one) else stringResource(Res.string.editor_mistakes, count),
+                    Modifier.weight(1f),
+                    color = colours.mistake,
+                    fontSize = 16.sp,
+                    fontWeight = if (pointedOut) FontWeight.Bold else FontWeight.Normal,
+                )
+                TextButton(onNext, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("next-mistake").focusRing()) {
+                    Text(stringResource(Res.string.editor_next_mistake), color = colours.focus, fontSize = 15.sp, fontWeight = FontWeight.SemiBold)
+                }
+            }
+        }
+        for (mistake in elsewhere.take(most)) Elsewhere(mistake, onFix)
+    }
+}
+
+@Composable
+private fun Elsewhere(mistake: Mistake, onFix: (Mistake) -> Unit) {
+    val line = mistake.range?.line
+    val words = when {
+        mistake.file.isEmpty() -> mistake.message
+        line == null -> stringResource(Res.string.mistake_in_file, mistake.file, mistake.message)
+        else -> stringResource(Res.string.mistake_in_line_of_file, mistake.file, line, mistake.message)
+    }
+    Row(Modifier.fillMaxWidth().defaultMinSize(minHeight = Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
+        Text(
+            words,
+            Modifier.weight(1f).padding(vertical = 6.dp).semantics { liveRegion = LiveRegionMode.Polite },
+            color = LocalRobotranColours.current.mistake,
+            fontSize = 16.sp,
+        )
+        if (mistake.fix != null) FixButton(mistake, onFix)
+    }
+}

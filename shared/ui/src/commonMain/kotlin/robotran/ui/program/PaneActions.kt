@@ -1,0 +1,122 @@
+package robotran.ui.program
+
+import androidx.compose.ui.focus.FocusRequester
+import robotran.editing.Draft
+import robotran.editing.EditKind
+import robotran.editing.TextSpan
+import robotran.editing.find.nextMatch
+import robotran.editing.find.previousMatch
+import robotran.editing.find.withAllReplaced
+import robotran.editing.find.withSelected
+import robotran.ui.program.editor.EditorCommand
+import robotran.ui.program.editor.EditorControl
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.ProgramsState
+import robotran.ui.workshop.Settings
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.WorkshopEvent
+
+/** What keys and buttons do beside the text itself: finding, going to a line, the size of the text, and what the holders do. */
+internal class PaneActions(
+    private val control: EditorControl,
+    private val find: FindState,
+    private val focus: FocusRequester,
+    private val state: () -> ProgramsState,
+    private val settings: () -> Settings,
+    private val onEvent: (WorkshopEvent) -> Unit,
+    private val onRename: () -> Unit,
+) : FindActions {
+    var matches: List<TextSpan> = emptyList()
+    private var size = 0f
+
+    fun perform(command: EditorCommand.Plain) {
+        when (command) {
+            EditorCommand.Plain.UNDO -> onEvent(ProgramEvent.Undone)
+            EditorCommand.Plain.REDO -> onEvent(ProgramEvent.Redone)
+            EditorCommand.Plain.FORMAT -> onEvent(ProgramEvent.Formatted)
+            EditorCommand.Plain.FIND, EditorCommand.Plain.REPLACE -> find.open(control.draft.selectedText)
+            EditorCommand.Plain.FIND_NEXT -> next()
+            EditorCommand.Plain.FIND_PREVIOUS -> previous()
+            EditorCommand.Plain.TOGGLE_BREAKPOINT -> onEvent(ProgramEvent.BreakpointToggled(caretLine()))
+            EditorCommand.Plain.NEXT_NOTE -> goToNextNote()
+            EditorCommand.Plain.FIX -> fixHere()
+            EditorCommand.Plain.LARGER -> resize(settings().codeSize + STEP)
+            EditorCommand.Plain.SMALLER -> resize(settings().codeSize - STEP)
+            EditorCommand.Plain.USUAL_SIZE -> resize(Settings.USUAL_CODE_SIZE)
+            EditorCommand.Plain.HELP -> onEvent(LearningEvent.HelpWanted(control.draft.text, control.draft.selection.caret))
+            EditorCommand.Plain.RENAME -> onRename()
+            EditorCommand.Plain.LEAVE -> if (find.isOpen) close()
+            else -> Unit
+        }
+    }
+
+    /** Makes the text [factor] times as large; small steps add up to what is to be seen. */
+    fun zoom(factor: Float) {
+        val now = settings().codeSize
+        if (size.toInt() != now.toInt()) size = now
+        size = (size * factor).coerceIn(SIZES)
+        if (size.toInt() != now.toInt()) resize(size.toInt().toFloat())
+    }
+
+    /** Puts the caret into [line], from 1. */
+    fun goToLine(line: Int) {
+        val draft = control.draft
+        if (line in 1..draft.lines.count) show(draft.withCaret(draft.lines.start(line - 1)))
+    }
+
+    /** Goes to the next line of which something is told, in whichever file. */
+    fun goToNextNote() {
+        val now = state()
+        val here = now.notes.filter { it.mistake.file == now.file.name }.mapNotNull { it.mistake.range }.sortedBy { it.line }
+        val range = here.firstOrNull { it.line > caretLine() } ?: here.firstOrNull() ?: return
+        val draft = control.draft
+        if (range.line <= draft.lines.count) show(draft.withCaret(draft.lines.offset(range.line - 1, range.column - 1)))
+        focus.requestFocus()
+    }
+
+    override fun next() = goTo(control.draft.nextMatch(matches))
+
+    override fun previous() = goTo(control.draft.previousMatch(matches))
+
+    override fun replaceOne() {
+        val draft = control.draft
+        val isAtMatch = matches.any { it.start == draft.selection.start && it.end == draft.selection.end }
+        if (isAtMatch) control.write(draft.replaced(find.replacement), EditKind.OTHER)
+        val after = control.draft
+        val left = find.matchesIn(after.text)
+        val place = after.nextMatch(left)
+        if (place >= 0) show(after.withSelected(left[place]))
+    }
+
+    override fun replaceAll() {
+        if (matches.isNotEmpty()) control.write(control.draft.withAllReplaced(matches, find.replacement), EditKind.OTHER)
+    }
+
+    override fun close() {
+        find.close()
+        focus.requestFocus()
+    }
+
+    private fun goTo(place: Int) {
+        if (place >= 0) show(control.draft.withSelected(matches[place]))
+    }
+
+    private fun show(draft: Draft) = control.write(draft)
+
+    private fun caretLine(): Int = control.draft.lines.lineOf(control.draft.selection.caret) + 1
+
+    private fun fixHere() {
+        val note = state().notes.firstOrNull { it.line == caretLine() && it.mistake.file == state().file.name && it.mistake.fix != null } ?: return
+        onEvent(ProgramEvent.FixApplied(note.mistake))
+    }
+
+    private fun resize(size: Float) = onEvent(SettingsEvent.SettingsChanged(settings().copy(codeSize = size.coerceIn(SIZES))))
+
+    private companion object {
+        const val STEP = 1f
+
+        /** In sp, as [Settings.codeSize] may be. */
+        val SIZES = 10f..40f
+    }
+}

@@ -1,0 +1,93 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.text.KeyboardActions
+import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.material3.AlertDialog
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.text.TextRange
+import androidx.compose.ui.text.input.ImeAction
+import androidx.compose.ui.text.input.TextFieldValue
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.editor_name
+import robotran.ui.resources.editor_name_empty
+import robotran.ui.resources.editor_name_no_class
+import robotran.ui.resources.editor_name_strange
+import robotran.ui.resources.editor_name_taken
+import robotran.ui.resources.editor_rename
+import robotran.ui.resources.editor_rename_cancel
+import robotran.ui.resources.editor_rename_done
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.NameProblem
+import robotran.ui.workshop.ProgramsState
+import robotran.ui.workshop.nameProblem
+
+/** Asks for another name of the file that is shown. */
+@Composable
+internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onLeave: () -> Unit) {
+    val ending = state.program.language.extension
+    val old = state.file.name.removeSuffix(ending)
+    var typed by remember { mutableStateOf(TextFieldValue(old, TextRange(0, old.length))) }
+    val problem = nameProblem(state.programs, state.shownProgram, state.shownFile, typed.text)
+    val take = { if (problem == null) onName(typed.text) }
+    val focus = remember { FocusRequester() }
+    LaunchedEffect(Unit) { focus.requestFocus() }
+    AlertDialog(
+        onDismissRequest = onLeave,
+        modifier = Modifier.testTag("rename"),
+        containerColor = LocalRobotranColours.current.pane,
+        title = { Text(stringResource(Res.string.editor_rename), fontSize = 20.sp) },
+        text = {
+            Column {
+                OutlinedTextField(
+                    typed,
+                    { typed = it },
+                    Modifier.fillMaxWidth().focusRequester(focus).testTag("rename-name"),
+                    label = { Text(stringResource(Res.string.editor_name)) },
+                    suffix = { Text(ending) },
+                    supportingText = { problem?.let { Text(stringResource(wordsFor(it))) } },
+                    isError = problem != null,
+                    singleLine = true,
+                    keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done, autoCorrectEnabled = false),
+                    keyboardActions = KeyboardActions(onDone = { take() }),
+                )
+            }
+        },
+        confirmButton = { DialogButton(stringResource(Res.string.editor_rename_done), "rename-done", problem == null) { take() } },
+        dismissButton = { DialogButton(stringResource(Res.string.editor_rename_cancel), "rename-cancel", true, onLeave) },
+    )
+}
+
+@Composable
+private fun DialogButton(words: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    TextButton(onClick, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag(tag).focusRing(), enabled) {
+        Text(words, color = if (enabled) colours.focus else colours.quiet, fontSize = 16.sp)
+    }
+}
+
+private fun wordsFor(problem: NameProblem): StringResource = when (problem) {
+    NameProblem.EMPTY -> Res.string.editor_name_empty
+    NameProblem.TAKEN -> Res.string.editor_name_taken
+    NameProblem.NO_CLASS_NAME -> Res.string.editor_name_no_class
+    NameProblem.STRANGE_CHARACTER -> Res.string.editor_name_strange
+}

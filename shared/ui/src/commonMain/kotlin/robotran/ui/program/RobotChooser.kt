@@ -1,0 +1,65 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.background
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.selection.selectableGroup
+import androidx.compose.material3.FilterChip
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.editor_robot
+import robotran.ui.resources.editor_worlds_own
+import robotran.ui.sheet.RobotColours
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.ProgramsState
+
+/** Whose programs are shown, where a world has several robots. */
+@Composable
+internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .background(colours.pane)
+            .heightIn(min = Measures.TARGET)
+            .horizontalScroll(rememberScrollState())
+            .padding(horizontal = 12.dp)
+            .selectableGroup()
+            .testTag("robots"),
+        Arrangement.spacedBy(8.dp),
+        Alignment.CenterVertically,
+    ) {
+        for (robot in state.robots) {
+            FilterChip(
+                robot.name == state.shownRobot,
+                { onChoose(robot.name) },
+                { Text(stringResource(Res.string.editor_robot, robot.name), fontSize = 14.sp, maxLines = 1) },
+                Modifier.heightIn(min = Measures.TARGET).testTag("robot-${robot.name}").focusRing(8.dp),
+                leadingIcon = {
+                    Canvas(Modifier.size(14.dp)) {
+                        drawCircle(RobotColours.brick(robot.colour))
+                        drawCircle(RobotColours.edge(robot.colour), style = Stroke(1.dp.toPx()))
+                    }
+                },
+            )
+        }
+        if (state.isWorldsOwn) Text(stringResource(Res.string.editor_worlds_own), color = colours.quiet, fontSize = 14.sp, maxLines = 1)
+    }
+}

@@ -1,0 +1,153 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.withFrameNanos
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.alpha
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.text
+import androidx.compose.ui.text.AnnotatedString
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.editing.CodeLanguage
+import robotran.editing.Draft
+import robotran.editing.code.CodePieces
+import robotran.robolang.translate.Translation
+import robotran.ui.program.editor.EditorMarks
+import robotran.ui.program.editor.EditorPaint
+import robotran.ui.program.editor.EditorSurface
+import robotran.ui.program.editor.EditorTouch
+import robotran.ui.program.editor.EditorView
+import robotran.ui.program.editor.listenFor
+import robotran.ui.program.editor.listenForZoom
+import robotran.ui.program.editor.rememberLineLayouts
+import robotran.ui.program.editor.scrolls
+import robotran.ui.resources.Res
+import robotran.ui.resources.editor_translation_keep
+import robotran.ui.resources.editor_translation_label
+import robotran.ui.resources.editor_translation_none
+import robotran.ui.resources.editor_translation_old
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+
+/**
+ * A program as Java.
+ *
+ * @param translation null if there was never one, as while the first mistakes are in it.
+ * @param isNow whether it is that of the program as it is now.
+ * @param lit the lines of it, from 1, that the line somebody is in became.
+ * @param onLine is told the line of it, from 1, that somebody taps.
+ * @param onKeep is told that it is wanted as a program of its own; null where there is no room.
+ */
+@Composable
+internal fun TranslationPane(
+    translation: Translation?,
+    isNow: Boolean,
+    lit: Set<Int>,
+    codeSize: Float,
+    onLine: (Int) -> Unit,
+    onZoom: (Float) -> Unit,
+    onKeep: (() -> Unit)?,
+    modifier: Modifier = Modifier,
+) {
+    val colours = LocalRobotranColours.current
+    Column(modifier.background(colours.pane).testTag("translation")) {
+        Row(
+            Modifier.fillMaxWidth().heightIn(min = Measures.TARGET).background(colours.desk.copy(alpha = SHADE)).padding(start = 16.dp, end = 8.dp),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
+            val title = when {
+                translation == null -> stringResource(Res.string.editor_translation_none)
+                isNow -> translation.fileName
+                else -> stringResource(Res.string.editor_translation_old)
+            }
+            Text(title, Modifier.weight(1f), color = colours.onPane, fontSize = 14.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
+            if (translation != null && isNow && onKeep != null) {
+                TextButton(onKeep, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("translation-keep").focusRing()) {
+                    Text(stringResource(Res.string.editor_translation_keep), color = colours.focus, fontSize = 14.sp, maxLines = 1)
+                }
+            }
+        }
+        Box(Modifier.weight(1f).fillMaxWidth()) {
+            if (translation != null) TranslatedText(translation, if (isNow) lit else emptySet(), codeSize, onLine, onZoom, Modifier.alpha(if (isNow) 1f else OLD))
+        }
+    }
+}
+
+@Composable
+private fun TranslatedText(
+    translation: Translation,
+    lit: Set<Int>,
+    codeSize: Float,
+    onLine: (Int) -> Unit,
+    onZoom: (Float) -> Unit,
+    modifier: Modifier,
+) {
+    val label = stringResource(Res.string.editor_translation_label)
+    val view = remember { EditorView() }
+    val layouts = rememberLineLayouts(CodeLanguage.JAVA, codeSize)
+    val draft = remember(translation.java) { Draft(translation.java.trimEnd('\n')) }
+    val pieces = remember(draft) { CodePieces(draft.lines, CodeLanguage.JAVA) }
+    val paint = remember(draft, lit) { EditorPaint(draft, EditorMarks(partners = lit), hasFocus = false, hasBreakpoints = false) }
+    val line by rememberUpdatedState(onLine)
+    val zoom by rememberUpdatedState(onZoom)
+    val touch = remember(view) {
+        object : EditorTouch {
+            override fun tapped(position: Offset, times: Int, selecting: Boolean, byFinger: Boolean) =
+                line(view.geometry.lineAt(position.y + view.scrollY) + 1)
+
+            override fun longPressed(position: Offset) = Unit
+
+            override fun draggedTo(position: Offset) = Unit
+
+            override fun zoomed(factor: Float) = zoom(factor)
+        }
+    }
+    LaunchedEffect(lit, view.size) {
+        withFrameNanos { }
+        val inText = lit.filter { it <= view.geometry.lines }
+        inText.maxOrNull()?.let { view.bringIntoSight(it - 1, null) }
+        inText.minOrNull()?.let { view.bringIntoSight(it - 1, null) }
+    }
+    EditorSurface(
+        paint, pieces, view, layouts, emptyList(),
+        modifier
+            .fillMaxSize()
+            .testTag("translation-text")
+            .semantics {
+                contentDescription = label
+                text = AnnotatedString(translation.java)
+            }
+            .pointerInput(touch) { listenForZoom(touch) }
+            .scrolls(view)
+            .pointerInput(touch) { listenFor(touch) },
+    )
+}
+
+private const val SHADE = 0.5f
+
+/** A translation that is out of date is paler. */
+private const val OLD = 0.55f

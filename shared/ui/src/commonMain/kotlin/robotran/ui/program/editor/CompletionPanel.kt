@@ -1,0 +1,107 @@
+package robotran.ui.program.editor
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.itemsIndexed
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.draw.shadow
+import androidx.compose.ui.focus.focusProperties
+import androidx.compose.ui.layout.layout
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.selected
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.editing.complete.Completion
+import robotran.editing.complete.CompletionList
+import robotran.ui.resources.Res
+import robotran.ui.resources.editor_completions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+
+/** What may be meant at the caret, under it or, where there is more room, above it. */
+@Composable
+internal fun CompletionPanel(list: CompletionList, chosen: Int, size: Float, caret: CaretPlace, onChoose: (Completion) -> Unit) {
+    val colours = LocalRobotranColours.current
+    val words = stringResource(Res.string.editor_completions)
+    val scroll = rememberLazyListState()
+    LaunchedEffect(chosen, list) {
+        val seen = scroll.layoutInfo.visibleItemsInfo
+        if (seen.isNotEmpty() && (chosen <= seen.first().index || chosen >= seen.last().index)) scroll.scrollToItem((chosen - 1).coerceAtLeast(0))
+    }
+    LazyColumn(
+        Modifier
+            .besideCaret(caret)
+            .testTag("completions")
+            .semantics { contentDescription = words }
+            .shadow(6.dp, SHAPE)
+            .background(colours.pane, SHAPE)
+            .border(1.dp, colours.line, SHAPE)
+            .clip(SHAPE)
+            .heightIn(max = HEIGHT),
+        scroll,
+    ) {
+        itemsIndexed(list.items) { index, item -> CompletionRow(item, index == chosen, size) { onChoose(item) } }
+    }
+}
+
+@Composable
+private fun CompletionRow(item: Completion, isChosen: Boolean, size: Float, onChoose: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .defaultMinSize(minHeight = Measures.TARGET)
+            .background(if (isChosen) codeColours().partner else colours.pane)
+            .semantics { selected = isChosen }
+            .focusProperties { canFocus = false }
+            .clickable(role = Role.Button, onClick = onChoose)
+            .padding(horizontal = 12.dp, vertical = 6.dp),
+        verticalArrangement = androidx.compose.foundation.layout.Arrangement.Center,
+    ) {
+        Text(item.label, style = editorStyle(size), maxLines = 1, overflow = TextOverflow.Ellipsis)
+        item.help?.let { Text(it, color = colours.quiet, fontSize = 13.sp, lineHeight = 17.sp, maxLines = 2, overflow = TextOverflow.Ellipsis) }
+    }
+}
+
+/** Where the caret is among the pixels of an editor, asked for when it is placed. */
+internal fun interface CaretPlace {
+    fun now(): androidx.compose.ui.geometry.Rect
+}
+
+private fun Modifier.besideCaret(caret: CaretPlace) = layout { measurable, constraints ->
+    val margin = 8.dp.roundToPx()
+    val width = (constraints.maxWidth - 2 * margin).coerceAtMost(WIDTH.roundToPx()).coerceAtLeast(0)
+    val place = caret.now()
+    val below = constraints.maxHeight - place.bottom.toInt() - margin
+    val above = place.top.toInt() - margin
+    val isBelow = below >= minOf(above, 2 * Measures.TARGET.roundToPx()) || below >= above
+    val height = (if (isBelow) below else above).coerceAtLeast(Measures.TARGET.roundToPx()).coerceAtMost(constraints.maxHeight)
+    val placed = measurable.measure(constraints.copy(minWidth = width, maxWidth = width, minHeight = 0, maxHeight = height))
+    layout(constraints.maxWidth, constraints.maxHeight) {
+        val x = place.left.toInt().coerceIn(margin, (constraints.maxWidth - margin - width).coerceAtLeast(margin))
+        placed.place(x, if (isBelow) place.bottom.toInt() + 4 else (place.top.toInt() - placed.height - 4).coerceAtLeast(0))
+    }
+}
+
+private val SHAPE = RoundedCornerShape(8.dp)
+private val HEIGHT: Dp = 260.dp
+private val WIDTH: Dp = 420.dp

@@ -1,0 +1,135 @@
+package robotran.ui.program.editor
+
+import androidx.compose.ui.geometry.CornerRadius
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.PathEffect
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.graphics.drawscope.clipRect
+import androidx.compose.ui.text.drawText
+import androidx.compose.ui.unit.dp
+import robotran.editing.code.CodePieces
+import robotran.robolang.SourceRange
+import robotran.ui.theme.RobotranColours
+
+/** Draws the lines that are in sight, and what is marked in them. */
+internal class EditorDrawing(
+    private val paint: EditorPaint,
+    private val pieces: CodePieces,
+    private val view: EditorView,
+    private val layouts: LineLayouts,
+    private val colours: RobotranColours,
+    private val code: CodeColours,
+) {
+    private val draft = paint.draft
+    private val marks = paint.marks
+    private val caretLine = draft.lines.lineOf(draft.selection.caret)
+
+    fun DrawScope.draw() {
+        val lines = visible()
+        for (line in lines) drawBand(line)
+        clipRect(left = view.gutter) {
+            for (line in lines) drawLine(line)
+            if (paint.hasFocus && caretLine in lines) drawCaret()
+        }
+    }
+
+    private fun visible(): IntRange = view.visibleLines.let { it.first..minOf(it.last, draft.lines.count - 1) }
+
+    private fun DrawScope.drawBand(line: Int) {
+        val top = view.geometry.top(line) - view.scrollY
+        val band = Size(size.width, view.geometry.lineHeight)
+        if (line == caretLine && paint.hasFocus) drawRect(code.caretLine, Offset(0f, top), band)
+        if (line + 1 in marks.partners) {
+            drawRect(code.partner, Offset(0f, top), band)
+            drawRect(colours.focus, Offset(0f, top), Size(3.dp.toPx(), band.height))
+        }
+        if (line + 1 == marks.runningLine) drawRect(colours.runningLine, Offset(0f, top), band)
+    }
+
+    private fun DrawScope.drawLine(line: Int) {
+        val laidOut = layouts.of(draft.lines.line(line), pieces.startsInComment(line))
+        val top = view.geometry.top(line) - view.scrollY
+        val left = view.gutter - view.scrollX
+        drawMatches(line, laidOut, left, top)
+        drawSelection(line, laidOut, left, top)
+        drawText(laidOut.layout, topLeft = Offset(left, top))
+        val bottom = top + view.geometry.lineHeight
+        for (mistake in marks.mistakes) if (mistake.line == line + 1) drawWave(span(mistake, laidOut, left), bottom, colours.mistake)
+        for (doubt in marks.doubts) if (doubt.line == line + 1) drawDots(span(doubt, laidOut, left), bottom, code.doubt)
+        drawComposing(line, laidOut, left, bottom)
+    }
+
+    private fun DrawScope.drawSelection(line: Int, laidOut: LaidOutLine, left: Float, top: Float) {
+        val selection = draft.selection
+        val start = draft.lines.start(line)
+        val end = draft.lines.end(line)
+        if (selection.isEmpty || selection.start > end || selection.end < start) return
+        val from = laidOut.x((selection.start - start).coerceAtLeast(0))
+        val goesOn = selection.end > end
+        val to = laidOut.x(minOf(selection.end, end) - start) + if (goesOn) layouts.characterWidth / 2 else 0f
+        if (to > from) drawRect(code.selection, Offset(left + from, top), Size(to - from, view.geometry.lineHeight))
+    }
+
+    private fun DrawScope.drawMatches(line: Int, laidOut: LaidOutLine, left: Float, top: Float) {
+        if (marks.matches.isEmpty()) return
+        val start = draft.lines.start(line)
+        val end = draft.lines.end(line)
+        var index = marks.matches.binarySearch { if (it.end <= start) -1 else 1 }.let { if (it < 0) -it - 1 else it }
+        while (index < marks.matches.size && marks.matches[index].start < end) {
+            val match = marks.matches[index++]
+            val from = left + laidOut.x((match.start - start).coerceAtLeast(0))
+            val to = left + laidOut.x(minOf(match.end, end) - start)
+            val place = Size(to - from, view.geometry.lineHeight - 2.dp.toPx())
+            val radius = CornerRadius(3.dp.toPx())
+            drawRoundRect(code.match, Offset(from, top + 1.dp.toPx()), place, radius)
+            drawRoundRect(code.plain, Offset(from, top + 1.dp.toPx()), place, radius, Stroke(1.dp.toPx()))
+        }
+    }
+
+    private fun DrawScope.drawComposing(line: Int, laidOut: LaidOutLine, left: Float, bottom: Float) {
+        val composing = marks.composing ?: return
+        if (draft.lines.lineOf(composing.start) != line) return
+        val start = draft.lines.start(line)
+        val y = bottom - 2.dp.toPx()
+        drawLine(code.plain, Offset(left + laidOut.x(composing.start - start), y), Offset(left + laidOut.x(composing.end - start), y), 1.dp.toPx())
+    }
+
+    private fun DrawScope.drawCaret() {
+        val place = view.caretPlace(caretLine, draft.lines.columnOf(draft.selection.caret), draft, layouts, pieces)
+        drawRect(colours.focus, Offset(place.left - 1.dp.toPx(), place.top + 1.dp.toPx()), Size(2.dp.toPx(), place.height - 2.dp.toPx()))
+    }
+
+    private fun DrawScope.span(range: SourceRange, laidOut: LaidOutLine, left: Float): Pair<Float, Float> {
+        val from = left + laidOut.x(range.column - 1)
+        return from to (left + laidOut.x(range.endColumn - 1)).coerceAtLeast(from + LEAST_WIDTH.toPx())
+    }
+
+    private fun DrawScope.drawDots(span: Pair<Float, Float>, bottom: Float, colour: Color) {
+        val gap = 2.dp.toPx()
+        val y = bottom - 2.dp.toPx()
+        drawLine(colour, Offset(span.first, y), Offset(span.second, y), 2.dp.toPx(), pathEffect = PathEffect.dashPathEffect(floatArrayOf(gap, gap)))
+    }
+}
+
+private fun DrawScope.drawWave(span: Pair<Float, Float>, bottom: Float, colour: Color) {
+    val step = WAVE.toPx()
+    val middle = bottom - step
+    val wave = Path().apply {
+        moveTo(span.first, middle)
+        var x = span.first
+        var up = true
+        while (x < span.second) {
+            x = (x + step).coerceAtMost(span.second)
+            lineTo(x, if (up) middle - step / 2 else middle + step / 2)
+            up = !up
+        }
+    }
+    drawPath(wave, colour, style = Stroke(1.5.dp.toPx()))
+}
+
+private val WAVE = 3.dp
+private val LEAST_WIDTH = 9.dp

@@ -1,0 +1,217 @@
+package robotran.ui.program.editor
+
+import androidx.compose.runtime.Stable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.platform.ClipboardManager
+import androidx.compose.ui.text.AnnotatedString
+import robotran.editing.CaretMove
+import robotran.editing.CodeLanguage
+import robotran.editing.Draft
+import robotran.editing.EditKind
+import robotran.editing.InputLink
+import robotran.editing.TextSelection
+import robotran.editing.complete.Completion
+import robotran.editing.complete.CompletionList
+import robotran.editing.complete.WordHelp
+import robotran.editing.complete.completed
+import robotran.editing.complete.completionsAt
+import robotran.editing.erasedBackwards
+import robotran.editing.erasedForwards
+import robotran.editing.indented
+import robotran.editing.moved
+import robotran.editing.typed
+import robotran.editing.unindented
+import robotran.editing.withCommentToggled
+import robotran.editing.withLinesDoubled
+import robotran.editing.withLinesMovedDown
+import robotran.editing.withLinesMovedUp
+import robotran.editing.withWordSelected
+import robotran.editing.withoutLines
+import robotran.editing.wordErasedBackwards
+import robotran.editing.wordErasedForwards
+
+/**
+ * What keys, fingers and buttons do to the text of one file. It has the newest text even while several keys come between two pictures.
+ *
+ * @param onWritten is told what the text is now.
+ */
+@Stable
+internal class EditorControl(
+    val language: CodeLanguage,
+    private val view: EditorView,
+    private val onWritten: (Draft, EditKind) -> Unit,
+) {
+    val link = InputLink(language)
+    var draft = Draft("")
+        private set
+    var help: WordHelp = WordHelp { null }
+    lateinit var clipboard: ClipboardManager
+
+    /** What is offered at the caret, and which of it is chosen. */
+    var offered: CompletionList? by mutableStateOf(null)
+        private set
+    var chosen by mutableStateOf(0)
+        private set
+
+    /** Whether somebody writes here, so that Tab indents; who only came by with Tab goes on with Tab. */
+    var isAtWork by mutableStateOf(false)
+
+    /** Whether the buttons for what a finger has selected are shown. */
+    var showsSelectionBar by mutableStateOf(false)
+
+    private var goal: Int? = null
+
+    /** The text is [draft] now, whoever has changed it. */
+    fun follow(draft: Draft) {
+        if (draft.text != this.draft.text) offered = null
+        this.draft = draft
+    }
+
+    /** The input field came to hold [field]. */
+    fun received(field: Draft, isComposing: Boolean) {
+        val before = draft
+        val after = link.received(before, field, isComposing)
+        if (after == before) return
+        val kind = when {
+            after.text.length > before.text.length -> EditKind.TYPING
+            after.text.length < before.text.length -> EditKind.ERASING
+            else -> EditKind.OTHER
+        }
+        write(after, kind)
+        if (after.text != before.text) offer(after, kind == EditKind.TYPING)
+    }
+
+    fun write(after: Draft, kind: EditKind = EditKind.OTHER) {
+        isAtWork = true
+        goal = null
+        offered = null
+        showsSelectionBar = false
+        draft = after
+        onWritten(after, kind)
+    }
+
+    /** Offers what may be meant at the caret, whatever was typed. */
+    fun offerEverything() {
+        offered = completionsAt(draft, language, help, isWanted = true)
+        chosen = 0
+    }
+
+    fun takeOffered(completion: Completion) {
+        val list = offered ?: return
+        write(draft.completed(list, completion))
+    }
+
+    fun closeOffered() {
+        offered = null
+    }
+
+    /** Types [text] as a key would. */
+    fun type(text: String) = write(draft.typed(text, language), EditKind.TYPING)
+
+    /** Does what [command] says; false if it has nothing to do with the text alone. */
+    fun perform(command: EditorCommand): Boolean {
+        when (command) {
+            is EditorCommand.Move -> move(command)
+            is EditorCommand.ScrollLines -> view.scrollDown(command.lines * view.geometry.lineHeight)
+            is EditorCommand.Plain -> return performPlain(command)
+        }
+        return true
+    }
+
+    /** While something is offered, some keys belong to that; false if [command] does not. */
+    fun performOnOffered(command: EditorCommand?, isEnter: Boolean): Boolean {
+        val list = offered ?: return false
+        when {
+            command == EditorCommand.Move(CaretMove.DOWN, false) -> chosen = (chosen + 1) % list.items.size
+            command == EditorCommand.Move(CaretMove.UP, false) -> chosen = (chosen + list.items.size - 1) % list.items.size
+            isEnter || command == EditorCommand.Plain.INDENT -> takeOffered(list.items[chosen])
+            command == EditorCommand.Plain.LEAVE -> offered = null
+            else -> return false
+        }
+        return true
+    }
+
+    private fun performPlain(command: EditorCommand.Plain): Boolean {
+        when (command) {
+            EditorCommand.Plain.SELECT_ALL -> write(draft.copy(selection = TextSelection(0, draft.text.length)))
+            EditorCommand.Plain.CUT -> cut()
+            EditorCommand.Plain.COPY -> copy()
+            EditorCommand.Plain.PASTE -> clipboard.getText()?.let { type(it.text) }
+            EditorCommand.Plain.DOUBLE_LINES -> write(draft.withLinesDoubled())
+            EditorCommand.Plain.DELETE_LINES -> write(draft.withoutLines())
+            EditorCommand.Plain.MOVE_LINES_UP -> write(draft.withLinesMovedUp())
+            EditorCommand.Plain.MOVE_LINES_DOWN -> write(draft.withLinesMovedDown())
+            EditorCommand.Plain.TOGGLE_COMMENT -> write(draft.withCommentToggled())
+            EditorCommand.Plain.ERASE_BACKWARDS -> erase(draft.erasedBackwards(language))
+            EditorCommand.Plain.ERASE_FORWARDS -> erase(draft.erasedForwards())
+            EditorCommand.Plain.ERASE_WORD_BACKWARDS -> erase(draft.wordErasedBackwards())
+            EditorCommand.Plain.ERASE_WORD_FORWARDS -> erase(draft.wordErasedForwards())
+            EditorCommand.Plain.INDENT -> indent()
+            EditorCommand.Plain.UNINDENT -> write(draft.unindented(language))
+            EditorCommand.Plain.COMPLETE -> offerEverything()
+            else -> return false
+        }
+        return true
+    }
+
+    private fun indent() {
+        if (draft.selection.isEmpty) {
+            val column = draft.lines.columnOf(draft.selection.caret)
+            type(" ".repeat(language.indent.length - column % language.indent.length))
+        } else {
+            write(draft.indented(language))
+        }
+    }
+
+    private fun erase(after: Draft) {
+        if (after == draft) return
+        val wasOffered = offered != null
+        write(after, EditKind.ERASING)
+        if (wasOffered) offer(after, isTyping = true)
+    }
+
+    private fun cut() {
+        copy()
+        if (!draft.selection.isEmpty) write(draft.replaced(""))
+    }
+
+    private fun copy() {
+        if (!draft.selection.isEmpty) clipboard.setText(AnnotatedString(draft.selectedText))
+        showsSelectionBar = false
+    }
+
+    private fun move(command: EditorCommand.Move) {
+        val isVertical = command.move in VERTICAL
+        val column = goal ?: draft.lines.columnOf(draft.selection.caret)
+        val after = draft.moved(command.move, command.selecting, if (isVertical) column else null, view.page)
+        if (after != draft) write(after) else isAtWork = true
+        goal = if (isVertical) column else null
+    }
+
+    private fun offer(after: Draft, isTyping: Boolean) {
+        val list = if (isTyping) completionsAt(after, language, help, isWanted = false) else null
+        val isMember = list != null && after.text.getOrNull(list.start - 1) == '.'
+        offered = list?.takeIf { isMember || after.selection.caret - it.start >= LEAST_TYPED }
+        chosen = 0
+    }
+
+    /** A place was tapped: the caret goes there, or a word or a line is selected. */
+    fun tapped(offset: Int, times: Int, selecting: Boolean) {
+        val after = when {
+            selecting -> draft.copy(selection = TextSelection(draft.selection.anchor, offset))
+            times == 2 -> draft.withWordSelected(offset)
+            times > 2 -> draft.lines.lineOf(offset).let { draft.copy(selection = TextSelection(draft.lines.start(it), draft.lines.end(it))) }
+            else -> draft.withCaret(offset)
+        }
+        write(after)
+    }
+
+    private companion object {
+        val VERTICAL = setOf(CaretMove.UP, CaretMove.DOWN, CaretMove.PAGE_UP, CaretMove.PAGE_DOWN)
+
+        /** Fewer characters say too little. */
+        const val LEAST_TYPED = 2
+    }
+}

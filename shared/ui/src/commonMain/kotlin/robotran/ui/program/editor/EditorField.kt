@@ -1,0 +1,75 @@
+package robotran.ui.program.editor
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.text.BasicTextField
+import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.alpha
+import androidx.compose.ui.draw.clipToBounds
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.SolidColor
+import androidx.compose.ui.layout.layout
+import androidx.compose.ui.text.TextRange
+import androidx.compose.ui.text.input.KeyboardCapitalization
+import androidx.compose.ui.text.input.TextFieldValue
+import androidx.compose.ui.unit.Constraints
+import robotran.editing.Draft
+import robotran.editing.TextSelection
+import robotran.editing.TextSpan
+import robotran.editing.code.CodePieces
+
+/**
+ * What a keyboard writes into: it holds the part of [draft] around the caret, lies unseen where the caret is, so that an input method shows its
+ * proposals there, and is what a screen reader reads.
+ *
+ * @param onComposing is told what an input method is still working on.
+ */
+@Composable
+internal fun EditorField(
+    draft: Draft,
+    pieces: CodePieces,
+    control: EditorControl,
+    view: EditorView,
+    layouts: LineLayouts,
+    onComposing: (TextSpan?) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    val field = control.link.fieldFor(draft)
+    var last by remember(control) { mutableStateOf(TextFieldValue()) }
+    val value = TextFieldValue(field.text, TextRange(field.selection.anchor, field.selection.caret))
+    val shown = if (value.text == last.text && value.selection == last.selection) last else value
+    BasicTextField(
+        value = shown,
+        onValueChange = {
+            last = it
+            val written = Draft(it.text, TextSelection(it.selection.start, it.selection.end))
+            control.received(written, isComposing = it.composition != null)
+            onComposing(it.composition?.let { span -> TextSpan(control.link.start + span.min, control.link.start + span.max) })
+        },
+        modifier = modifier,
+        textStyle = layouts.style.copy(color = Color.Transparent),
+        cursorBrush = SolidColor(Color.Unspecified),
+        keyboardOptions = KeyboardOptions(capitalization = KeyboardCapitalization.None, autoCorrectEnabled = false),
+        decorationBox = { inner ->
+            Box(Modifier.clipToBounds().alpha(0f)) {
+                Box(Modifier.atCaret(draft, pieces, control.link.start, view, layouts)) { inner() }
+            }
+        },
+    )
+}
+
+/** Places a field whose text begins at [start] of [draft] so that its caret is where the drawn one is. */
+private fun Modifier.atCaret(draft: Draft, pieces: CodePieces, start: Int, view: EditorView, layouts: LineLayouts) = layout { measurable, constraints ->
+    val placed = measurable.measure(Constraints())
+    layout(constraints.maxWidth, constraints.maxHeight) {
+        val line = draft.lines.lineOf(draft.selection.caret)
+        val first = draft.lines.lineOf(minOf(start, draft.text.length))
+        val caret = view.caretPlace(line.coerceAtMost(view.geometry.lines - 1), draft.lines.columnOf(draft.selection.caret), draft, layouts, pieces)
+        placed.place((view.gutter - view.scrollX).toInt(), (caret.top - (line - first) * view.geometry.lineHeight).toInt())
+    }
+}

@@ -1,0 +1,39 @@
+package robotran.ui.program.editor
+
+/**
+ * Where the lines of a text and the notes between them are, in pixels from the text's top. Lines count from 0.
+ *
+ * @property notes the notes in the order of their lines, several of one line one below the other.
+ */
+internal data class EditorGeometry(
+    val lineHeight: Float,
+    val lines: Int,
+    val notes: List<NotePlace> = emptyList(),
+) {
+    /** The heights of all notes before each, and of all at the end. */
+    private val heightsBefore: FloatArray = FloatArray(notes.size + 1).also { sums ->
+        notes.forEachIndexed { index, note -> sums[index + 1] = sums[index] + note.height }
+    }
+
+    val height: Float get() = lines * lineHeight + heightsBefore[notes.size]
+
+    /** The top edge of [line]. */
+    fun top(line: Int): Float = line * lineHeight + heightsBefore[notes.indexOfFirst { it.line >= line }.let { if (it < 0) notes.size else it }]
+
+    /** The top edge of the note at [index]. */
+    fun noteTop(index: Int): Float = (notes[index].line + 1) * lineHeight + heightsBefore[index]
+
+    /** The line that [y] is in, or that the note there belongs to. */
+    fun lineAt(y: Float): Int {
+        var low = 0
+        var high = lines - 1
+        while (low < high) {
+            val middle = (low + high + 1) / 2
+            if (top(middle) <= y) low = middle else high = middle - 1
+        }
+        return low
+    }
+}
+
+/** A note under [line]. */
+internal data class NotePlace(val line: Int, val height: Float)

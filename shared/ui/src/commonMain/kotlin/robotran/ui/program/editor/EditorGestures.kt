@@ -1,0 +1,95 @@
+package robotran.ui.program.editor
+
+import androidx.compose.foundation.gestures.awaitEachGesture
+import androidx.compose.foundation.gestures.awaitFirstDown
+import androidx.compose.foundation.gestures.calculateZoom
+import androidx.compose.foundation.gestures.waitForUpOrCancellation
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.input.pointer.AwaitPointerEventScope
+import androidx.compose.ui.input.pointer.PointerEventPass
+import androidx.compose.ui.input.pointer.PointerEventTimeoutCancellationException
+import androidx.compose.ui.input.pointer.PointerEventType
+import androidx.compose.ui.input.pointer.PointerInputChange
+import androidx.compose.ui.input.pointer.PointerInputScope
+import androidx.compose.ui.input.pointer.PointerType
+import androidx.compose.ui.input.pointer.isCtrlPressed
+import androidx.compose.ui.input.pointer.isShiftPressed
+import kotlin.math.abs
+
+/** What fingers and mice do to an editor. */
+internal interface EditorTouch {
+    /** A place was tapped or clicked [times] in a row, by a finger if [byFinger]. */
+    fun tapped(position: Offset, times: Int, selecting: Boolean, byFinger: Boolean)
+
+    /** A finger rested on a place. */
+    fun longPressed(position: Offset)
+
+    /** What lies between the place where this began and [position] is meant. */
+    fun draggedTo(position: Offset)
+
+    /** The text is to be [factor] times as large. */
+    fun zoomed(factor: Float)
+}
+
+/** Listens to fingers and mice for [touch]; a finger that moves scrolls, which is somebody else's. */
+internal suspend fun PointerInputScope.listenFor(touch: EditorTouch) {
+    var lastTap = 0L
+    var lastPlace = Offset.Zero
+    var taps = 0
+    awaitEachGesture {
+        val down = awaitFirstDown()
+        val near = abs(down.position.x - lastPlace.x) < NEAR.toPx() && abs(down.position.y - lastPlace.y) < NEAR.toPx()
+        val again = down.uptimeMillis - lastTap < viewConfiguration.doubleTapTimeoutMillis && near
+        taps = if (again) taps % MOST_TAPS + 1 else 1
+        lastTap = down.uptimeMillis
+        lastPlace = down.position
+        if (down.type == PointerType.Mouse) mouse(down, taps, touch) else finger(down, taps, touch)
+    }
+}
+
+private suspend fun AwaitPointerEventScope.mouse(down: PointerInputChange, taps: Int, touch: EditorTouch) {
+    touch.tapped(down.position, taps, currentEvent.keyboardModifiers.isShiftPressed, byFinger = false)
+    down.consume()
+    while (true) {
+        val change = awaitPointerEvent().changes.firstOrNull { it.id == down.id } ?: return
+        if (!change.pressed) return
+        if (change.position != change.previousPosition) touch.draggedTo(change.position)
+        change.consume()
+    }
+}
+
+private suspend fun AwaitPointerEventScope.finger(down: PointerInputChange, taps: Int, touch: EditorTouch) {
+    try {
+        val up = withTimeout(viewConfiguration.longPressTimeoutMillis) { waitForUpOrCancellation() } ?: return
+        up.consume()
+        touch.tapped(down.position, taps, selecting = false, byFinger = true)
+    } catch (_: PointerEventTimeoutCancellationException) {
+        touch.longPressed(down.position)
+        while (true) {
+            val change = awaitPointerEvent().changes.firstOrNull { it.id == down.id } ?: return
+            if (change.position != change.previousPosition) touch.draggedTo(change.position)
+            change.consume()
+            if (!change.pressed) return
+        }
+    }
+}
+
+/** Two fingers, or the wheel of a mouse with Ctrl, make the text larger and smaller. */
+internal suspend fun PointerInputScope.listenForZoom(touch: EditorTouch) = awaitPointerEventScope {
+    while (true) {
+        val event = awaitPointerEvent(PointerEventPass.Initial)
+        if (event.type == PointerEventType.Scroll && event.keyboardModifiers.isCtrlPressed) {
+            val turned = event.changes.sumOf { it.scrollDelta.y.toDouble() }
+            if (turned != 0.0) touch.zoomed(if (turned < 0) WHEEL else 1 / WHEEL)
+            event.changes.forEach { it.consume() }
+        } else if (event.changes.count { it.pressed } > 1) {
+            val zoom = event.calculateZoom()
+            if (zoom != 1f) touch.zoomed(zoom)
+            event.changes.forEach { it.consume() }
+        }
+    }
+}
+
+private val NEAR = androidx.compose.ui.unit.Dp(24f)
+private const val MOST_TAPS = 3
+private const val WHEEL = 1.08f

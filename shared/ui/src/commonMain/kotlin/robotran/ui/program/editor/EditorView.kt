@@ -1,0 +1,96 @@
+package robotran.ui.program.editor
+
+import androidx.compose.runtime.Stable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableFloatStateOf
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.unit.IntSize
+import robotran.editing.Draft
+import robotran.editing.code.CodePieces
+
+/** What of a text is to be seen, and where on the screen it is. */
+@Stable
+internal class EditorView {
+    /** How far the text is scrolled, in pixels. */
+    var scrollX by mutableFloatStateOf(0f)
+        private set
+    var scrollY by mutableFloatStateOf(0f)
+        private set
+    var size by mutableStateOf(IntSize.Zero)
+    var geometry by mutableStateOf(EditorGeometry(1f, 1))
+
+    /** Pixels that the line numbers take. */
+    var gutter by mutableFloatStateOf(0f)
+
+    /** Pixels that the longest line takes. */
+    var textWidth by mutableFloatStateOf(0f)
+
+    private val most: Offset
+        get() = Offset(
+            (gutter + textWidth - size.width).coerceAtLeast(0f),
+            (geometry.height + geometry.lineHeight * ROOM_BELOW - size.height).coerceAtLeast(0f),
+        )
+
+    /** The lines, from 0, of which something is to be seen. */
+    val visibleLines: IntRange get() = geometry.lineAt(scrollY)..geometry.lineAt(scrollY + size.height)
+
+    /** How many whole lines there is room for. */
+    val page: Int get() = (size.height / geometry.lineHeight).toInt().coerceAtLeast(2) - 1
+
+    /** Scrolls down by [pixels] as far as there is text; gives how far that was. */
+    fun scrollDown(pixels: Float): Float {
+        val before = scrollY
+        scrollY = (scrollY + pixels).coerceIn(0f, most.y)
+        return scrollY - before
+    }
+
+    /** The same to the right. */
+    fun scrollRight(pixels: Float): Float {
+        val before = scrollX
+        scrollX = (scrollX + pixels).coerceIn(0f, most.x)
+        return scrollX - before
+    }
+
+    /** Stays within a text that has become smaller. */
+    fun settle() {
+        scrollDown(0f)
+        scrollRight(0f)
+    }
+
+    /** Scrolls as little as it takes to have [line] in sight, and [x] pixels into it. */
+    fun bringIntoSight(line: Int, x: Float?) {
+        if (size.height == 0) return
+        val top = geometry.top(line)
+        val margin = minOf(geometry.lineHeight, (size.height - geometry.lineHeight).coerceAtLeast(0f) / 2)
+        val below = top + geometry.lineHeight + margin - size.height
+        if (top - margin < scrollY) scrollDown(top - margin - scrollY) else if (below > scrollY) scrollDown(below - scrollY)
+        if (x == null) return
+        val room = size.width - gutter
+        if (x < scrollX + SIDE) scrollRight(x - SIDE - scrollX) else if (x + SIDE > scrollX + room) scrollRight(x + SIDE - room - scrollX)
+    }
+
+    /** The rectangle of [column] of [line] on the screen, as thin as a caret. */
+    fun caretPlace(line: Int, column: Int, draft: Draft, layouts: LineLayouts, pieces: CodePieces): Rect {
+        val x = gutter + layouts.of(draft.lines.line(line), pieces.startsInComment(line)).x(column) - scrollX
+        val top = geometry.top(line) - scrollY
+        return Rect(x, top, x, top + geometry.lineHeight)
+    }
+
+    /** The place of the text nearest to [position] on the screen. */
+    fun offsetAt(position: Offset, draft: Draft, layouts: LineLayouts, pieces: CodePieces): Int {
+        val line = geometry.lineAt(position.y + scrollY).coerceIn(0, draft.lines.count - 1)
+        val column = layouts.of(draft.lines.line(line), pieces.startsInComment(line)).column(position.x - gutter + scrollX)
+        return draft.lines.offset(line, column.coerceAtLeast(0))
+    }
+
+    private companion object {
+        /** Lines' worth of room under the text, so that its last line need not lie at the edge. */
+        const val ROOM_BELOW = 2.5f
+
+        /** Pixels that the caret keeps from the left and right edge. */
+        const val SIDE = 24f
+    }
+}

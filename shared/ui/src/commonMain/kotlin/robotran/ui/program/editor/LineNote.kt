@@ -1,0 +1,90 @@
+package robotran.ui.program.editor
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.text
+import androidx.compose.ui.text.AnnotatedString
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.programs.Mistake
+import robotran.ui.resources.Res
+import robotran.ui.resources.mistake
+import robotran.ui.resources.mistake_fix
+import robotran.ui.resources.mistake_fix_remove
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.ProgramNote
+
+/** What is told about a line, under it, with a button that mends it where that is possible. */
+@Composable
+internal fun LineNote(note: ProgramNote, standsOut: Boolean, onFix: (Mistake) -> Unit) {
+    val colours = LocalRobotranColours.current
+    val colour = if (note.isDoubt) codeColours().doubt else colours.mistake
+    val spoken = stringResource(Res.string.mistake, note.line ?: 0, note.mistake.message)
+    Row(
+        Modifier
+            .testTag(if (note.isDoubt) "doubt" else "mistake")
+            .fillMaxWidth()
+            .padding(end = 8.dp, top = 2.dp, bottom = 4.dp)
+            .clip(RoundedCornerShape(8.dp))
+            .background(if (note.isDoubt) colours.line.copy(alpha = QUIET) else colours.mistakePane)
+            .padding(start = 12.dp, end = 4.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text(
+            note.mistake.message,
+            Modifier
+                .weight(1f)
+                .padding(vertical = 8.dp)
+                .clearAndSetSemantics {
+                    text = AnnotatedString(spoken)
+                    liveRegion = LiveRegionMode.Polite
+                },
+            color = if (note.isDoubt) colours.onPane else colour,
+            fontSize = 15.sp,
+            lineHeight = 20.sp,
+            fontWeight = if (standsOut) FontWeight.Bold else FontWeight.Normal,
+        )
+        if (note.mistake.fix != null) FixButton(note.mistake, onFix)
+    }
+}
+
+/** The button that applies the fix of [mistake]. */
+@Composable
+internal fun FixButton(mistake: Mistake, onFix: (Mistake) -> Unit) {
+    val replacement = mistake.fix?.replacement?.trim().orEmpty()
+    val text = if (replacement.isEmpty()) stringResource(Res.string.mistake_fix_remove) else stringResource(Res.string.mistake_fix, replacement)
+    TextButton(
+        onClick = { onFix(mistake) },
+        modifier = Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("fix").focusRing(),
+    ) {
+        Text(
+            text,
+            color = LocalRobotranColours.current.focus,
+            fontSize = 15.sp,
+            fontWeight = FontWeight.SemiBold,
+            maxLines = 2,
+            overflow = TextOverflow.Ellipsis,
+        )
+    }
+}
+
+private const val QUIET = 0.3f

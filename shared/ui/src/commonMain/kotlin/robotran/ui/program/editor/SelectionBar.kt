@@ -1,0 +1,116 @@
+package robotran.ui.program.editor
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.gestures.detectDragGestures
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.shadow
+import androidx.compose.ui.focus.focusProperties
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.layout.layout
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.editor_copy
+import robotran.ui.resources.editor_cut
+import robotran.ui.resources.editor_help
+import robotran.ui.resources.editor_paste
+import robotran.ui.resources.editor_select_all
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+
+/** The buttons for what a finger has selected, above it or, at the upper edge, under it. */
+@Composable
+internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Row(
+        Modifier
+            .beside(selection)
+            .testTag("selection-bar")
+            .shadow(6.dp, SHAPE)
+            .background(colours.pane, SHAPE)
+            .border(1.dp, colours.line, SHAPE)
+            .focusProperties { canFocus = false }
+            .horizontalScroll(rememberScrollState()),
+    ) {
+        for ((command, words) in BUTTONS) {
+            TextButton({ onCommand(command) }, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("selection-${command.name.lowercase()}")) {
+                Text(stringResource(words), color = colours.onPane, fontSize = 15.sp)
+            }
+        }
+    }
+}
+
+/** What is dragged to select more or less, below the end of a selection. */
+@Composable
+internal fun SelectionHandle(place: () -> Rect, tag: String, onDrag: (Offset) -> Unit) {
+    val colour = LocalRobotranColours.current.focus
+    var grip by remember { mutableStateOf(Offset.Zero) }
+    Box(
+        Modifier
+            .layout { measurable, constraints ->
+                val placed = measurable.measure(constraints.copy(minWidth = 0, minHeight = 0))
+                layout(0, 0) {
+                    val at = place()
+                    placed.place(at.left.toInt() - placed.width / 2, at.bottom.toInt())
+                }
+            }
+            .testTag(tag)
+            .size(Measures.TARGET)
+            .clearAndSetSemantics { }
+            .pointerInput(Unit) {
+                detectDragGestures(
+                    onDragStart = { grip = place().let { at -> Offset(at.left, (at.top + at.bottom) / 2) } },
+                ) { change, amount ->
+                    change.consume()
+                    grip += amount
+                    onDrag(grip)
+                }
+            },
+    ) {
+        Canvas(Modifier.size(Measures.TARGET)) { drawCircle(colour, 10.dp.toPx(), Offset(size.width / 2, 11.dp.toPx())) }
+    }
+}
+
+private fun Modifier.beside(selection: () -> Rect) = layout { measurable, constraints ->
+    val placed = measurable.measure(constraints.copy(minWidth = 0, minHeight = 0))
+    layout(constraints.maxWidth, constraints.maxHeight) {
+        val place = selection()
+        val margin = 8.dp.roundToPx()
+        val above = place.top.toInt() - placed.height - margin
+        val below = place.bottom.toInt() + Measures.TARGET.roundToPx()
+        val y = if (above >= 0) above else minOf(below, constraints.maxHeight - placed.height)
+        val x = (place.left.toInt() - placed.width / 2).coerceIn(0, (constraints.maxWidth - placed.width).coerceAtLeast(0))
+        placed.place(x, y.coerceAtLeast(0))
+    }
+}
+
+private val SHAPE = RoundedCornerShape(24.dp)
+private val BUTTONS: List<Pair<EditorCommand.Plain, StringResource>> = listOf(
+    EditorCommand.Plain.CUT to Res.string.editor_cut,
+    EditorCommand.Plain.COPY to Res.string.editor_copy,
+    EditorCommand.Plain.PASTE to Res.string.editor_paste,
+    EditorCommand.Plain.SELECT_ALL to Res.string.editor_select_all,
+    EditorCommand.Plain.HELP to Res.string.editor_help,
+)

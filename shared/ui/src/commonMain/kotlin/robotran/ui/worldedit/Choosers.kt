@@ -1,0 +1,165 @@
+package robotran.ui.worldedit
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.selection.selectableGroup
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.DropdownMenu
+import androidx.compose.material3.DropdownMenuItem
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import robotran.ui.parts.Icon
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+
+/** A sign over its word. */
+@Composable
+internal fun IconWord(icon: Icon, word: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier, chosen: Boolean = false) {
+    val colour = LocalRobotranColours.current.onPane
+    SignWord(word, tag, onClick, modifier, chosen) { Canvas(Modifier.size(24.dp)) { with(icon) { draw(colour) } } }
+}
+
+/** The same with anything as its sign. */
+@Composable
+internal fun SignWord(
+    word: String,
+    tag: String,
+    onClick: () -> Unit,
+    modifier: Modifier = Modifier,
+    chosen: Boolean = false,
+    sign: @Composable () -> Unit,
+) {
+    val colours = LocalRobotranColours.current
+    Column(
+        modifier
+            .testTag(tag)
+            .defaultMinSize(60.dp, 56.dp)
+            .focusRing()
+            .clip(RoundedCornerShape(12.dp))
+            .background(if (chosen) colours.runningLine else Color.Transparent)
+            .clickable(role = Role.Button, onClick = onClick)
+            .semantics { contentDescription = word }
+            .padding(horizontal = 4.dp, vertical = 6.dp),
+        Arrangement.spacedBy(3.dp, Alignment.CenterVertically),
+        Alignment.CenterHorizontally,
+    ) {
+        sign()
+        Text(word, color = colours.onPane, fontSize = 12.sp, lineHeight = 14.sp, textAlign = TextAlign.Center, maxLines = 2)
+    }
+}
+
+/** A button with words. */
+@Composable
+internal fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier) {
+    val colours = LocalRobotranColours.current
+    Box(
+        modifier
+            .testTag(tag)
+            .defaultMinSize(minHeight = Measures.TARGET)
+            .focusRing()
+            .clip(RoundedCornerShape(12.dp))
+            .border(1.dp, colours.quiet, RoundedCornerShape(12.dp))
+            .clickable(role = Role.Button, onClick = onClick)
+            .padding(horizontal = 14.dp, vertical = 8.dp),
+        Alignment.Center,
+    ) { Text(word, color = colours.onPane, fontSize = 15.sp, fontWeight = FontWeight.Medium, textAlign = TextAlign.Center) }
+}
+
+/** One of several words, side by side. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
+        if (title.isNotEmpty()) Text(title, color = colours.onPane, fontSize = 15.sp)
+        FlowRow(Modifier.selectableGroup(), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(4.dp)) {
+            choices.forEachIndexed { place, (value, word) ->
+                val isChosen = value == chosen
+                Box(
+                    Modifier
+                        .testTag("$tag-$place")
+                        .defaultMinSize(Measures.TARGET, Measures.TARGET)
+                        .focusRing()
+                        .clip(RoundedCornerShape(12.dp))
+                        .background(if (isChosen) colours.onPane else colours.pane)
+                        .border(1.dp, colours.quiet, RoundedCornerShape(12.dp))
+                        .selectable(isChosen, role = Role.RadioButton) { onChoose(value) }
+                        .padding(horizontal = 12.dp, vertical = 8.dp),
+                    Alignment.Center,
+                ) { Text(word, color = if (isChosen) colours.pane else colours.onPane, fontSize = 15.sp) }
+            }
+        }
+    }
+}
+
+/** One of many words, behind a button that shows the one that is chosen. */
+@Composable
+internal fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: String, tag: String, onChoose: (T) -> Unit) {
+    val colours = LocalRobotranColours.current
+    var open by remember { mutableStateOf(false) }
+    Row(Modifier.fillMaxWidth().padding(top = 4.dp), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
+        if (title.isNotEmpty()) Text(title, Modifier.weight(1f), color = colours.onPane, fontSize = 15.sp)
+        Box {
+            Row(
+                Modifier
+                    .testTag(tag)
+                    .defaultMinSize(minHeight = Measures.TARGET)
+                    .focusRing()
+                    .clip(RoundedCornerShape(12.dp))
+                    .border(1.dp, colours.quiet, RoundedCornerShape(12.dp))
+                    .clickable(role = Role.DropdownList) { open = true }
+                    .semantics { contentDescription = if (title.isEmpty()) shown else "$title: $shown" }
+                    .padding(horizontal = 12.dp),
+                Arrangement.spacedBy(6.dp),
+                Alignment.CenterVertically,
+            ) {
+                Text(shown, Modifier.weight(1f, fill = false), colours.onPane, 15.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
+                Canvas(Modifier.size(18.dp)) { with(EditIcons.DOWN) { draw(colours.onPane) } }
+            }
+            DropdownMenu(open, { open = false }, Modifier.heightIn(max = 480.dp), containerColor = colours.pane) {
+                choices.forEachIndexed { place, (value, word) ->
+                    DropdownMenuItem(
+                        text = { Text(word, color = colours.onPane, fontSize = 16.sp) },
+                        onClick = {
+                            open = false
+                            onChoose(value)
+                        },
+                        modifier = Modifier.testTag("$tag-$place").heightIn(min = Measures.TARGET),
+                    )
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,132 @@
+package robotran.ui.worldedit
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.PathEffect
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.StrokeJoin
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.graphics.drawscope.rotate
+import androidx.compose.ui.unit.dp
+import robotran.ui.parts.Icon
+import robotran.ui.sheet.SheetTransform
+import robotran.ui.sheet.addLine
+import robotran.ui.theme.RobotranColours
+import robotran.world.Point
+import robotran.worldediting.Frame
+import robotran.worldediting.Grip
+import robotran.worldediting.WorldEditing
+import robotran.worldediting.bounds
+import robotran.worldediting.form
+import robotran.worldediting.frameOf
+import robotran.worldediting.piece
+
+/** What the editor draws over the sheet: frames around what is chosen, handles, guides and signs beside what has to be mended. */
+internal fun DrawScope.drawEditing(editing: WorldEditing, transform: SheetTransform, view: EditView, colours: RobotranColours) {
+    drawTroubles(editing, transform, colours)
+    for (guide in editing.guides) drawGuide(guide.isUpright, guide.at, transform)
+    if (editing.selection.size > 1) for (thing in editing.selection) editing.world.frameOf(setOf(thing))?.let { drawFrame(it, transform, THIN) }
+    editing.world.frameOf(editing.selection)?.let { drawFrame(it, transform, THICK) }
+    if (editing.gesture == null) drawHandles(handlePlaces(editing, transform, density))
+    view.box?.let { box ->
+        drawRect(ACCENT.copy(alpha = 0.12f), box.topLeft, box.size)
+        drawRect(ACCENT, box.topLeft, box.size, style = Stroke(1.5.dp.toPx(), pathEffect = dashes()))
+    }
+    if (view.line.size > 1) {
+        val path = Path().apply { addLine(view.line) }
+        drawPath(path, ACCENT, style = Stroke(3.dp.toPx(), cap = StrokeCap.Round, join = StrokeJoin.Round))
+    }
+}
+
+private fun DrawScope.drawFrame(frame: Frame, transform: SheetTransform, width: Float) {
+    val corners = listOf(-1 to -1, 1 to -1, 1 to 1, -1 to 1).map { (across, up) -> transform.toPixels(frame.at(across, up)) }
+    val path = Path().apply { addLine(corners, closed = true) }
+    drawPath(path, Color.White, style = Stroke((width + 2).dp.toPx()))
+    drawPath(path, ACCENT, style = Stroke(width.dp.toPx()))
+}
+
+private fun DrawScope.drawHandles(handles: List<HandlePlace>) {
+    for (handle in handles) {
+        if (handle.handle.grip is Grip.Edge) drawPlus(handle.place) else drawKnob(handle.place, isRound = handle.handle.grip !is Grip.Size)
+    }
+    handles.firstOrNull { it.handle.grip == Grip.Turn }?.let { drawTurnArrow(it.place) }
+}
+
+private fun DrawScope.drawKnob(place: Offset, isRound: Boolean) {
+    val radius = KNOB.toPx()
+    val line = Stroke(2.dp.toPx())
+    if (isRound) {
+        drawCircle(Color.White, radius, place)
+        drawCircle(ACCENT, radius, place, style = line)
+    } else {
+        val corner = place - Offset(radius, radius)
+        drawRect(Color.White, corner, Size(radius * 2, radius * 2))
+        drawRect(ACCENT, corner, Size(radius * 2, radius * 2), style = line)
+    }
+}
+
+private fun DrawScope.drawPlus(place: Offset) {
+    val radius = 7.dp.toPx()
+    drawCircle(ACCENT, radius, place)
+    val arm = radius * 0.55f
+    drawLine(Color.White, place - Offset(arm, 0f), place + Offset(arm, 0f), 2.dp.toPx())
+    drawLine(Color.White, place - Offset(0f, arm), place + Offset(0f, arm), 2.dp.toPx())
+}
+
+private fun DrawScope.drawTurnArrow(place: Offset) {
+    val radius = 13.dp.toPx()
+    drawCircle(Color.White, radius, place)
+    drawCircle(ACCENT, radius, place, style = Stroke(2.dp.toPx()))
+    val arc = radius * 0.55f
+    drawArc(ACCENT, -60f, 280f, false, place - Offset(arc, arc), Size(arc * 2, arc * 2), style = Stroke(2.dp.toPx(), cap = StrokeCap.Round))
+    rotate(220f, place) {
+        val tip = place + Offset(arc, 0f)
+        val head = 4.dp.toPx()
+        drawLine(ACCENT, tip, tip + Offset(-head, -head), 2.dp.toPx(), StrokeCap.Round)
+        drawLine(ACCENT, tip, tip + Offset(head, -head), 2.dp.toPx(), StrokeCap.Round)
+    }
+}
+
+private fun DrawScope.drawGuide(isUpright: Boolean, at: Double, transform: SheetTransform) {
+    val place = transform.toPixels(Point(at, at))
+    val from = if (isUpright) Offset(place.x, 0f) else Offset(0f, place.y)
+    val to = if (isUpright) Offset(place.x, size.height) else Offset(size.width, place.y)
+    drawLine(GUIDE, from, to, 1.5.dp.toPx(), pathEffect = dashes())
+}
+
+/** A triangle with an exclamation mark above the thing. */
+private fun DrawScope.drawTroubles(editing: WorldEditing, transform: SheetTransform, colours: RobotranColours) {
+    for (thing in editing.troubles.mapNotNull { it.thing }.distinct()) {
+        val bounds = editing.world.piece(thing)?.form?.bounds ?: continue
+        val place = transform.toPixels((bounds.left + bounds.right) / 2, bounds.top) - Offset(0f, 14.dp.toPx())
+        val inside = Offset(place.x.coerceIn(16.dp.toPx(), size.width - 16.dp.toPx()), place.y.coerceIn(16.dp.toPx(), size.height - 16.dp.toPx()))
+        drawCircle(colours.mistakePane, 15.dp.toPx(), inside)
+        drawCircle(colours.mistake, 15.dp.toPx(), inside, style = Stroke(2.dp.toPx()))
+        val unit = 20.dp.toPx() / Icon.UNITS
+        drawContext.canvas.save()
+        drawContext.transform.translate(inside.x - 10.dp.toPx(), inside.y - 11.dp.toPx())
+        drawContext.transform.scale(unit, unit, Offset.Zero)
+        drawPath(WARNING_TRIANGLE, colours.mistake, style = Stroke(2f, join = StrokeJoin.Round))
+        drawLine(colours.mistake, Offset(12f, 10f), Offset(12f, 14f), 2f, StrokeCap.Round)
+        drawLine(colours.mistake, Offset(12f, 17f), Offset(12f, 17.1f), 2.4f, StrokeCap.Round)
+        drawContext.canvas.restore()
+    }
+}
+
+private fun DrawScope.dashes() = PathEffect.dashPathEffect(floatArrayOf(6.dp.toPx(), 4.dp.toPx()))
+
+/** On the paper, which is light in every theme. */
+private val ACCENT = Color(0xFF0B57D0)
+private val GUIDE = Color(0xFFB4238C)
+private const val THICK = 2f
+private const val THIN = 1f
+private val KNOB = 7.dp
+private val WARNING_TRIANGLE = Path().apply {
+    moveTo(12f, 4f)
+    lineTo(21f, 20f)
+    lineTo(3f, 20f)
+    close()
+}

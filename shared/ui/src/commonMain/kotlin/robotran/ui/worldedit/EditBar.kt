@@ -1,0 +1,183 @@
+package robotran.ui.worldedit
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Button
+import androidx.compose.material3.ButtonDefaults
+import androidx.compose.material3.DropdownMenu
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.alpha
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.disabled
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.toggleableState
+import androidx.compose.ui.state.ToggleableState
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.resources.Res
+import robotran.ui.resources.worldedit_choose_all
+import robotran.ui.resources.worldedit_copy
+import robotran.ui.resources.worldedit_discard
+import robotran.ui.resources.worldedit_done
+import robotran.ui.resources.worldedit_grid
+import robotran.ui.resources.worldedit_grid_off
+import robotran.ui.resources.worldedit_mend_first
+import robotran.ui.resources.worldedit_more_menu
+import robotran.ui.resources.worldedit_paste
+import robotran.ui.resources.worldedit_redo
+import robotran.ui.resources.worldedit_several
+import robotran.ui.resources.worldedit_show_trouble
+import robotran.ui.resources.worldedit_snap_angle
+import robotran.ui.resources.worldedit_snap_others
+import robotran.ui.resources.worldedit_try
+import robotran.ui.resources.worldedit_try_help
+import robotran.ui.resources.worldedit_undo
+import robotran.ui.resources.worldedit_whole_sheet
+import robotran.ui.resources.worldedit_zoom_in
+import robotran.ui.resources.worldedit_zoom_out
+import robotran.ui.screen.MenuDivider
+import robotran.ui.screen.MenuItem
+import robotran.ui.sheet.SheetCamera
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.WorldEditEvent
+import robotran.ui.workshop.WorldEditState
+import robotran.worldediting.Edit
+import robotran.worldediting.Snapping
+import robotran.worldediting.written
+
+/** At the top of the editor: undo, how it works, and the way back to the robots. */
+@Composable
+internal fun EditBar(making: Making, view: EditView, withWords: Boolean) {
+    val colours = LocalRobotranColours.current
+    val editing = making.editing
+    Row(Modifier.fillMaxWidth().background(colours.pane).padding(horizontal = 4.dp, vertical = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+        Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()), verticalAlignment = Alignment.CenterVertically) {
+            Step(EditIcons.UNDO, stringResource(Res.string.worldedit_undo), "edit-undo", editing.history.canUndo, withWords) { making.make(Edit.Undo) }
+            Step(EditIcons.REDO, stringResource(Res.string.worldedit_redo), "edit-redo", editing.history.canRedo, withWords) { making.make(Edit.Redo) }
+            Toggle(EditIcons.SEVERAL, stringResource(Res.string.worldedit_several), "edit-several", editing.several, withWords) {
+                making.make(Edit.ChooseSeveral(!editing.several))
+            }
+            EditMenu(making, view, withWords)
+        }
+        IconTouch(EditIcons.PLAY, stringResource(Res.string.worldedit_try_help), "edit-try", { making.perform(WorldEditEvent.TriedOut) },
+            label = stringResource(Res.string.worldedit_try).takeIf { withWords })
+        Button(
+            { making.perform(WorldEditEvent.EditorClosed) },
+            Modifier.padding(start = 4.dp).testTag("edit-done").focusRing().defaultMinSize(minHeight = Measures.TARGET),
+            shape = RoundedCornerShape(12.dp),
+            colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
+        ) { Text(stringResource(Res.string.worldedit_done), fontSize = 16.sp, fontWeight = FontWeight.SemiBold, maxLines = 1) }
+    }
+}
+
+@Composable
+private fun Step(icon: Icon, words: String, tag: String, enabled: Boolean, withWords: Boolean, onClick: () -> Unit) = IconTouch(
+    icon, words, tag, { if (enabled) onClick() },
+    Modifier.alpha(if (enabled) 1f else FAINT).semantics { if (!enabled) disabled() },
+    label = words.takeIf { withWords },
+)
+
+@Composable
+private fun Toggle(icon: Icon, words: String, tag: String, on: Boolean, withWords: Boolean, onClick: () -> Unit) = IconTouch(
+    icon, words, tag, onClick,
+    Modifier
+        .semantics { toggleableState = if (on) ToggleableState.On else ToggleableState.Off }
+        .background(if (on) LocalRobotranColours.current.runningLine else LocalRobotranColours.current.pane, RoundedCornerShape(12.dp)),
+    label = words.takeIf { withWords },
+)
+
+/** What is done more seldom. */
+@Composable
+private fun EditMenu(making: Making, view: EditView, withWords: Boolean) {
+    var open by remember { mutableStateOf(false) }
+    val choose = { action: () -> Unit ->
+        open = false
+        action()
+    }
+    val snapping = making.editing.snapping
+    Box {
+        IconTouch(EditIcons.MORE, stringResource(Res.string.worldedit_more_menu), "edit-menu", { open = true },
+            label = stringResource(Res.string.worldedit_more_menu).takeIf { withWords })
+        DropdownMenu(open, { open = false }, Modifier.widthIn(min = 260.dp), containerColor = LocalRobotranColours.current.pane) {
+            MenuItem(stringResource(Res.string.worldedit_choose_all), "menu-all") { choose { making.make(Edit.ChooseAll) } }
+            MenuItem(stringResource(Res.string.worldedit_copy), "menu-copy") { choose { making.make(Edit.Copy) } }
+            MenuItem(stringResource(Res.string.worldedit_paste), "menu-paste") { choose { making.make(Edit.Paste(view.middle(making.world.paper))) } }
+            MenuItem(stringResource(Res.string.worldedit_whole_sheet), "menu-fit") { choose { view.camera = SheetCamera.FITTING } }
+            MenuItem(stringResource(Res.string.worldedit_zoom_in), "menu-zoom-in") { choose { view.zoomBy(ZOOM, view.pane.center, making.world.paper) } }
+            MenuItem(stringResource(Res.string.worldedit_zoom_out), "menu-zoom-out") { choose { view.zoomBy(1 / ZOOM, view.pane.center, making.world.paper) } }
+            MenuDivider()
+            for (grid in GRIDS) {
+                val words = if (grid > 0) stringResource(Res.string.worldedit_grid, written(grid)) else stringResource(Res.string.worldedit_grid_off)
+                MenuItem(checked(words, snapping.grid == grid), "menu-grid-$grid") { choose { making.make(Edit.Snap(snapping.copy(grid = grid))) } }
+            }
+            MenuItem(checked(stringResource(Res.string.worldedit_snap_angle), snapping.angle > 0), "menu-angle") {
+                choose { making.make(Edit.Snap(snapping.copy(angle = if (snapping.angle > 0) 0.0 else Snapping().angle))) }
+            }
+            MenuItem(checked(stringResource(Res.string.worldedit_snap_others), snapping.toOthers), "menu-others") {
+                choose { making.make(Edit.Snap(snapping.copy(toOthers = !snapping.toOthers))) }
+            }
+            MenuDivider()
+            MenuItem(stringResource(Res.string.worldedit_discard), "menu-discard") { choose { making.perform(WorldEditEvent.EditsDiscarded) } }
+        }
+    }
+}
+
+private fun checked(words: String, on: Boolean) = if (on) "✓ $words" else "   $words"
+
+/** Under the bar: why something was not done, or what has to be mended. */
+@Composable
+internal fun EditHints(state: WorldEditState, making: Making) {
+    val colours = LocalRobotranColours.current
+    val editing = state.editing
+    val sentences = listOfNotNull(
+        editing.refusal?.let { refusalInWords(it) },
+        stringResource(Res.string.worldedit_mend_first).takeIf { state.mendFirst },
+    ) + editing.troubles.take(MOST_TROUBLES).map { troubleInWords(editing.world, it) }
+    if (sentences.isEmpty()) return
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .testTag("edit-hints")
+            .semantics { liveRegion = LiveRegionMode.Polite }
+            .background(colours.mistakePane)
+            .padding(horizontal = 16.dp, vertical = 8.dp),
+        Arrangement.spacedBy(4.dp),
+    ) {
+        for (sentence in sentences) Text(sentence, color = colours.onPane, fontSize = 15.sp)
+        val thing = editing.troubles.firstOrNull()?.thing
+        if (thing != null && thing !in editing.selection) {
+            WordButton(stringResource(Res.string.worldedit_show_trouble), "show-trouble", { making.make(Edit.Choose(thing)) })
+        }
+    }
+}
+
+private val GRIDS = listOf(1.0, 0.5, 0.0)
+private const val ZOOM = 1.5
+private const val FAINT = 0.38f
+private const val MOST_TROUBLES = 2

@@ -1,0 +1,75 @@
+package robotran.ui.worldedit
+
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEvent
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.isCtrlPressed
+import androidx.compose.ui.input.key.isMetaPressed
+import androidx.compose.ui.input.key.isShiftPressed
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.type
+import robotran.worldediting.Edit
+import robotran.worldediting.Tool
+import robotran.worldediting.WorldEditing
+import robotran.worldediting.listed
+
+/** What a key on the sheet does; null if it does nothing there. */
+internal fun editForKey(event: KeyEvent, editing: WorldEditing): Edit? {
+    if (event.type != KeyEventType.KeyDown) return null
+    if (event.isCtrlPressed || event.isMetaPressed) return editForCommand(event)
+    val shift = event.isShiftPressed
+    return when (event.key) {
+        Key.Tab -> tabbed(editing, shift)
+        Key.DirectionLeft -> nudge(editing, -1, 0, shift)
+        Key.DirectionRight -> nudge(editing, 1, 0, shift)
+        Key.DirectionUp -> nudge(editing, 0, 1, shift)
+        Key.DirectionDown -> nudge(editing, 0, -1, shift)
+        Key.R -> Edit.TurnBy(turnStep(editing) * if (shift) -1 else 1)
+        Key.Plus, Key.Equals, Key.NumPadAdd -> Edit.ScaleBy(GROWTH)
+        Key.Minus, Key.NumPadSubtract -> Edit.ScaleBy(1 / GROWTH)
+        Key.Delete, Key.Backspace -> Edit.Delete
+        Key.G -> if (shift) Edit.Ungroup else Edit.Group
+        Key.Escape -> escaped(editing)
+        else -> null
+    }
+}
+
+/** What Ctrl and a key do, wherever the focus is that has no use for them. */
+internal fun editForCommand(event: KeyEvent): Edit? {
+    if (event.type != KeyEventType.KeyDown || !(event.isCtrlPressed || event.isMetaPressed)) return null
+    return when (event.key) {
+        Key.Z -> if (event.isShiftPressed) Edit.Redo else Edit.Undo
+        Key.Y -> Edit.Redo
+        Key.C -> Edit.Copy
+        Key.V -> Edit.Paste()
+        Key.D -> Edit.Duplicate
+        Key.A -> Edit.ChooseAll
+        Key.G -> if (event.isShiftPressed) Edit.Ungroup else Edit.Group
+        else -> null
+    }
+}
+
+internal fun turnStep(editing: WorldEditing): Double = if (editing.snapping.angle > 0) editing.snapping.angle else 1.0
+
+/** Behind the last thing the focus goes on to what comes after the sheet. */
+private fun tabbed(editing: WorldEditing, backwards: Boolean): Edit? {
+    val listed = editing.world.listed()
+    val end = if (backwards) listed.first() else listed.last()
+    val isAtEnd = end in editing.selection || (backwards && editing.selection.isEmpty())
+    return if (isAtEnd) null else Edit.ChooseNext(backwards)
+}
+
+private fun nudge(editing: WorldEditing, x: Int, y: Int, fine: Boolean): Edit {
+    val step = if (fine) FINE_STEP else editing.snapping.grid.takeIf { it > 0 } ?: 1.0
+    return Edit.Nudge(x * step, y * step)
+}
+
+private fun escaped(editing: WorldEditing): Edit? = when {
+    editing.gesture != null -> Edit.LetGo
+    editing.tool != Tool.CHOOSE -> Edit.ChooseTool(Tool.CHOOSE)
+    editing.selection.isNotEmpty() -> Edit.Choose(null)
+    else -> null
+}
+
+internal const val GROWTH = 1.1
+private const val FINE_STEP = 0.1

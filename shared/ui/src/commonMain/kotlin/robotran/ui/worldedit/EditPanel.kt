@@ -1,0 +1,103 @@
+package robotran.ui.worldedit
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.selection.selectableGroup
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.key
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.worldedit_tab_chosen
+import robotran.ui.resources.worldedit_tab_goals
+import robotran.ui.resources.worldedit_tab_things
+import robotran.ui.resources.worldedit_tab_world
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+
+/** What the panel of the editor shows. */
+internal enum class EditTab(val title: StringResource) {
+    CHOSEN(Res.string.worldedit_tab_chosen),
+    THINGS(Res.string.worldedit_tab_things),
+    GOALS(Res.string.worldedit_tab_goals),
+    WORLD(Res.string.worldedit_tab_world),
+}
+
+/** @param tab null if none is open. */
+@Composable
+internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Row(
+        Modifier.fillMaxWidth().background(colours.pane).horizontalScroll(rememberScrollState()).selectableGroup(),
+        Arrangement.spacedBy(4.dp),
+    ) {
+        for (each in EditTab.entries) {
+            val isOpen = each == tab
+            Column(
+                Modifier
+                    .testTag("tab-edit-${each.name.lowercase()}")
+                    .defaultMinSize(72.dp, Measures.TARGET)
+                    .focusRing()
+                    .selectable(isOpen, role = Role.Tab) { onChoose(each) }
+                    .padding(horizontal = 12.dp),
+                Arrangement.Center,
+                Alignment.CenterHorizontally,
+            ) {
+                Text(
+                    stringResource(each.title),
+                    Modifier.padding(top = 12.dp, bottom = 8.dp),
+                    color = if (isOpen) colours.onPane else colours.quiet,
+                    fontSize = 15.sp,
+                    fontWeight = FontWeight.SemiBold,
+                )
+                Box(Modifier.fillMaxWidth().height(3.dp).background(if (isOpen) colours.onPane else Color.Transparent))
+            }
+        }
+    }
+    HorizontalDivider(color = colours.line)
+}
+
+@Composable
+internal fun EditPanel(making: Making, tab: EditTab, onTab: (EditTab) -> Unit, newTitle: String, modifier: Modifier = Modifier) {
+    key(tab, if (tab == EditTab.CHOSEN) making.editing.selection else null) {
+        Column(
+            modifier
+                .fillMaxSize()
+                .testTag("edit-panel")
+                .background(LocalRobotranColours.current.pane)
+                .verticalScroll(rememberScrollState())
+                .padding(12.dp),
+            Arrangement.spacedBy(4.dp),
+        ) {
+            when (tab) {
+                EditTab.CHOSEN -> ChosenPanel(making)
+                EditTab.THINGS -> ThingsPanel(making) { onTab(EditTab.CHOSEN) }
+                EditTab.GOALS -> GoalsPanel(making) { onTab(EditTab.CHOSEN) }
+                EditTab.WORLD -> WorldPanel(making, newTitle)
+            }
+        }
+    }
+}

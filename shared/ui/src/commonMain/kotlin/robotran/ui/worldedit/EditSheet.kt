@@ -1,0 +1,71 @@
+package robotran.ui.worldedit
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.focusable
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clipToBounds
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.input.key.onKeyEvent
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.layout.boundsInRoot
+import androidx.compose.ui.layout.onGloballyPositioned
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.text.rememberTextMeasurer
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.worldedit_sheet
+import robotran.ui.sheet.SheetColours
+import robotran.ui.sheet.SheetLayer
+import robotran.ui.sheet.SheetZoom
+import robotran.ui.sheet.drawSheet
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+import robotran.world.SessionState
+
+/** The sheet on which the world is built: takes fingers and keys. A screen reader reads out what is chosen. */
+@Composable
+internal fun EditSheet(making: Making, view: EditView, session: SessionState, focus: FocusRequester, modifier: Modifier = Modifier) {
+    val colours = LocalRobotranColours.current
+    val sheetColours = remember(colours) { SheetColours.of(colours) }
+    val world = making.world
+    val zoom = remember(world) { SheetZoom(world) }
+    val resting = remember(world, session.brick) { restingIn(world, session) }
+    val labels = rememberTextMeasurer()
+    val latest = rememberUpdatedState(making)
+    val name = stringResource(Res.string.worldedit_sheet)
+    val chosen = chosenInWords(making.editing)
+    val shown = if (making.editing.snapping.grid > 0) setOf(SheetLayer.GOALS, SheetLayer.GRID) else SheetLayer.USUAL
+    Canvas(
+        modifier
+            .fillMaxSize()
+            .testTag("edit-sheet")
+            .focusRing()
+            .onGloballyPositioned { view.window = it.boundsInRoot() }
+            .semantics {
+                contentDescription = name
+                stateDescription = chosen
+                liveRegion = LiveRegionMode.Polite
+            }
+            .focusRequester(focus)
+            .onKeyEvent { event -> editForKey(event, latest.value.editing)?.let { latest.value.make(it) } != null }
+            .focusable()
+            .pointerInput(view) { editByTouch(view, { latest.value }, { focus.requestFocus() }) }
+            .pointerInput(view) { zoomByWheel(view) { latest.value } }
+            .clipToBounds(),
+    ) {
+        if (view.window.isEmpty) return@Canvas
+        val transform = view.transform(world.paper)
+        drawSheet(zoom.at(transform.pixelsPerCentimetre, settled = true), resting, sheetColours, labels, shown, transform)
+        drawEditing(making.editing, transform, view, colours)
+    }
+}

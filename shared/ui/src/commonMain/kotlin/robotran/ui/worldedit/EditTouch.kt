@@ -1,0 +1,159 @@
+package robotran.ui.worldedit
+
+import androidx.compose.foundation.gestures.awaitEachGesture
+import androidx.compose.foundation.gestures.awaitFirstDown
+import androidx.compose.foundation.gestures.calculateCentroid
+import androidx.compose.foundation.gestures.calculatePan
+import androidx.compose.foundation.gestures.calculateZoom
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.input.pointer.AwaitPointerEventScope
+import androidx.compose.ui.input.pointer.PointerEventType
+import androidx.compose.ui.input.pointer.PointerInputScope
+import androidx.compose.ui.input.pointer.changedToUp
+import androidx.compose.ui.input.pointer.isShiftPressed
+import androidx.compose.ui.input.pointer.positionChanged
+import androidx.compose.ui.unit.dp
+import robotran.world.Bounds
+import robotran.world.Point
+import robotran.worldediting.Edit
+import robotran.worldediting.Grip
+import robotran.worldediting.Tool
+import robotran.worldediting.thingsAt
+
+/** Takes fingers and the mouse on the sheet: [making] gives the world as it is now. */
+internal suspend fun PointerInputScope.editByTouch(view: EditView, making: () -> Making, onTouched: () -> Unit) = awaitEachGesture {
+    val down = awaitFirstDown()
+    onTouched()
+    SheetFinger(view, making(), this, making).follow(down.position, currentEvent.keyboardModifiers.isShiftPressed)
+}
+
+/** The wheel of a mouse zooms where the mouse is. */
+internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () -> Making) = awaitPointerEventScope {
+    while (true) {
+        val event = awaitPointerEvent()
+        if (event.type != PointerEventType.Scroll) continue
+        val change = event.changes.first()
+        view.zoomBy(if (change.scrollDelta.y < 0) WHEEL_ZOOM else 1 / WHEEL_ZOOM, change.position, making().world.paper)
+        change.consume()
+    }
+}
+
+/** One finger from its coming down to its going up. */
+private class SheetFinger(
+    private val view: EditView,
+    private val making: Making,
+    private val scope: AwaitPointerEventScope,
+    private val latest: () -> Making,
+) {
+    private val transform = view.transform(making.world.paper)
+    private val fingerReach = with(scope) { 12.dp.toPx() }
+    private val reach = transform.toCentimetres(fingerReach)
+
+    suspend fun follow(down: Offset, adding: Boolean) {
+        val handles = handlePlaces(making.editing, transform, scope.density)
+        val handle = handleAt(handles, down, with(scope) { 24.dp.toPx() })
+        val there = making.world.thingsAt(centimetres(down), reach)
+        when {
+            making.editing.tool != Tool.CHOOSE -> draw(down)
+            handle != null -> drag(down, adding) { making.make(Edit.Grab(handle.handle.grip, centimetres(down))) }
+            there.any { it in making.editing.selection } -> drag(down, adding) { making.make(Edit.Grab(Grip.Body, centimetres(down))) }
+            there.isNotEmpty() && !adding && !making.editing.several -> drag(down, adding = false) { takeNew(down) }
+            adding || making.editing.several -> box(down, adding)
+            else -> push(down)
+        }
+    }
+
+    private fun takeNew(down: Offset) {
+        making.make(Edit.Choose(making.world.thingsAt(centimetres(down), reach).first()))
+        making.make(Edit.Grab(Grip.Body, centimetres(down)))
+    }
+
+    private suspend fun drag(down: Offset, adding: Boolean, take: () -> Unit) {
+        var held = false
+        val end = moves(down) { place ->
+            if (!held) take()
+            held = true
+            latest().make(Edit.DragTo(centimetres(place), reach / 2))
+        }
+        when {
+            end == End.SECOND_FINGER && held -> latest().make(Edit.LetGo)
+            held -> latest().make(Edit.Drop)
+            end == End.UP -> making.make(Edit.TapAt(centimetres(down), reach, adding))
+        }
+    }
+
+    private suspend fun push(down: Offset) {
+        var last = down
+        var moved = false
+        val end = moves(down) { place ->
+            moved = true
+            view.pushBy(place - last, making.world.paper)
+            last = place
+        }
+        if (!moved && end == End.UP) making.make(Edit.TapAt(centimetres(down), reach))
+    }
+
+    private suspend fun box(down: Offset, adding: Boolean) {
+        val end = moves(down) { place ->
+            view.box = Rect(minOf(down.x, place.x), minOf(down.y, place.y), maxOf(down.x, place.x), maxOf(down.y, place.y))
+        }
+        val box = view.box
+        view.box = null
+        if (end != End.UP) return
+        if (box == null) return making.make(Edit.TapAt(centimetres(down), reach, adding))
+        val low = centimetres(box.bottomLeft)
+        val high = centimetres(box.topRight)
+        making.make(Edit.ChooseWithin(Bounds(low.x, low.y, high.x, high.y), adding = true))
+    }
+
+    private suspend fun draw(down: Offset) {
+        view.line = listOf(down)
+        val end = moves(down) { place -> view.line += place }
+        val line = view.line
+        view.line = emptyList()
+        if (end == End.UP) making.make(Edit.Draw(line.map(::centimetres)))
+    }
+
+    private enum class End { UP, SECOND_FINGER }
+
+    /** Tells [onMove] every place once the finger has really moved; a second finger pinches the sheet and ends all else. */
+    private suspend fun moves(down: Offset, onMove: (Offset) -> Unit): End = with(scope) {
+        var moving = false
+        while (true) {
+            val event = awaitPointerEvent()
+            if (event.changes.count { it.pressed } > 1) {
+                pinch()
+                return End.SECOND_FINGER
+            }
+            val change = event.changes.first()
+            if (change.changedToUp() || !change.pressed) {
+                change.consume()
+                return End.UP
+            }
+            if (!change.positionChanged()) continue
+            moving = moving || (change.position - down).getDistance() > viewConfiguration.touchSlop
+            if (moving) onMove(change.position)
+            change.consume()
+        }
+        @Suppress("UNREACHABLE_CODE")
+        End.UP
+    }
+
+    private suspend fun AwaitPointerEventScope.pinch() {
+        while (true) {
+            val event = awaitPointerEvent()
+            if (event.changes.none { it.pressed }) return
+            val paper = making.world.paper
+            if (event.changes.count { it.pressed } > 1) {
+                view.pushBy(event.calculatePan(), paper)
+                view.zoomBy(event.calculateZoom().toDouble(), event.calculateCentroid(), paper)
+            }
+            event.changes.forEach { it.consume() }
+        }
+    }
+
+    private fun centimetres(place: Offset): Point = transform.toCentimetres(place)
+}
+
+private const val WHEEL_ZOOM = 1.2

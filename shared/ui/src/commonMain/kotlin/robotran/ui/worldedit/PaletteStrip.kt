@@ -1,0 +1,155 @@
+package robotran.ui.worldedit
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.gestures.awaitEachGesture
+import androidx.compose.foundation.gestures.awaitFirstDown
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.input.pointer.PointerInputScope
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.layout.onGloballyPositioned
+import androidx.compose.ui.layout.positionInRoot
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import kotlin.math.abs
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.worldedit_draw_line
+import robotran.ui.resources.worldedit_draw_template
+import robotran.ui.resources.worldedit_item_area
+import robotran.ui.resources.worldedit_item_block
+import robotran.ui.resources.worldedit_item_box
+import robotran.ui.resources.worldedit_item_column
+import robotran.ui.resources.worldedit_item_cornered_area
+import robotran.ui.resources.worldedit_item_cornered_barrier
+import robotran.ui.resources.worldedit_item_dot
+import robotran.ui.resources.worldedit_item_forbidden
+import robotran.ui.resources.worldedit_item_goal
+import robotran.ui.resources.worldedit_item_lamp
+import robotran.ui.resources.worldedit_item_line
+import robotran.ui.resources.worldedit_item_permitted
+import robotran.ui.resources.worldedit_item_robot
+import robotran.ui.resources.worldedit_item_round_block
+import robotran.ui.resources.worldedit_item_template_line
+import robotran.ui.resources.worldedit_item_wall
+import robotran.ui.theme.LocalRobotranColours
+import robotran.world.Point
+import robotran.worldediting.Edit
+import robotran.worldediting.PaletteItem
+import robotran.worldediting.Tool
+import robotran.worldediting.freeName
+import robotran.worldediting.named
+import robotran.worldediting.nextRobotColour
+import robotran.worldediting.piece
+
+/** All that can be put on the paper: a tap puts it into the middle of what is seen, and it can be dragged out of the strip to where it belongs. */
+@Composable
+internal fun PaletteStrip(making: Making, view: EditView, upright: Boolean, onPut: () -> Unit, modifier: Modifier = Modifier) {
+    val items: @Composable () -> Unit = {
+        for (item in PaletteItem.entries) PaletteButton(making, view, item, upright, onPut)
+        for ((tool, word) in HAND_TOOLS) {
+            IconWord(EditIcons.PENCIL, stringResource(word), "tool-${tool.name.lowercase()}", {
+                making.make(Edit.ChooseTool(if (making.editing.tool == tool) Tool.CHOOSE else tool))
+            }, Modifier.width(itemWidth()), chosen = making.editing.tool == tool)
+        }
+    }
+    if (upright) {
+        Column(modifier.testTag("palette").verticalScroll(rememberScrollState()).padding(4.dp), Arrangement.spacedBy(2.dp)) { items() }
+    } else {
+        Row(modifier.testTag("palette").horizontalScroll(rememberScrollState()).padding(4.dp), Arrangement.spacedBy(2.dp)) { items() }
+    }
+}
+
+@Composable
+private fun PaletteButton(making: Making, view: EditView, item: PaletteItem, upright: Boolean, onPut: () -> Unit) {
+    val word = stringResource(itemWord(item))
+    val ink = LocalRobotranColours.current.onPane
+    val robotName = stringResource(colourWord(making.world.nextRobotColour))
+    var corner by remember { mutableStateOf(Offset.Zero) }
+    val put = rememberUpdatedState { place: Point ->
+        val piece = item.piece(making.world)
+        making.make(Edit.Put(if (item == PaletteItem.ROBOT) piece.named(making.world.freeName(robotName)) else piece, place))
+        onPut()
+    }
+    val world = rememberUpdatedState(making.world)
+    SignWord(
+        word,
+        "palette-${item.name.lowercase()}",
+        { put.value(view.middle(making.world.paper)) },
+        Modifier
+            .width(itemWidth())
+            .onGloballyPositioned { corner = it.positionInRoot() }
+            .pointerInput(view) {
+                carryOut(upright, { view.carried = it?.plus(corner) }) { place ->
+                    val inPane = place + corner - view.window.topLeft
+                    if (inPane in view.pane) put.value(view.transform(world.value.paper).toCentimetres(inPane))
+                }
+            },
+    ) { Canvas(Modifier.size(28.dp)) { drawPaletteItem(item, ink) } }
+}
+
+@Composable
+private fun itemWidth() = 78.dp * LocalDensity.current.fontScale.coerceIn(1f, 1.6f)
+
+/** A finger that leaves the strip sideways carries something; along the strip it scrolls. */
+private suspend fun PointerInputScope.carryOut(upright: Boolean, onCarry: (Offset?) -> Unit, onDrop: (Offset) -> Unit) = awaitEachGesture {
+    val down = awaitFirstDown(requireUnconsumed = false)
+    var carrying = false
+    while (true) {
+        val change = awaitPointerEvent().changes.firstOrNull { it.id == down.id } ?: break
+        if (change.isConsumed && !carrying) break
+        val moved = change.position - down.position
+        if (!carrying && moved.getDistance() > viewConfiguration.touchSlop) {
+            carrying = if (upright) abs(moved.x) > abs(moved.y) else abs(moved.y) > abs(moved.x)
+            if (!carrying) break
+        }
+        if (carrying) {
+            change.consume()
+            onCarry(change.position.takeIf { change.pressed })
+            if (!change.pressed) onDrop(change.position)
+        }
+        if (!change.pressed) break
+    }
+    onCarry(null)
+}
+
+private val HAND_TOOLS = listOf(
+    Tool.DRAW_LINE to Res.string.worldedit_draw_line,
+    Tool.DRAW_TEMPLATE to Res.string.worldedit_draw_template,
+)
+
+internal fun itemWord(item: PaletteItem): StringResource = when (item) {
+    PaletteItem.WALL -> Res.string.worldedit_item_wall
+    PaletteItem.BOX -> Res.string.worldedit_item_box
+    PaletteItem.COLUMN -> Res.string.worldedit_item_column
+    PaletteItem.CORNERED_BARRIER -> Res.string.worldedit_item_cornered_barrier
+    PaletteItem.BLOCK -> Res.string.worldedit_item_block
+    PaletteItem.ROUND_BLOCK -> Res.string.worldedit_item_round_block
+    PaletteItem.LINE -> Res.string.worldedit_item_line
+    PaletteItem.AREA -> Res.string.worldedit_item_area
+    PaletteItem.DOT -> Res.string.worldedit_item_dot
+    PaletteItem.CORNERED_AREA -> Res.string.worldedit_item_cornered_area
+    PaletteItem.LAMP -> Res.string.worldedit_item_lamp
+    PaletteItem.TEMPLATE_LINE -> Res.string.worldedit_item_template_line
+    PaletteItem.GOAL_AREA -> Res.string.worldedit_item_goal
+    PaletteItem.FORBIDDEN_AREA -> Res.string.worldedit_item_forbidden
+    PaletteItem.PERMITTED_AREA -> Res.string.worldedit_item_permitted
+    PaletteItem.ROBOT -> Res.string.worldedit_item_robot
+}

@@ -1,0 +1,107 @@
+package robotran.ui.worldedit
+
+import androidx.compose.runtime.Composable
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.worldedit_beacon
+import robotran.ui.resources.worldedit_colour
+import robotran.ui.resources.worldedit_facing
+import robotran.ui.resources.worldedit_facing_down
+import robotran.ui.resources.worldedit_facing_forward
+import robotran.ui.resources.worldedit_facing_free
+import robotran.ui.resources.worldedit_nothing
+import robotran.ui.resources.worldedit_own_program
+import robotran.ui.resources.worldedit_own_robot
+import robotran.ui.resources.worldedit_port
+import robotran.ui.resources.worldedit_port_second
+import robotran.ui.resources.worldedit_ports
+import robotran.ui.resources.worldedit_program
+import robotran.ui.resources.worldedit_sensor_left_bumper
+import robotran.ui.resources.worldedit_sensor_left_rotation
+import robotran.ui.resources.worldedit_sensor_light
+import robotran.ui.resources.worldedit_sensor_right_bumper
+import robotran.ui.resources.worldedit_sensor_right_rotation
+import robotran.ui.resources.worldedit_sensor_temperature
+import robotran.ui.resources.worldedit_sensor_touch
+import robotran.ui.settings.SwitchRow
+import robotran.ui.sheet.RobotColours
+import robotran.world.LightFacing
+import robotran.world.PortSensor
+import robotran.world.RobotColour
+import robotran.world.RobotPlace
+import robotran.world.WorldLimits
+import robotran.worldediting.Piece
+import robotran.worldediting.Refusal
+import robotran.worldediting.Thing
+
+/** All that can be said of a robot. */
+@Composable
+internal fun RobotFields(making: Making, thing: Thing, piece: Piece.OfRobot) {
+    val robot = piece.robot
+    val atOnce = { changed: RobotPlace -> making.changeAtOnce(thing, Piece.OfRobot(changed)) }
+    if (thing.number == 0) Remark(stringResource(Res.string.worldedit_own_robot))
+    NameField(making, thing, piece)
+    val swatches = RobotColour.entries.map { Swatch(it, RobotColours.brick(it), stringResource(colourWord(it))) }
+    Swatches(stringResource(Res.string.worldedit_colour), swatches, robot.colour, "robot-colour") { atOnce(robot.copy(colour = it)) }
+    FormFields(making, thing, piece)
+    val facings = listOf(
+        null to stringResource(Res.string.worldedit_facing_free),
+        LightFacing.DOWN to stringResource(Res.string.worldedit_facing_down),
+        LightFacing.FORWARD to stringResource(Res.string.worldedit_facing_forward),
+    )
+    ChipRow(stringResource(Res.string.worldedit_facing), facings, robot.lightFacing, "facing") { atOnce(robot.copy(lightFacing = it)) }
+    PortFields(robot) { atOnce(robot.copy(ports = it)) }
+    NumberRow(
+        stringResource(Res.string.worldedit_beacon), robot.beacon, 0.0..WorldLimits.MAXIMUM_BRIGHTNESS, "field-beacon",
+        { making.change(thing, Piece.OfRobot(robot.copy(beacon = it))) }, making::settle, step = 0.5, slider = 0f..5f,
+    )
+    ProgramFields(making, thing, robot)
+}
+
+/** Two sensors can share a port. */
+@Composable
+private fun PortFields(robot: RobotPlace, onChange: (List<List<PortSensor>>) -> Unit) {
+    RowHeading(stringResource(Res.string.worldedit_ports))
+    val choices: List<Pair<PortSensor?, String>> =
+        listOf<Pair<PortSensor?, String>>(null to stringResource(Res.string.worldedit_nothing)) +
+            PortSensor.entries.map { it to stringResource(sensorWord(it)) }
+    robot.ports.forEachIndexed { port, sensors ->
+        for (place in 0..minOf(sensors.size, WorldLimits.MAXIMUM_SENSORS_PER_PORT - 1)) {
+            val sensor = sensors.getOrNull(place)
+            val title = stringResource(if (place == 0) Res.string.worldedit_port else Res.string.worldedit_port_second, port + 1)
+            val free = choices.filter { (other, _) -> other == null || other == sensor || other !in sensors }
+            MenuRow(title, free, choices.first { it.first == sensor }.second, "port-${port + 1}-$place") { wanted ->
+                val changed = if (place < sensors.size) sensors.mapIndexed { at, old -> if (at == place) wanted else old } else sensors + wanted
+                onChange(robot.ports.mapIndexed { at, old -> if (at == port) changed.filterNotNull() else old })
+            }
+        }
+    }
+}
+
+@Composable
+private fun ProgramFields(making: Making, thing: Thing, robot: RobotPlace) {
+    SwitchRow(stringResource(Res.string.worldedit_own_program), robot.program != null, "field-has-program") { wanted ->
+        making.changeAtOnce(thing, Piece.OfRobot(robot.copy(program = if (wanted) FIRST_PROGRAM else null)))
+    }
+    val program = robot.program ?: return
+    val refusal = (making.editing.refusal as? Refusal.NoSuchText)?.let { refusalInWords(it) }
+    TextRow(
+        stringResource(Res.string.worldedit_program), program,
+        WorldLimits.MAXIMUM_PROGRAM_LINES * WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS, "field-program",
+        { making.change(thing, Piece.OfRobot(robot.copy(program = it))) }, making::settle, tall = true, refusal = refusal,
+    )
+}
+
+private fun sensorWord(sensor: PortSensor): StringResource = when (sensor) {
+    PortSensor.LEFT_BUMPER -> Res.string.worldedit_sensor_left_bumper
+    PortSensor.RIGHT_BUMPER -> Res.string.worldedit_sensor_right_bumper
+    PortSensor.TOUCH -> Res.string.worldedit_sensor_touch
+    PortSensor.LIGHT -> Res.string.worldedit_sensor_light
+    PortSensor.LEFT_ROTATION -> Res.string.worldedit_sensor_left_rotation
+    PortSensor.RIGHT_ROTATION -> Res.string.worldedit_sensor_right_rotation
+    PortSensor.TEMPERATURE -> Res.string.worldedit_sensor_temperature
+}
+
+/** Something that is seen to work. */
+private const val FIRST_PROGRAM = "repeat forever\n  forward 10\n  turn left 90\nend"

@@ -1,0 +1,144 @@
+package robotran.ui.worldedit
+
+import androidx.compose.runtime.Composable
+import kotlin.math.round
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.worldedit_black
+import robotran.ui.resources.worldedit_blue
+import robotran.ui.resources.worldedit_goal_all
+import robotran.ui.resources.worldedit_goal_any_of
+import robotran.ui.resources.worldedit_goal_draw_template
+import robotran.ui.resources.worldedit_goal_end_within
+import robotran.ui.resources.worldedit_goal_follow_line
+import robotran.ui.resources.worldedit_goal_in_order
+import robotran.ui.resources.worldedit_goal_ink_length
+import robotran.ui.resources.worldedit_goal_never_touch
+import robotran.ui.resources.worldedit_goal_reach
+import robotran.ui.resources.worldedit_goal_show
+import robotran.ui.resources.worldedit_goal_sound
+import robotran.ui.resources.worldedit_goal_stay_in
+import robotran.ui.resources.worldedit_goal_stay_out
+import robotran.ui.resources.worldedit_green
+import robotran.ui.resources.worldedit_grey_map
+import robotran.ui.resources.worldedit_item_area
+import robotran.ui.resources.worldedit_item_block
+import robotran.ui.resources.worldedit_item_box
+import robotran.ui.resources.worldedit_item_column
+import robotran.ui.resources.worldedit_item_cornered_barrier
+import robotran.ui.resources.worldedit_item_dot
+import robotran.ui.resources.worldedit_item_lamp
+import robotran.ui.resources.worldedit_item_line
+import robotran.ui.resources.worldedit_item_robot
+import robotran.ui.resources.worldedit_item_template_line
+import robotran.ui.resources.worldedit_item_wall
+import robotran.ui.resources.worldedit_none_chosen
+import robotran.ui.resources.worldedit_numbered
+import robotran.ui.resources.worldedit_one_chosen
+import robotran.ui.resources.worldedit_orange
+import robotran.ui.resources.worldedit_purple
+import robotran.ui.resources.worldedit_red
+import robotran.ui.resources.worldedit_robot_named
+import robotran.ui.resources.worldedit_several_chosen
+import robotran.ui.resources.worldedit_wall_numbered
+import robotran.ui.resources.worldedit_white
+import robotran.ui.resources.worldedit_yellow
+import robotran.world.Goal
+import robotran.world.MarkFigure
+import robotran.world.RobotColour
+import robotran.world.Shape
+import robotran.world.World
+import robotran.world.length
+import robotran.worldediting.Piece
+import robotran.worldediting.Thing
+import robotran.worldediting.WorldEditing
+import robotran.worldediting.name
+import robotran.worldediting.piece
+import robotran.worldediting.written
+
+/** What a person calls [thing], such as `wall 3, 40 cm`. */
+@Composable
+internal fun thingInWords(world: World, thing: Thing): String {
+    val piece = world.piece(thing) ?: return ""
+    val number = thing.number + 1
+    return when (piece) {
+        is Piece.OfRobot -> stringResource(Res.string.worldedit_robot_named, piece.robot.name)
+
+        is Piece.OfWall -> {
+            val length = length(piece.wall.to.x - piece.wall.from.x, piece.wall.to.y - piece.wall.from.y)
+            stringResource(Res.string.worldedit_wall_numbered, number, written(round(length * 10) / 10))
+        }
+
+        is Piece.OfGoal -> piece.goal.says ?: stringResource(goalTitle(piece.goal))
+
+        is Piece.OfBarrier, is Piece.OfBlock, is Piece.OfMark, is Piece.OfLamp, is Piece.OfStroke ->
+            piece.name ?: stringResource(Res.string.worldedit_numbered, stringResource(kindOf(piece)), number)
+    }
+}
+
+/** What is chosen, in words. */
+@Composable
+internal fun chosenInWords(editing: WorldEditing): String {
+    val only = editing.only
+    return when {
+        only != null -> stringResource(Res.string.worldedit_one_chosen, thingInWords(editing.world, only))
+        editing.selection.isEmpty() -> stringResource(Res.string.worldedit_none_chosen)
+        else -> stringResource(Res.string.worldedit_several_chosen, editing.selection.size)
+    }
+}
+
+/** What kind of thing it is, in a word or two. */
+internal fun kindOf(piece: Piece): StringResource = when (piece) {
+    is Piece.OfRobot -> Res.string.worldedit_item_robot
+
+    is Piece.OfWall -> Res.string.worldedit_item_wall
+
+    is Piece.OfBarrier -> when (piece.barrier.shape) {
+        is Shape.Rectangle -> Res.string.worldedit_item_box
+        is Shape.Circle -> Res.string.worldedit_item_column
+        is Shape.Polygon -> Res.string.worldedit_item_cornered_barrier
+    }
+
+    is Piece.OfBlock -> Res.string.worldedit_item_block
+
+    is Piece.OfMark -> when (val figure = piece.mark.figure) {
+        is MarkFigure.Line -> Res.string.worldedit_item_line
+        is MarkFigure.GreyMap -> Res.string.worldedit_grey_map
+        is MarkFigure.Area -> if (figure.shape is Shape.Circle) Res.string.worldedit_item_dot else Res.string.worldedit_item_area
+    }
+
+    is Piece.OfLamp -> Res.string.worldedit_item_lamp
+
+    is Piece.OfStroke -> Res.string.worldedit_item_template_line
+
+    is Piece.OfGoal -> goalTitle(piece.goal)
+}
+
+/** What a goal asks for, in a few words. */
+internal fun goalTitle(goal: Goal): StringResource = when (goal) {
+    is Goal.Reach -> Res.string.worldedit_goal_reach
+    is Goal.StayOut -> Res.string.worldedit_goal_stay_out
+    is Goal.StayIn -> Res.string.worldedit_goal_stay_in
+    is Goal.NeverTouch -> Res.string.worldedit_goal_never_touch
+    is Goal.DrawTemplate -> Res.string.worldedit_goal_draw_template
+    is Goal.InkLength -> Res.string.worldedit_goal_ink_length
+    is Goal.FollowLine -> Res.string.worldedit_goal_follow_line
+    is Goal.EndWithin -> Res.string.worldedit_goal_end_within
+    is Goal.ShowOnDisplay -> Res.string.worldedit_goal_show
+    is Goal.PlaySound -> Res.string.worldedit_goal_sound
+    is Goal.InOrder -> Res.string.worldedit_goal_in_order
+    is Goal.All -> Res.string.worldedit_goal_all
+    is Goal.AnyOf -> Res.string.worldedit_goal_any_of
+}
+
+internal fun colourWord(colour: RobotColour): StringResource = when (colour) {
+    RobotColour.YELLOW -> Res.string.worldedit_yellow
+    RobotColour.RED -> Res.string.worldedit_red
+    RobotColour.BLUE -> Res.string.worldedit_blue
+    RobotColour.GREEN -> Res.string.worldedit_green
+    RobotColour.ORANGE -> Res.string.worldedit_orange
+    RobotColour.PURPLE -> Res.string.worldedit_purple
+    RobotColour.WHITE -> Res.string.worldedit_white
+    RobotColour.BLACK -> Res.string.worldedit_black
+}

@@ -1,0 +1,69 @@
+package robotran.ui.worldedit
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.worldedit_things_help
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.worldediting.Edit
+import robotran.worldediting.Thing
+import robotran.worldediting.ThingKind
+import robotran.worldediting.listed
+
+/** Everything on the sheet, to be chosen by its name: the way for those who cannot see or point. */
+@Composable
+internal fun ThingsPanel(making: Making, onChosen: () -> Unit) {
+    Remark(stringResource(Res.string.worldedit_things_help))
+    for (thing in making.world.listed().filter { it.kind != ThingKind.GOAL }) ThingRow(making, thing, 0.dp, onChosen)
+}
+
+/** One thing in a list, with a sign if something is wrong with it. */
+@Composable
+internal fun ThingRow(making: Making, thing: Thing, indent: Dp, onChosen: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    val isChosen = thing in making.editing.selection
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .testTag("thing-${thing.kind.name.lowercase()}-${thing.number}")
+            .defaultMinSize(minHeight = Measures.TARGET)
+            .focusRing()
+            .clip(RoundedCornerShape(12.dp))
+            .background(if (isChosen) colours.runningLine else Color.Transparent)
+            .selectable(isChosen, role = Role.Button) {
+                making.make(Edit.Choose(thing, making.editing.several))
+                if (!making.editing.several) onChosen()
+            }
+            .padding(start = 12.dp + indent, end = 12.dp),
+        Arrangement.spacedBy(8.dp),
+        Alignment.CenterVertically,
+    ) {
+        Text(thingInWords(making.world, thing), Modifier.weight(1f), color = colours.onPane, fontSize = 16.sp)
+        if (making.editing.troubles.any { it.thing == thing }) {
+            Box(Modifier.size(22.dp)) { Canvas(Modifier.matchParentSize()) { with(EditIcons.WARNING) { draw(colours.mistake) } } }
+        }
+    }
+}

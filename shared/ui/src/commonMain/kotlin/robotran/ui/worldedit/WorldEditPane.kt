@@ -1,0 +1,154 @@
+package robotran.ui.worldedit
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.interaction.MutableInteractionSource
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.offset
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.shape.CircleShape
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.VerticalDivider
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.input.key.onKeyEvent
+import androidx.compose.ui.layout.onGloballyPositioned
+import androidx.compose.ui.layout.positionInRoot
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.paneTitle
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.IntOffset
+import androidx.compose.ui.unit.dp
+import kotlin.math.roundToInt
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.edit_world
+import robotran.ui.resources.worldedit_new_title
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorldEditState
+import robotran.world.SessionState
+import robotran.worldediting.Thing
+import robotran.worldediting.ThingKind
+
+/** Where the world is built, over the whole screen: the palette, the sheet and what there is to say of the things on it. */
+@Composable
+internal fun WorldEditPane(state: WorldEditState, session: SessionState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+    val making = Making(state.editing, onEvent)
+    val view = remember { EditView() }
+    val focus = remember { FocusRequester() }
+    val title = stringResource(Res.string.edit_world)
+    val newTitle = stringResource(Res.string.worldedit_new_title)
+    var corner by remember { mutableStateOf(Offset.Zero) }
+    LaunchedEffect(Unit) { focus.requestFocus() }
+    BoxWithConstraints(
+        modifier
+            .fillMaxSize()
+            .testTag("world-edit")
+            .semantics { paneTitle = title }
+            .onGloballyPositioned { corner = it.positionInRoot() }
+            .onKeyEvent { event -> editForCommand(event)?.let(making::make) != null }
+            // What lies under the editor is out of reach.
+            .clickable(remember { MutableInteractionSource() }, indication = null) { }
+            .background(LocalRobotranColours.current.desk),
+    ) {
+        val scale = LocalDensity.current.fontScale
+        val sheet: @Composable (Modifier) -> Unit = { EditSheet(making, view, session, focus, it) }
+        Column(Modifier.fillMaxSize()) {
+            EditBar(making, view, withWords = maxWidth >= WORDS_WIDTH * scale)
+            HorizontalDivider(color = LocalRobotranColours.current.line)
+            EditHints(state, making)
+            val put = { focus.requestFocus() }
+            if (this@BoxWithConstraints.maxWidth >= WIDE + PANEL_WIDTH * (scale - 1)) {
+                Beside(making, view, newTitle, put, panelWidth(scale), sheet)
+            } else {
+                Below(making, view, newTitle, put, this@BoxWithConstraints.maxHeight, sheet)
+            }
+        }
+        view.carried?.let { Carried(it - corner) }
+    }
+}
+
+/** Tablet and laptop: palette, sheet, panel. */
+@Composable
+private fun Beside(making: Making, view: EditView, newTitle: String, onPut: () -> Unit, panel: Dp, sheet: @Composable (Modifier) -> Unit) {
+    val colours = LocalRobotranColours.current
+    var tab by remember { mutableStateOf(EditTab.CHOSEN) }
+    FollowSelection(making, tab) { tab = it }
+    Row(Modifier.fillMaxSize()) {
+        PaletteStrip(making, view, upright = true, onPut, Modifier.fillMaxHeight().background(colours.pane))
+        VerticalDivider(color = colours.line)
+        sheet(Modifier.weight(1f))
+        VerticalDivider(color = colours.line)
+        Column(Modifier.width(panel)) {
+            EditTabs(tab) { tab = it }
+            EditPanel(making, tab, { tab = it }, newTitle)
+        }
+    }
+}
+
+/** Phone: the sheet, under it the palette and the tabs; what they show comes up when one is touched. */
+@Composable
+private fun Below(making: Making, view: EditView, newTitle: String, onPut: () -> Unit, height: Dp, sheet: @Composable (Modifier) -> Unit) {
+    val colours = LocalRobotranColours.current
+    var tab by remember { mutableStateOf<EditTab?>(null) }
+    FollowSelection(making, tab) { if (tab != null) tab = it }
+    Column(Modifier.fillMaxSize()) {
+        sheet(Modifier.weight(1f))
+        HorizontalDivider(color = colours.line)
+        PaletteStrip(making, view, upright = false, onPut, Modifier.fillMaxWidth().background(colours.pane))
+        HorizontalDivider(color = colours.line)
+        EditTabs(tab) { tab = if (tab == it) null else it }
+        tab?.let { open -> EditPanel(making, open, { tab = it }, newTitle, Modifier.height(height * PANEL_SHARE)) }
+    }
+}
+
+/** Whatever is chosen on the sheet is shown in the panel, but a goal in the list of goals stays there. */
+@Composable
+private fun FollowSelection(making: Making, tab: EditTab?, onTab: (EditTab) -> Unit) {
+    val selection: Set<Thing> = making.editing.selection
+    LaunchedEffect(selection) {
+        val stays = tab == EditTab.GOALS && selection.all { it.kind == ThingKind.GOAL }
+        if (selection.isNotEmpty() && !stays && !(tab == EditTab.THINGS && making.editing.several)) onTab(EditTab.CHOSEN)
+    }
+}
+
+/** What a finger carries out of the palette. */
+@Composable
+private fun Carried(place: Offset) {
+    val radius = with(LocalDensity.current) { CARRIED.toPx() / 2 }
+    Box(
+        Modifier
+            .offset { IntOffset((place.x - radius).roundToInt(), (place.y - radius).roundToInt()) }
+            .size(CARRIED)
+            .background(Color.White.copy(alpha = 0.8f), CircleShape)
+            .border(2.dp, LocalRobotranColours.current.focus, CircleShape),
+    )
+}
+
+private fun panelWidth(scale: Float): Dp = PANEL_WIDTH * (1 + (scale - 1) / 2)
+
+private val PANEL_WIDTH = 340.dp
+private val WIDE = 800.dp
+private val WORDS_WIDTH = 900.dp
+private const val PANEL_SHARE = 0.42f
+private val CARRIED = 44.dp

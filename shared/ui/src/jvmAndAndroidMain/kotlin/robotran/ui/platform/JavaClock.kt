@@ -1,0 +1,26 @@
+package robotran.ui.platform
+
+import java.time.Instant
+import java.time.LocalDate
+import java.time.ZoneId
+import java.time.format.DateTimeFormatter
+import java.time.format.FormatStyle
+import java.util.Locale
+
+/** The clock of this machine. */
+object JavaClock : WallClock {
+    override val now: Long get() = System.currentTimeMillis()
+
+    override fun describe(milliseconds: Long, language: String): String {
+        val time = Instant.ofEpochMilli(milliseconds).atZone(ZoneId.systemDefault())
+        val isToday = time.toLocalDate() == LocalDate.now()
+        val format = if (isToday) DateTimeFormatter.ofLocalizedTime(FormatStyle.SHORT) else DateTimeFormatter.ofLocalizedDate(FormatStyle.MEDIUM)
+        return time.format(format.withLocale(localeOf(language)))
+    }
+
+    /** The machine's own kind of [language], if it speaks that: a British day is not written as an American one. */
+    private fun localeOf(language: String): Locale {
+        val own = Locale.getDefault()
+        return if (language.isEmpty() || own.language == language) own else Locale.forLanguageTag(language)
+    }
+}

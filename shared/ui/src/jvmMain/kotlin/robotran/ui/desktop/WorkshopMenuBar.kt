@@ -1,0 +1,126 @@
+package robotran.ui.desktop
+
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyShortcut
+import androidx.compose.ui.window.FrameWindowScope
+import androidx.compose.ui.window.MenuBar
+import androidx.compose.ui.window.MenuScope
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.InLanguage
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_close_window
+import robotran.ui.resources.documents_edit_world
+import robotran.ui.resources.documents_first_page
+import robotran.ui.resources.documents_kit
+import robotran.ui.resources.documents_menu_edit
+import robotran.ui.resources.documents_menu_file
+import robotran.ui.resources.documents_menu_help
+import robotran.ui.resources.documents_menu_run
+import robotran.ui.resources.documents_menu_view
+import robotran.ui.resources.documents_my_work
+import robotran.ui.resources.documents_new
+import robotran.ui.resources.documents_new_window
+import robotran.ui.resources.documents_open
+import robotran.ui.resources.documents_open_link
+import robotran.ui.resources.documents_program_file
+import robotran.ui.resources.documents_redo
+import robotran.ui.resources.documents_rename
+import robotran.ui.resources.documents_replay
+import robotran.ui.resources.documents_run_now
+import robotran.ui.resources.documents_save
+import robotran.ui.resources.documents_save_as
+import robotran.ui.resources.documents_settings
+import robotran.ui.resources.documents_share
+import robotran.ui.resources.documents_stop_now
+import robotran.ui.resources.documents_tutorial
+import robotran.ui.resources.documents_undo
+import robotran.ui.resources.documents_untitled
+import robotran.ui.resources.documents_worlds
+import robotran.ui.workshop.DocumentEvent
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningPage
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.Workshop
+import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorkshopState
+import robotran.ui.workshop.WorldEditEvent
+
+/** The platform's menu over a window with the workshop [state], in the language of the app. */
+@Composable
+fun FrameWindowScope.WorkshopMenuBar(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    openAnother: () -> Unit,
+    close: () -> Unit,
+) {
+    InLanguage(state.settings.language) {
+        MenuBar {
+            Menu(stringResource(Res.string.documents_menu_file)) { FileItems(onEvent, openAnother, close) }
+            Menu(stringResource(Res.string.documents_menu_edit)) {
+                Choice(Res.string.documents_undo, control(Key.Z)) { onEvent(ProgramEvent.Undone) }
+                Choice(Res.string.documents_redo, control(Key.Z, shift = true)) { onEvent(ProgramEvent.Redone) }
+            }
+            Menu(stringResource(Res.string.documents_menu_run)) {
+                Choice(Res.string.documents_run_now, KeyShortcut(Key.F5)) { onEvent(RunEvent.RunPressed) }
+                Choice(Res.string.documents_stop_now, KeyShortcut(Key.F5, shift = true), state.stoppable) { onEvent(RunEvent.StopPressed) }
+            }
+            Menu(stringResource(Res.string.documents_menu_view)) {
+                Choice(Res.string.documents_edit_world, enabled = state.worldEdit == null) { onEvent(WorldEditEvent.EditorOpened) }
+                Choice(Res.string.documents_worlds) { onEvent(LearningEvent.PageWanted(LearningPage.WORLDS)) }
+                Separator()
+                Choice(Res.string.documents_settings, control(Key.Comma)) { onEvent(SettingsEvent.SettingsShown(true)) }
+            }
+            Menu(stringResource(Res.string.documents_menu_help)) {
+                Choice(Res.string.documents_tutorial, KeyShortcut(Key.F1, shift = true)) {
+                    onEvent(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+                }
+                Choice(Res.string.documents_first_page) { onEvent(LearningEvent.PageWanted(LearningPage.FIRST_RUN)) }
+            }
+        }
+    }
+}
+
+/** What stands over the window: the work's name, with a dot as long as not all of it is in its file. */
+@Composable
+fun windowTitle(workshop: Workshop?): String {
+    val document = workshop?.state?.document ?: return APP
+    val name = document.name.ifEmpty { stringResource(Res.string.documents_untitled) }
+    val dot = if (document.fileName != null && !document.saved) "● " else ""
+    return "$dot$name – $APP"
+}
+
+@Composable
+private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: () -> Unit, close: () -> Unit) {
+    Choice(Res.string.documents_new, control(Key.N)) { onEvent(DocumentEvent.NewWanted) }
+    Choice(Res.string.documents_new_window, control(Key.N, shift = true), onClick = openAnother)
+    Separator()
+    Choice(Res.string.documents_my_work, control(Key.O, shift = true)) { onEvent(DocumentEvent.WorksWanted) }
+    Choice(Res.string.documents_open, control(Key.O)) { onEvent(DocumentEvent.OpenWanted) }
+    Choice(Res.string.documents_open_link) { onEvent(DocumentEvent.LinkPastingWanted) }
+    Separator()
+    Choice(Res.string.documents_save, control(Key.S)) { onEvent(DocumentEvent.SaveWanted) }
+    Choice(Res.string.documents_save_as, control(Key.S, shift = true)) { onEvent(DocumentEvent.SaveAsWanted) }
+    Choice(Res.string.documents_rename) { onEvent(DocumentEvent.RenameWanted) }
+    Separator()
+    Choice(Res.string.documents_share) { onEvent(DocumentEvent.LinkWanted) }
+    Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayWanted) }
+    Choice(Res.string.documents_program_file) { onEvent(DocumentEvent.ProgramFileWanted) }
+    Choice(Res.string.documents_kit) { onEvent(DocumentEvent.KitWanted) }
+    Separator()
+    Choice(Res.string.documents_close_window, control(Key.W), onClick = close)
+}
+
+@Composable
+private fun MenuScope.Choice(words: StringResource, shortcut: KeyShortcut? = null, enabled: Boolean = true, onClick: () -> Unit) =
+    Item(stringResource(words), enabled = enabled, shortcut = shortcut, onClick = onClick)
+
+/** With the key that the platform's own shortcuts take. */
+private fun control(key: Key, shift: Boolean = false) =
+    if (IS_MAC) KeyShortcut(key, meta = true, shift = shift) else KeyShortcut(key, ctrl = true, shift = shift)
+
+private val IS_MAC = System.getProperty("os.name").orEmpty().startsWith("Mac")
+private const val APP = "Robotran"

@@ -1,0 +1,95 @@
+package robotran.ui.language
+
+import org.w3c.dom.Element
+import robotran.language.Language
+import java.io.File
+import javax.xml.parsers.DocumentBuilderFactory
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** Holds the screen's words in all languages against each other, file by file. */
+class StringsTest {
+    private val english = stringsOf(Language.ENGLISH)
+    private val others = listOf(Language.SPANISH, Language.GERMAN).associateWith(::stringsOf)
+
+    @Test
+    fun `every language has the same files with the same keys`() {
+        assertTrue(english.values.sumOf { it.size } > 80, "The English strings were not found.")
+        val wrong = others.flatMap { (language, files) ->
+            (english.keys + files.keys).flatMap { file ->
+                val known = english[file].orEmpty().keys
+                val said = files[file].orEmpty().keys
+                (known - said).map { "$it of $file is missing in $language" } + (said - known).map { "$it of $file is only in $language" }
+            }
+        }
+        assertEquals(emptyList(), wrong)
+    }
+
+    @Test
+    fun `a text has the same arguments in every language`() =
+        forEachTranslation { one, other -> if (argumentsIn(one) == argumentsIn(other)) null else "has other arguments than \"$one\"" }
+
+    @Test
+    fun `no English text is left in another language`() = forEachTranslation { one, other ->
+        val words = WORD.findAll(ARGUMENT.replace(one, "")).map { it.value }
+        if (one == other && words.any { it !in SHARED_WORDS }) "is in English" else null
+    }
+
+    @Test
+    fun `a sentence ends with a full stop in every language`() =
+        forEachTranslation { one, other -> if (one.endsWith('.') && !other.endsWith('.')) "does not end as \"$one\"" else null }
+
+    @Test
+    fun `nothing is shouted, nobody is kept at a distance and nothing is misspelt by a computer`() {
+        val all = (others + (Language.ENGLISH to english)).flatMap { (language, files) ->
+            files.values.flatMap { texts -> texts.map { (key, text) -> Triple(language, key, text) } }
+        }
+        val wrong = all.flatMap { (language, key, text) ->
+            UNWANTED.filter { it.containsMatchIn(text) }.map { "$key in $language has ${it.pattern}: $text" }
+        }
+        assertEquals(emptyList(), wrong)
+    }
+
+    private fun forEachTranslation(wrongIn: (english: String, other: String) -> String?) {
+        val wrong = others.flatMap { (language, files) ->
+            english.flatMap { (file, texts) ->
+                texts.mapNotNull { (key, text) ->
+                    files[file]?.get(key)?.let { other -> wrongIn(text, other)?.let { "$key in $language $it: $other" } }
+                }
+            }
+        }
+        assertEquals(emptyList(), wrong)
+    }
+
+    private fun argumentsIn(text: String) = ARGUMENT.findAll(text).map { it.value }.toSet()
+
+    private fun stringsOf(language: Language): Map<String, Map<String, String>> {
+        val folder = if (language == Language.ENGLISH) "values" else "values-${language.tag}"
+        val files = checkNotNull(File(RESOURCES, folder).listFiles()) { "There is no folder $folder." }
+        return files.filter { it.extension == "xml" }.associate { it.name to stringsIn(it) }
+    }
+
+    private fun stringsIn(file: File): Map<String, String> {
+        val nodes = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(file).getElementsByTagName("string")
+        val strings = (0..<nodes.length).map { nodes.item(it) as Element }
+        val names = strings.map { it.getAttribute("name") }
+        assertEquals(names.toSet().size, names.size, "A key is twice in ${file.path}: ${names.groupBy { it }.filterValues { it.size > 1 }.keys}")
+        return strings.associate { it.getAttribute("name") to it.textContent }
+    }
+
+    private companion object {
+        /** From the folder of this module, in which Gradle runs its tests. */
+        const val RESOURCES = "src/commonMain/composeResources"
+
+        val ARGUMENT = Regex("""%\d\${'$'}[sd]""")
+        val UNWANTED = listOf("!", "¡", "  ", """ \.""", """\bustedes?\b""", """\bIhnen\b""", """\bTODO\b""", """\\""").map(::Regex)
+
+        /** Words that English shares with another language, and names and units: a text of nothing else may be the same. */
+        val SHARED_WORDS = setOf(
+            "On", "Off", "View", "Prgm", "Run", "s", "cm", "C", "Aa", "Java", "Link", "Motor", "Name", "Pause", "Robot", "Sensor", "Threads",
+            "Variables", "firmware", "orange", "Radius", "Text",
+        )
+        val WORD = Regex("\\p{L}+")
+    }
+}

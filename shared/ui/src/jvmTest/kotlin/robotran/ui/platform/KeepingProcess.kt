@@ -1,0 +1,64 @@
+package robotran.ui.platform
+
+import kotlinx.coroutines.runBlocking
+import robotran.documents.Keeping
+import robotran.documents.KeptWork
+import robotran.documents.WorkReading
+import robotran.documents.WorkShelf
+import robotran.projects.Project
+import robotran.world.BuiltInWorlds
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+
+/** A process that does nothing but keep a work that changes, as fast as it can, and tells each copy that it was told is kept. */
+internal class KeepingProcess private constructor(private val process: Process) {
+    private val lines = process.inputStream.bufferedReader()
+
+    /** How many copies it has told of. */
+    var told = 0
+        private set
+
+    /** Waits until it has told of so many copies; how many it has. */
+    fun awaitCopies(count: Int): Int {
+        while (told < count) {
+            check(lines.readLine() != null) { "the process has ended" }
+            told++
+        }
+        return told
+    }
+
+    /** As `kill -9` does. */
+    fun kill() {
+        process.destroyForcibly().waitFor(WAIT_SECONDS, TimeUnit.SECONDS)
+        told += lines.readLines().count { it == TOLD }
+    }
+
+    companion object {
+        const val TOLD = "kept"
+        private const val WAIT_SECONDS = 20L
+
+        fun start(folder: Path): KeepingProcess {
+            val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+            val command = listOf(java, "-cp", System.getProperty("java.class.path"), "robotran.ui.platform.KeepingMain", folder.toString())
+            return KeepingProcess(ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start())
+        }
+    }
+}
+
+internal fun workFor(name: String) = KeptWork("one", name, 1_000, Project(BuiltInWorlds.plain))
+
+/** What a [KeepingProcess] runs. */
+internal object KeepingMain {
+    @JvmStatic
+    fun main(arguments: Array<String>): Unit = runBlocking {
+        val shelf = WorkShelf(FolderWorkStore(Path.of(arguments.single())))
+        checkNotNull(shelf.claim("one"))
+        var number = (shelf.read("one") as? WorkReading.Found)?.work?.name?.toInt() ?: 0
+        while (true) {
+            number++
+            check(shelf.keep(workFor(number.toString())) == Keeping.Kept)
+            println(KeepingProcess.TOLD)
+            System.out.flush()
+        }
+    }
+}

@@ -1,0 +1,101 @@
+@file:OptIn(ExperimentalWasmJsInterop::class)
+
+package robotran.web.platform
+
+import kotlinx.coroutines.await
+import robotran.projects.isLink
+import robotran.ui.platform.Arrival
+import robotran.ui.platform.Arrivals
+import robotran.ui.platform.FileDesk
+import robotran.ui.platform.Platform
+import robotran.ui.platform.Sharing
+import robotran.ui.platform.WallClock
+import robotran.ui.platform.WorkStore
+import robotran.ui.sound.LoudSpeaker
+import kotlin.js.Promise
+
+/** What a browser offers to the page. */
+internal class WebPlatform(override val speaker: LoudSpeaker) : Platform {
+    override val store: WorkStore = WebStore()
+    override val files: FileDesk = WebFileDesk
+    override val sharing: Sharing = WebSharing
+    override val clock: WallClock = WebClock
+    override val arrivals: Arrivals = Arrivals()
+    override val pageAddress: String = pageAddress()
+
+    init {
+        prepareReadingOfFiles()
+        takeLink()
+        onNewFragment(::takeLink)
+        onFilesDropped { lines -> filesIn(lines).takeIf { it.isNotEmpty() }?.let { arrivals.bring(Arrival.OfFiles(it)) } }
+    }
+
+    /** Opens the link in the page's address, and takes it out there, so that a reload brings back what has become of it since. */
+    private fun takeLink() {
+        val fragment = takeFragment()
+        if (isLink(fragment)) arrivals.bring(Arrival.OfLink(fragment))
+    }
+}
+
+private object WebSharing : Sharing {
+    override val hasShareSheet: Boolean = canShare()
+
+    override suspend fun copy(text: String): Boolean = copyText(text).await<JsBoolean>().toBoolean()
+
+    override suspend fun share(text: String): Boolean = shareText(text).await<JsBoolean>().toBoolean()
+}
+
+private object WebClock : WallClock {
+    override val now: Long get() = currentTime().toLong()
+
+    override fun describe(milliseconds: Long, language: String): String = describeTime(milliseconds.toDouble(), language)
+}
+
+private fun pageAddress(): String = js("location.href.split('#')[0]")
+
+/** What is behind the `#` of the address, if it may be a link; it is not there any more then. */
+private fun takeFragment(): String = js(
+    """(() => {
+        const fragment = location.hash;
+        if (/^#[wp]=/.test(fragment)) history.replaceState(null, '', location.href.split('#')[0]);
+        return fragment;
+    })()""",
+)
+
+private fun onNewFragment(take: () -> Unit): Unit = js("addEventListener('hashchange', () => take())")
+
+private fun onFilesDropped(take: (String) -> Unit): Unit = js(
+    """{
+        addEventListener('dragover', (event) => event.preventDefault());
+        addEventListener('drop', (event) => {
+            event.preventDefault();
+            if (event.dataTransfer) globalThis.robotranFiles(event.dataTransfer.files).then((lines) => take(lines));
+        });
+    }""",
+)
+
+/** Calls [rest] whenever the page goes out of sight, after which it may be gone without a word. */
+internal fun onOutOfSight(rest: () -> Unit): Unit =
+    js("document.addEventListener('visibilitychange', () => { if (document.visibilityState === 'hidden') rest(); })")
+
+/** Lets the browser ask before the page is left while [wouldLose] says that something would be lost. */
+internal fun askBeforeLosing(wouldLose: () -> Boolean): Unit =
+    js("addEventListener('beforeunload', (event) => { if (wouldLose()) event.preventDefault(); })")
+
+private fun canShare(): Boolean = js("typeof navigator.share === 'function'")
+
+private fun copyText(text: String): Promise<JsBoolean> =
+    js("(navigator.clipboard ? navigator.clipboard.writeText(text) : Promise.reject()).then(() => true, () => false)")
+
+private fun shareText(text: String): Promise<JsBoolean> = js("navigator.share({ url: text }).then(() => true, () => false)")
+
+private fun currentTime(): Double = js("Date.now()")
+
+private fun describeTime(milliseconds: Double, language: String): String = js(
+    """(() => {
+        const time = new Date(milliseconds);
+        const isToday = time.toDateString() === new Date().toDateString();
+        const form = isToday ? { hour: 'numeric', minute: '2-digit' } : { day: 'numeric', month: 'short', year: 'numeric' };
+        return time.toLocaleString(language || undefined, form);
+    })()""",
+)

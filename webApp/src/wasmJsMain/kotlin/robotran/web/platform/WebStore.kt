@@ -1,0 +1,90 @@
+@file:OptIn(ExperimentalWasmJsInterop::class)
+
+package robotran.web.platform
+
+import kotlinx.coroutines.await
+import robotran.documents.StoreResult
+import robotran.documents.WorkClaim
+import robotran.ui.platform.WorkStore
+import kotlin.js.Promise
+
+/**
+ * Texts in the browser's IndexedDB, which replaces a text wholly or not at all. Claims are the browser's locks between its tabs, which end with the
+ * page, however that ends; where it has none, each page claims what it likes.
+ */
+internal class WebStore : WorkStore {
+    private val texts = openTexts()
+
+    override suspend fun names(): List<String> = texts.names().await<JsString>().toString().split('\n').filter { it.isNotEmpty() }
+
+    override suspend fun read(name: String): String? = texts.read(name).await<JsString?>()?.toString()
+
+    override suspend fun write(name: String, text: String): StoreResult = resultOf(texts.write(name, text).await<JsString>().toString())
+
+    override suspend fun remove(name: String): StoreResult = resultOf(texts.remove(name).await<JsString>().toString())
+
+    override suspend fun claim(name: String): WorkClaim? = texts.claim(name).await<JsAny?>()?.let { release -> WorkClaim { call(release) } }
+
+    private fun resultOf(word: String): StoreResult = when (word) {
+        DONE -> StoreResult.Done
+        FULL -> StoreResult.Full
+        else -> StoreResult.Failed(word)
+    }
+
+    private companion object {
+        const val DONE = "done"
+        const val FULL = "full"
+    }
+}
+
+private external interface BrowserTexts : JsAny {
+    fun names(): Promise<JsString>
+
+    fun read(name: String): Promise<JsString?>
+
+    fun write(name: String, text: String): Promise<JsString>
+
+    fun remove(name: String): Promise<JsString>
+
+    fun claim(name: String): Promise<JsAny?>
+}
+
+private fun call(function: JsAny): Unit = js("function()")
+
+private fun openTexts(): BrowserTexts = js(
+    """(() => {
+        const opened = new Promise((resolve, reject) => {
+            const request = indexedDB.open('robotran', 1);
+            request.onupgradeneeded = () => request.result.createObjectStore('texts');
+            request.onsuccess = () => resolve(request.result);
+            request.onerror = () => reject(request.error);
+        });
+        opened.catch(() => undefined);
+        const act = async (mode, work) => {
+            const database = await opened;
+            return new Promise((resolve, reject) => {
+                const transaction = database.transaction('texts', mode, { durability: 'strict' });
+                const request = work(transaction.objectStore('texts'));
+                transaction.oncomplete = () => resolve(request.result);
+                transaction.onabort = () => reject(transaction.error || request.error);
+            });
+        };
+        const word = (error) => error && error.name === 'QuotaExceededError' ? 'full' : String(error && error.message || error);
+        const told = (promise) => promise.then(() => 'done', word);
+        const claim = (name) => new Promise((resolve) => {
+            if (!navigator.locks) {
+                resolve(() => undefined);
+                return;
+            }
+            const hold = (lock) => lock ? new Promise((release) => resolve(() => release())) : resolve(null);
+            navigator.locks.request('robotran-' + name, { ifAvailable: true }, hold).catch(() => resolve(() => undefined));
+        });
+        return {
+            names: () => act('readonly', (texts) => texts.getAllKeys()).then((keys) => keys.join('\n'), () => ''),
+            read: (name) => act('readonly', (texts) => texts.get(name)).then((text) => text === undefined ? null : text, () => null),
+            write: (name, text) => told(act('readwrite', (texts) => texts.put(text, name))),
+            remove: (name) => told(act('readwrite', (texts) => texts.delete(name))),
+            claim,
+        };
+    })()""",
+)
