@@ -1,6 +1,7 @@
 package robotran.ui.workshop
 
 import robotran.programs.SourceFile
+import robotran.projects.Project
 import robotran.projects.ProjectProgram
 
 /** The program as a project keeps it. */
@@ -13,3 +14,7 @@ internal fun PupilProgram.asProject(): ProjectProgram {
 }
 
 internal fun ProjectProgram.asPupil(): PupilProgram = PupilProgram(files.map { ProgramFile(it.name, it.text) })
+
+/** The programs that the first robot of [project] has been given; empty if it has been given none. */
+internal fun pupilProgramsOf(project: Project): List<PupilProgram> =
+    project.robots.firstOrNull { it.name == project.world.robots.first().name }?.programs.orEmpty().map { it.asPupil() }
