@@ -24,9 +24,12 @@ import robotran.ui.brick.LEAST_BRICK_WIDTH
 import robotran.ui.drawer.DrawerPage
 import robotran.ui.drawer.GoalChip
 import robotran.ui.drawer.RunAnnouncer
+import robotran.ui.learning.TutorialPane
+import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.LearningEvent
 import robotran.ui.workshop.Pane
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.WorkshopEvent
@@ -34,25 +37,42 @@ import robotran.ui.workshop.WorkshopState
 import robotran.ui.world.WorldPane
 import robotran.world.SessionInput
 
-/** Phone: one pane at a time under three tabs, the run bar always below. */
+/** Phone: one pane at a time under three tabs, or the tutorial in its place; the run bar always below. */
 @Composable
 internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    val tutorial = state.learning.tutorial
+    val isReading = tutorial != null && !tutorial.isFolded
+    val perform = { event: WorkshopEvent ->
+        if (isReading && makesRoom(event)) onEvent(LearningEvent.TutorialFolded(true))
+        onEvent(event)
+    }
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
             MainMenu(state, onEvent, withWork = true)
-            PaneTabs(state.pane, state.mistakes.isNotEmpty(), { onEvent(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
+            PaneTabs(state.pane, state.mistakes.isNotEmpty(), { perform(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
-        val pane = Modifier.weight(1f)
-        when (state.pane) {
-            Pane.PROGRAM -> ProgramPane(state, MOST_MISTAKES, onEvent, pane)
-            Pane.WORLD -> if (state.run.drawer.tab == null) WorldWithStrip(state, onEvent, pane) else DrawerPage(state.run, onEvent, pane)
-            Pane.BRICK -> BrickAlone(state, onEvent, pane)
+        if (isReading) {
+            TutorialPane(state.learning, perform, Modifier.weight(1f))
+        } else {
+            if (tutorial != null) TutorialStrip(state.learning, onEvent)
+            PaneAlone(state, onEvent, Modifier.weight(1f))
         }
         state.notice?.let { NoticeBar(it, onEvent) }
-        RunBar(state, onEvent)
+        RunBar(state, perform)
         RunAnnouncer(state.run)
     }
+}
+
+/** Whether whoever does [event] wants to see a pane instead of the tutorial. */
+private fun makesRoom(event: WorkshopEvent): Boolean =
+    event is WorkshopEvent.PaneChosen || event == RunEvent.RunPressed || event == LearningEvent.StepTried
+
+@Composable
+private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) = when (state.pane) {
+    Pane.PROGRAM -> ProgramPane(state, MOST_MISTAKES, onEvent, modifier)
+    Pane.WORLD -> if (state.run.drawer.tab == null) WorldWithStrip(state, onEvent, modifier) else DrawerPage(state.run, onEvent, modifier)
+    Pane.BRICK -> BrickAlone(state, onEvent, modifier)
 }
 
 /** The brick's strip lies under the paper, or beside it if there is more room there. */

@@ -12,6 +12,7 @@ import androidx.compose.foundation.layout.offset
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableFloatStateOf
@@ -28,11 +29,12 @@ import robotran.ui.brick.LEAST_BRICK_WIDTH
 import robotran.ui.drawer.GoalChip
 import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.RunDrawer
+import robotran.ui.learning.TutorialPane
+import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.WorkshopEvent
@@ -40,31 +42,53 @@ import robotran.ui.workshop.WorkshopState
 import robotran.ui.world.WorldPane
 import robotran.world.SessionInput
 
-/** Tablet and laptop: the program on the left, beside it the desk with paper and brick, the run bar under the desk. */
+/** Tablet and laptop: the tutorial if it is wanted, the program, beside it the desk with paper and brick, the run bar under the desk. */
 @Composable
 internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
-    var share by rememberSaveable { mutableFloatStateOf(PROGRAM_SHARE) }
+    val tutorial = state.learning.tutorial
+    val isReading = tutorial != null && !tutorial.isFolded
     BoxWithConstraints(Modifier.fillMaxSize()) {
-        val whole = maxWidth
-        val tall = maxHeight
+        val isRoomy = maxWidth >= TUTORIAL_BESIDE_WIDTH
         Column(Modifier.fillMaxSize()) {
             TopStrip(state, onEvent)
             HorizontalDivider(color = LocalRobotranColours.current.line)
+            if (tutorial != null && !isReading) TutorialStrip(state.learning, onEvent)
             Row(Modifier.weight(1f)) {
-                Column(Modifier.width(whole * share).fillMaxHeight()) {
-                    ProgramPane(state, MOST_MISTAKES, onEvent, Modifier.weight(1f))
+                if (isReading && isRoomy) {
+                    TutorialPane(state.learning, onEvent, Modifier.width(TUTORIAL_WIDTH).fillMaxHeight())
+                    VerticalDivider(color = LocalRobotranColours.current.line)
                 }
-                Column(Modifier.weight(1f).fillMaxHeight()) {
-                    Desk(state, onEvent, Modifier.weight(1f))
-                    RunDrawer(state.run, onEvent, most = tall * MOST_DRAWER_SHARE)
+                ProgramAndDesk(state, onEvent, isReading && !isRoomy, Modifier.weight(1f))
+            }
+        }
+    }
+}
+
+/** With the tutorial over the program if [isReading]. */
+@Composable
+private fun ProgramAndDesk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, isReading: Boolean, modifier: Modifier) {
+    var share by rememberSaveable { mutableFloatStateOf(PROGRAM_SHARE) }
+    BoxWithConstraints(modifier.fillMaxHeight()) {
+        val whole = maxWidth
+        val tall = maxHeight
+        Row(Modifier.fillMaxSize()) {
+            Column(Modifier.width(whole * share).fillMaxHeight()) {
+                if (isReading) {
+                    TutorialPane(state.learning, onEvent, Modifier.weight(1f))
+                    HorizontalDivider(color = LocalRobotranColours.current.line)
+                }
+                ProgramPane(state, MOST_MISTAKES, onEvent, Modifier.weight(1f))
+            }
+            Column(Modifier.weight(1f).fillMaxHeight()) {
+                Desk(state, onEvent, Modifier.weight(1f))
+                RunDrawer(state.run, onEvent, most = tall * MOST_DRAWER_SHARE)
                 state.notice?.let { NoticeBar(it, onEvent) }
-                    RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
-                }
+                RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
             }
         }
         val pixels = with(LocalDensity.current) { whole.toPx() }
         RunAnnouncer(state.run)
-        PaneDivider(share, pixels, { share = it }, Modifier.padding(top = Measures.TARGET).offset(x = whole * share - 12.dp))
+        PaneDivider(share, pixels, { share = it }, Modifier.offset(x = whole * share - 12.dp))
     }
 }
 
@@ -95,6 +119,9 @@ private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifie
     }
 }
 
+/** From this width on the tutorial has a column of its own. */
+private val TUTORIAL_BESIDE_WIDTH = 1100.dp
+private val TUTORIAL_WIDTH = 328.dp
 private const val PROGRAM_SHARE = 0.32f
 private const val MOST_MISTAKES = 3
 private const val MOST_DRAWER_SHARE = 0.6f
