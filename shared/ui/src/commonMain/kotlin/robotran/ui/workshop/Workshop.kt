@@ -132,6 +132,11 @@ class Workshop(
         sheet.worldChanged()
     }
 
+    override fun beginWork(name: String, project: Project, into: String?, onBegun: (left: String?, begun: String?) -> Unit) =
+        document.beginWork(name, project, into, onBegun)
+
+    override fun takeUpWork(id: String?, next: () -> Unit) = document.takeUpWork(id, next)
+
     override fun changeWorld(world: World) {
         opened = opened.copy(world = world)
         programs.worldChanged(world)
