@@ -13,6 +13,7 @@ import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 import org.gradle.process.ExecOperations
 import org.gradle.work.DisableCachingByDefault
+import java.io.ByteArrayOutputStream
 import java.io.File
 import javax.inject.Inject
 
@@ -97,7 +98,7 @@ abstract class PackageDesktopApp
         /** The JDK's own classes ready-made; jlink leaves that to whoever calls it. */
         private fun makeClassArchive(image: File) {
             val java = image.walk().firstOrNull { it.path.endsWith("/bin/java") } ?: return
-            processes.exec { it.commandLine(java.path, "-Xshare:dump").standardOutput = java.io.ByteArrayOutputStream() }
+            processes.exec { it.commandLine(java.path, "-Xshare:dump").standardOutput = ByteArrayOutputStream() }
         }
 
         private fun resourceFile(name: String) = resources.get().asFile.resolve(name).path
