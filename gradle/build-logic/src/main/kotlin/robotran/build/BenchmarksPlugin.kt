@@ -3,6 +3,7 @@ package robotran.build
 import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.api.tasks.JavaExec
+import org.jetbrains.compose.ComposePlugin.DesktopDependencies
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
@@ -11,6 +12,7 @@ class BenchmarksPlugin : Plugin<Project> {
     @OptIn(ExperimentalWasmDsl::class)
     override fun apply(project: Project) {
         project.pluginManager.apply("org.jetbrains.kotlin.multiplatform")
+        project.pluginManager.apply("org.jetbrains.kotlin.plugin.compose")
         project.pluginManager.apply("robotran.physics-web")
         project.pluginManager.apply("robotran.ecj-web")
         val kotlin = project.extensions.getByType(KotlinMultiplatformExtension::class.java)
@@ -23,12 +25,14 @@ class BenchmarksPlugin : Plugin<Project> {
             }
             binaries.executable()
         }
+        kotlin.sourceSets.getByName("jvmMain").dependencies { implementation(DesktopDependencies.currentOs) }
         WebTools.use(project)
         val jvmClasses = project.files(jvm.output.allOutputs, jvm.runtimeDependencyFiles)
         project.tasks.register("run", JavaExec::class.java) { task ->
             task.description = "Measures on the JVM."
             task.mainClass.set(JVM_MAIN)
             task.classpath(jvmClasses)
+            task.systemProperty("java.awt.headless", "true")
         }
         project.tasks.register("runInBrowser", BrowserBenchmark::class.java) { task ->
             task.description = "Measures on the JVM and in headless Chromium."

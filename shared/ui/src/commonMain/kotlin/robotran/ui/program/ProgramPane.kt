@@ -20,7 +20,6 @@ import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.editing.complete.WordHelp
 import robotran.ui.program.editor.CodeEditor
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
@@ -43,7 +42,6 @@ import robotran.ui.workshop.code
  * The programs to choose from, the one to write in, what is wrong with it, and its translation.
  *
  * @param mostMistakes how many mistakes that are not told at their lines there is room for.
- * @param help says what words are for.
  */
 @Composable
 internal fun ProgramPane(
@@ -51,7 +49,6 @@ internal fun ProgramPane(
     mostMistakes: Int,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
-    help: WordHelp = NO_HELP,
 ) {
     var renaming by remember { mutableStateOf(false) }
     val programs = state.programs
@@ -59,7 +56,7 @@ internal fun ProgramPane(
         if (programs.robots.size > 1) RobotChooser(programs) { onEvent(ProgramEvent.RobotChosen(it)) }
         ProgramTabs(programs, onEvent) { renaming = true }
         if (programs.program.files.size > 1) FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) })
-        ShownFile(programs, state.settings, state.runningLine, mostMistakes, help, onEvent, Modifier.weight(1f)) { renaming = true }
+        ShownFile(programs, state.settings, state.runningLine, mostMistakes, onEvent, Modifier.weight(1f)) { renaming = true }
         if (state.remarks.isNotEmpty()) RemarkList(state.remarks, mostMistakes)
         programs.closedProgram?.let { ClosedProgram(it.name, programs.hasRoom) { onEvent(ProgramEvent.ProgramReopened) } }
     }
@@ -81,7 +78,6 @@ private fun ShownFile(
     settings: Settings,
     runningLine: Int,
     mostMistakes: Int,
-    help: WordHelp,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
     onRename: () -> Unit,
@@ -95,7 +91,7 @@ private fun ShownFile(
     val key = listOf(state.shownRobot, state.shownProgram, state.shownFile, state.programs.size, state.program.language)
     val view = remember(key) { EditorView() }
     val control = remember(key) { EditorControl(state.program.language.code, view) { draft, kind -> event(ProgramEvent.Written(draft, kind)) } }
-    control.help = help
+    control.help = rememberWordHelp(state.program.language)
     val actions = remember(control) { PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() }) }
     val matches = remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
     actions.matches = matches
@@ -194,5 +190,4 @@ private fun hintFor(language: ProgramLanguage): StringResource = when (language)
     ProgramLanguage.JAVA -> Res.string.program_hint_java
 }
 
-private val NO_HELP = WordHelp { null }
 private val LEAST_FOR_TWO = 640.dp

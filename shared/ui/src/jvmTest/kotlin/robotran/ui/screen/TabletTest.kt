@@ -178,7 +178,7 @@ class TabletTest {
     @Test
     fun `everything that can be pressed is large enough for a finger`() = onTablet {
         onNodeWithTag("program").performTextReplacement("forwrd 20")
-        pass(100)
+        pass(1_000)
         for (tag in listOf("run", "stop", "sound", "fix", "brick-run", "brick-view", "brick-prgm", "brick-on_off")) {
             val place = onAllNodesWithTag(tag).onFirst().fetchSemanticsNode().touchBoundsInRoot
             assertTrue(place.width >= 48f && place.height >= 48f, "$tag is only ${place.size}")

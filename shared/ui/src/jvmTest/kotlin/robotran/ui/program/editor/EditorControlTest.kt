@@ -1,0 +1,82 @@
+package robotran.ui.program.editor
+
+import androidx.compose.ui.platform.ClipboardManager
+import androidx.compose.ui.text.AnnotatedString
+import robotran.editing.CaretMove
+import robotran.editing.CodeLanguage
+import robotran.editing.Draft
+import robotran.editing.TextSelection
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
+
+class EditorControlTest {
+    private val written = mutableListOf<Draft>()
+    private val control = EditorControl(CodeLanguage.ROBOLANG, EditorView()) { draft, _ -> written += draft }.apply {
+        clipboard = object : ClipboardManager {
+            private var text: AnnotatedString? = null
+
+            override fun getText() = text
+
+            override fun setText(annotatedString: AnnotatedString) {
+                text = annotatedString
+            }
+        }
+    }
+
+    @Test
+    fun `what was cut is put in again, with the line ends and the indents of the editor`() {
+        control.follow(Draft("pen down\nbeep", TextSelection(9, 13)))
+        control.perform(EditorCommand.Plain.CUT)
+        assertEquals("pen down\n", control.draft.text)
+        control.perform(EditorCommand.Plain.PASTE)
+        control.perform(EditorCommand.Plain.PASTE)
+        assertEquals("pen down\nbeepbeep", control.draft.text)
+        control.clipboard.setText(AnnotatedString("a\r\n\tb"))
+        control.perform(EditorCommand.Plain.PASTE)
+        assertEquals("pen down\nbeepbeepa\n  b", written.last().text)
+    }
+
+    @Test
+    fun `several keys between two pictures are all written`() {
+        control.follow(Draft(""))
+        for (letter in "beep") control.type(letter.toString())
+        assertEquals("beep", written.last().text)
+    }
+
+    @Test
+    fun `going up and down keeps the column over shorter lines`() {
+        control.follow(Draft("forward 20\nbeep\nforward 30", TextSelection(10)))
+        val down = EditorCommand.Move(CaretMove.DOWN, selecting = false)
+        control.perform(down)
+        assertEquals(15, control.draft.selection.caret)
+        control.perform(down)
+        assertEquals(26, control.draft.selection.caret)
+    }
+
+    @Test
+    fun `keys go through what is offered before they go through the text`() {
+        control.follow(Draft("turn ", TextSelection(5)))
+        control.perform(EditorCommand.Plain.COMPLETE)
+        assertEquals(listOf("left", "right"), assertNotNull(control.offered).items.map { it.label })
+        assertTrue(control.performOnOffered(EditorCommand.Move(CaretMove.UP, selecting = false), isEnter = false))
+        assertEquals(1, control.chosen)
+        assertFalse(control.performOnOffered(EditorCommand.Move(CaretMove.LEFT, selecting = false), isEnter = false))
+        assertTrue(control.performOnOffered(null, isEnter = true))
+        assertEquals("turn right", control.draft.text)
+        assertNull(control.offered)
+        assertFalse(control.performOnOffered(null, isEnter = true))
+    }
+
+    @Test
+    fun `Tab fills up to the next step`() {
+        control.follow(Draft("a", TextSelection(1)))
+        control.perform(EditorCommand.Plain.INDENT)
+        assertEquals("a ", control.draft.text)
+        control.perform(EditorCommand.Plain.INDENT)
+        assertEquals("a   ", control.draft.text)
+    }
+}
