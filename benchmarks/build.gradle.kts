@@ -15,6 +15,9 @@ kotlin {
             implementation(project(":shared:world"))
             implementation(libs.coroutines.core)
         }
+        jvmMain.dependencies {
+            implementation(project(":shared:ui"))
+        }
         jvmMain {
             // Texts to read and what must be true of them: the same as in the tests.
             kotlin.srcDir(rootProject.file("shared/robolang/src/jvmTest/kotlin/robotran/robolang/fuzz"))

@@ -3,6 +3,7 @@ package robotran.build
 import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.api.tasks.JavaExec
+import org.jetbrains.compose.ComposePlugin.DesktopDependencies
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
@@ -23,12 +24,16 @@ class BenchmarksPlugin : Plugin<Project> {
             }
             binaries.executable()
         }
+        kotlin.sourceSets.getByName("jvmMain").dependencies { implementation(DesktopDependencies.currentOs) }
         WebTools.use(project)
         val jvmClasses = project.files(jvm.output.allOutputs, jvm.runtimeDependencyFiles)
         project.tasks.register("run", JavaExec::class.java) { task ->
             task.description = "Measures on the JVM."
             task.mainClass.set(JVM_MAIN)
             task.classpath(jvmClasses)
+            // The screen is drawn without one, and in software, so that the figures depend on the processor alone.
+            task.systemProperty("java.awt.headless", "true")
+            task.environment("SKIKO_RENDER_API", "SOFTWARE")
         }
         project.tasks.register("runInBrowser", BrowserBenchmark::class.java) { task ->
             task.description = "Measures on the JVM and in headless Chromium."
