@@ -14,9 +14,12 @@ kotlin {
             implementation(project(":shared:lejos-library"))
             implementation(project(":shared:world"))
             implementation(libs.coroutines.core)
+            // The compiler of Compose, which the benchmarks of the screen take, asks for it on every target.
+            implementation(libs.compose.runtime)
         }
         jvmMain.dependencies {
             implementation(project(":shared:ui"))
+            implementation(project(":shared:projects"))
         }
         jvmMain {
             // Texts to read and what must be true of them: the same as in the tests.

@@ -11,7 +11,7 @@ dependencies {
     implementation(libs.coroutines.swing)
     implementation(libs.clikt)
     implementation(libs.mordant)
-    implementation(libs.commons.compress)
+    testImplementation(libs.commons.compress)
     implementation(libs.serialization.json)
     testImplementation(project(":shared:lejos-library"))
 }

@@ -19,4 +19,4 @@ internal val BENCHMARKS: Map<String, suspend () -> Figure> =
     )
 
 /** Measures [name] and tells the result in a line that begins with it. */
-internal suspend fun measured(name: String, measure: suspend () -> Figure = BENCHMARKS.getValue(name)): String = "$name: ${measure().text}"
+internal suspend fun measured(name: String): String = "$name: ${BENCHMARKS.getValue(name)().text}"

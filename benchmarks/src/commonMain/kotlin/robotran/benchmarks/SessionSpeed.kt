@@ -35,7 +35,8 @@ internal suspend fun growthWithBarriers(): Figure = growth(listOf(1, 10, 100, 40
 /** How many times as fast as real time sessions run with more and more robots, all of them driving and drawing. */
 internal suspend fun growthWithRobots(): Figure = growth(listOf(1, 2, 4, 8)) { crowdedWorld(barriers = 40, robots = it) }
 
-private fun heavyWorld() = crowdedWorld(barriers = 40, robots = 3, blocks = 10, furnished = true)
+/** What the heaviest sessions that pupils have may look like. */
+internal fun heavyWorld() = crowdedWorld(barriers = 40, robots = 3, blocks = 10, furnished = true)
 
 private suspend fun growth(sizes: List<Int>, world: (Int) -> World): Figure {
     val physics = loadPhysicsEngine()
@@ -98,7 +99,8 @@ private fun drivingProgram() = programOf(PROGRAM, Calibration(Penbot.MILLISECOND
 
 private fun seconds(time: Duration): String = rounded(time.toDouble(DurationUnit.SECONDS))
 
-private const val PROGRAM = "pen down\nrepeat 40 times\nforward 30\nturn right 97\nbackward 20\nend\n"
+/** Drives about and draws for longer than is measured. */
+internal const val PROGRAM = "pen down\nrepeat 40 times\nforward 30\nturn right 97\nbackward 20\nend\n"
 
 private const val LINE_FOLLOWER = "LineFollower.java"
 

@@ -1,9 +1,14 @@
 package robotran.benchmarks
 
+import androidx.compose.ui.ImageComposeScene
+import androidx.compose.ui.InternalComposeUiApi
 import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEvent
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.unit.Density
 import robotran.editing.Draft
 import robotran.editing.EditKind
-import robotran.ui.OffscreenApp
+import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
 import robotran.ui.workshop.ProgramEvent
 import kotlin.time.Duration
@@ -26,25 +31,37 @@ private suspend fun keystrokes(lines: Int): List<Duration> {
     val workshop = openWorkshop()
     val text = (1..lines).joinToString("\n") { line -> if (line % EVERY == 0) "// part ${line / EVERY}" else "forward ${line % EVERY}" }
     workshop.handle(ProgramEvent.Written(Draft(text).withCaret(text.length / 2), EditKind.OTHER))
-    return OffscreenApp(workshop, WIDTH, HEIGHT).use { app ->
-        repeat(SETTLING) { app.frame() }
-        // The field has no focus yet; the Tab key gets there.
-        repeat(MOST_TABS) {
-            app.press(Key.Tab)
-            app.frame()
-            app.press(Key.DirectionLeft)
-            app.frame()
-        }
-        app.press(Key.Tab)
-        check(workshop.state.programText != text) { "The keys do not get to the program." }
-        app.press(Key.Backspace)
-        List(WARMING + COUNTED) { turn ->
-            measureTime {
-                app.press(if (turn % 2 == 0) Key.Tab else Key.Backspace)
-                app.frame()
-            }
-        }.drop(WARMING).also { workshop.close() }
+    val scene = ImageComposeScene(SCREEN_WIDTH, SCREEN_HEIGHT, Density(1f)) { RobotranApp(workshop, dark = false) }
+    var now = 0L
+    val frame = {
+        now += FRAME
+        scene.render(now).close()
     }
+    // Nothing has the focus yet: the Tab key gets to the text, and an arrow makes it a place to write in.
+    repeat(MOST_TABS) {
+        scene.press(Key.Tab)
+        frame()
+        scene.press(Key.DirectionLeft)
+        frame()
+    }
+    scene.press(Key.Tab)
+    check(workshop.state.programText != text) { "The keys do not get to the program." }
+    scene.press(Key.Backspace)
+    val times = List(WARMING_KEYS + KEYS) { turn ->
+        measureTime {
+            scene.press(if (turn % 2 == 0) Key.Tab else Key.Backspace)
+            frame()
+        }
+    }
+    scene.close()
+    workshop.close()
+    return times.drop(WARMING_KEYS)
+}
+
+@OptIn(InternalComposeUiApi::class)
+private fun ImageComposeScene.press(key: Key) {
+    sendKeyEvent(KeyEvent(key, KeyEventType.KeyDown))
+    sendKeyEvent(KeyEvent(key, KeyEventType.KeyUp))
 }
 
 private fun List<Duration>.milliseconds(part: Double): Double =
@@ -53,11 +70,11 @@ private fun List<Duration>.milliseconds(part: Double): Double =
 private const val SHORT = 20
 private const val LONG = 2_000
 private const val EVERY = 17
-private const val WIDTH = 1280
-private const val HEIGHT = 800
-private const val SETTLING = 30
-private const val MOST_TABS = 12
-private const val WARMING = 200
-private const val COUNTED = 400
+private const val SCREEN_WIDTH = 1280
+private const val SCREEN_HEIGHT = 800
+private const val FRAME = 16_666_667L
+private const val MOST_TABS = 25
+private const val WARMING_KEYS = 200
+private const val KEYS = 400
 private const val MIDDLE = 0.5
 private const val WORST = 0.99

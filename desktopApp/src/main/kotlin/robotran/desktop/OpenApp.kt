@@ -1,8 +1,10 @@
 package robotran.desktop
 
+import robotran.desktop.messages.CommandMessages
 import robotran.desktop.platform.openedFile
 import robotran.desktop.window.showWindows
 import robotran.projects.isLink
+import robotran.ui.language.spokenLanguage
 import robotran.ui.platform.Arrival
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -47,7 +49,7 @@ internal fun readArrival(names: List<String>): ReadArrival {
                 try {
                     Path.of(name)
                 } catch (_: InvalidPathException) {
-                    return ReadArrival.Refused("There is no file $name.")
+                    return ReadArrival.Refused(CommandMessages.of(spokenLanguage(null)).noFile(name))
                 }
             var trouble = ""
             openedFile(path) { trouble = it } ?: return ReadArrival.Refused(trouble)

@@ -20,7 +20,7 @@ internal class CheckCommand(
     private val spoken by LanguageOption()
     private val asJson by option("--json", help = "tells the mistakes as JSON").flag()
 
-    private val messages get() = CommandMessages.of(spoken.language)
+    private val sentences get() = CommandMessages.of(spoken.language)
 
     override fun help(context: Context) = "Tells all mistakes of programs, without running them."
 
@@ -58,8 +58,8 @@ internal class CheckCommand(
         warnings: List<String>,
     ) {
         mistakes.forEach(console::complain)
-        warnings.forEach { console.say(messages.warning(it)) }
-        if (mistakes.isEmpty()) console.say(messages.noMistakes(name))
+        warnings.forEach { console.say(sentences.warning(it)) }
+        if (mistakes.isEmpty()) console.say(sentences.noMistakes(name))
     }
 
     private fun statusOf(file: CheckedFile): ExitCode =

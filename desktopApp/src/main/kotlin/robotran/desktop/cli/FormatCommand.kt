@@ -24,7 +24,7 @@ internal class FormatCommand(
     private val onlyChecks by option("--check", help = "changes nothing and tells which files would change").flag()
 
     private val spoken by LanguageOption()
-    private val messages get() = CommandMessages.of(spoken.language)
+    private val sentences get() = CommandMessages.of(spoken.language)
 
     override fun help(context: Context) = "Lays programs out: indentation, spaces, small letters."
 
@@ -60,10 +60,10 @@ internal class FormatCommand(
     ): ExitCode {
         if (text == formatted) return ExitCode.DONE
         if (onlyChecks) {
-            console.complain(messages.notFormatted(name))
+            console.complain(sentences.notFormatted(name))
             return ExitCode.PROGRAM_FAILED
         }
-        return writeFile(name, formatted.encodeToByteArray(), messages)?.let(::refuse) ?: ExitCode.DONE
+        return writeFile(name, formatted.encodeToByteArray(), sentences)?.let(::refuse) ?: ExitCode.DONE
     }
 
     private fun refuse(reason: String): ExitCode {

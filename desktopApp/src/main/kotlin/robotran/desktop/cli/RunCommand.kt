@@ -27,7 +27,7 @@ internal class RunCommand(
     private val world by option("--world", metavar = "FILE", help = "the world to run in (.world.json); a plain sheet if not given")
     private val seed by option("--seed", metavar = "N", help = "what is left to chance is drawn from this, instead of the world's seed")
         .convert { text -> readSeed(text) ?: fail("$text is not a whole number from 0 to ${Int.MAX_VALUE}") }
-    private val picture by option("--picture", metavar = "FILE", help = "writes a picture of the sheet (.png)")
+    private val picture by option("--picture", metavar = "FILE", help = "writes a picture of the sheet (.png or .svg)")
     private val presses by option(
         "--press",
         metavar = "BUTTON@SECONDS",

@@ -6,7 +6,8 @@ import robotran.rom.BrickMessages
 import robotran.rom.RomLogFilter
 import robotran.rom.toCsv
 import robotran.rom.toLogText
-import robotran.ui.sheet.sheetPng
+import robotran.ui.sheet.worldPicturePng
+import robotran.ui.sheet.worldPictureSvg
 import robotran.world.GoalReport
 import robotran.world.RunReport
 import robotran.world.RunStatus
@@ -25,7 +26,7 @@ internal class RunResults(
         val report = session.report()
         val problems =
             listOfNotNull(
-                outputs.picture?.let { writeFile(it, sheetPng(session.world, session.state), messages) },
+                outputs.picture?.let { writeFile(it, pictureFor(it), messages) },
                 outputs.romLog?.let { writeText(it, romLogText(outputs)) },
                 outputs.report?.let { writeText(it, report.toJson() + "\n") },
                 outputs.brickReport?.let { writeText(it, brickReport(session) + "\n") },
@@ -41,6 +42,14 @@ internal class RunResults(
         if (CONSOLE !in listOf(outputs.romLog, outputs.report, outputs.brickReport, outputs.memory)) console.say(summary(report))
         return problems
     }
+
+    /** A picture of the kind that the file's [name] asks for. */
+    private fun pictureFor(name: String): ByteArray =
+        if (name.endsWith(".svg", ignoreCase = true)) {
+            worldPictureSvg(session.world, session.state).encodeToByteArray()
+        } else {
+            worldPicturePng(session.world, session.state)
+        }
 
     /** Says for each robot what has made it stray. */
     private fun explain() {

@@ -25,7 +25,7 @@ internal class TranslateCommand(
     private val kit by option("--kit", metavar = "FILE", help = "writes a kit for the real brick (.zip)")
 
     private val spoken by LanguageOption()
-    private val messages get() = CommandMessages.of(spoken.language)
+    private val sentences get() = CommandMessages.of(spoken.language)
 
     override fun help(context: Context) = "Writes programs as leJOS Java for a real robot."
 
@@ -58,8 +58,8 @@ internal class TranslateCommand(
         val translation = translateRobolang(file.program)
         val problems =
             listOfNotNull(
-                output?.let { writeFile(it, translation.java.encodeToByteArray(), messages) },
-                kit?.let { writeFile(it, zip(kitFiles(translation, Path(program).name, file.source)), messages) },
+                output?.let { writeFile(it, translation.java.encodeToByteArray(), sentences) },
+                kit?.let { writeFile(it, zip(kitFiles(translation, Path(program).name, file.source)), sentences) },
             )
         problems.forEach(console::complain)
         if (output == null && kit == null) console.say(translation.java.trimEnd('\n'))

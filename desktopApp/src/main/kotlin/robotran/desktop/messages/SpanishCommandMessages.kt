@@ -76,17 +76,17 @@ private object SpanishRunMessages : RunMessages {
         "El robot está en x ${withComma(x)} cm, y ${withComma(y)} cm, mirando a ${withComma(heading)} grados; " +
             "ha dibujado ${withComma(ink)} cm."
 
-    override fun goalMet(goal: String) = "conseguido: $goal"
+    override fun goalMet(goal: String) = "conseguida: $goal"
 
     override fun goalNotMet(goal: String, percent: Int) = "sin conseguir ($percent %): $goal"
 }
 
 private object SpanishGradeMessages : GradeMessages {
-    override fun noGoals(world: String) = "El mundo $world no tiene objetivos, así que no hay nada que calificar."
+    override fun noGoals(world: String) = "El mundo $world no tiene metas, así que no hay nada que calificar."
 
-    override fun goalColumns() = listOf("objetivo", "semillas", "peor")
+    override fun goalColumns() = listOf("meta", "semillas", "peor")
 
-    override fun programColumns() = listOf("programa", "semillas superadas", "primer objetivo sin conseguir")
+    override fun programColumns() = listOf("programa", "semillas superadas", "primera meta sin conseguir")
 
     override fun countOf(some: Int, all: Int) = "$some de $all"
 
@@ -94,13 +94,13 @@ private object SpanishGradeMessages : GradeMessages {
 
     override fun seeds(first: Int, last: Int) = if (first == last) "la semilla $first" else "las semillas de la $first a la $last"
 
-    override fun meetsAll(program: String, seeds: String) = "$program consigue todos los objetivos con $seeds."
+    override fun meetsAll(program: String, seeds: String) = "$program consigue todas las metas con $seeds."
 
     override fun meetsSome(program: String, passed: Int, all: Int, seeds: String) =
-        "$program consigue todos los objetivos con $passed de $all semillas ($seeds)."
+        "$program consigue todas las metas con $passed de $all semillas ($seeds)."
 
     override fun seedMissed(seed: Int, goal: String?, percent: String) =
-        if (goal == null) "Semilla $seed: ningún objetivo" else "Semilla $seed: no se ha conseguido \"$goal\" ($percent)"
+        if (goal == null) "Semilla $seed: ninguna meta" else "Semilla $seed: no se ha conseguido \"$goal\" ($percent)"
 
     override fun seedFailed(missed: String, error: String) = "$missed. El programa ha fallado: $error"
 

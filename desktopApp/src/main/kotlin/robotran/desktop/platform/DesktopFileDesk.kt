@@ -2,8 +2,10 @@ package robotran.desktop.platform
 
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
+import robotran.desktop.messages.CommandMessages
 import robotran.documents.FileKind
 import robotran.documents.StoreResult
+import robotran.ui.language.spokenLanguage
 import robotran.ui.platform.FileDesk
 import robotran.ui.platform.OpenedFile
 import robotran.ui.platform.Saving
@@ -11,9 +13,11 @@ import robotran.ui.platform.writeSafely
 import java.awt.FileDialog
 import java.awt.Frame
 import java.io.IOException
+import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.fileSize
+import kotlin.io.path.isDirectory
 import kotlin.io.path.isRegularFile
 import kotlin.io.path.name
 import kotlin.io.path.readBytes
@@ -21,7 +25,7 @@ import kotlin.io.path.readBytes
 /**
  * The platform's own dialogs over [window], and files by their paths.
  *
- * @property arrivals is told what could not be read.
+ * @param tellUnreadable is told in one sentence what could not be read.
  */
 internal class DesktopFileDesk(
     private val window: () -> Frame?,
@@ -85,26 +89,27 @@ internal class DesktopFileDesk(
     }
 }
 
-/** The file at [path]; null if it cannot be read, and [tell] is told why. */
+/** The file at [path]; null if it cannot be read, and [tell] is told why in the language of this machine. */
 internal fun openedFile(
     path: Path,
     tell: (String) -> Unit,
 ): OpenedFile? {
     val place = path.toAbsolutePath().normalize()
-    return try {
-        if (place.fileSize() > LARGEST_FILE) {
-            tell("${place.name} is too large.")
-            null
-        } else {
-            OpenedFile(place.name, place.readBytes(), place.toString())
+    val messages = CommandMessages.of(spokenLanguage(null))
+    val trouble =
+        try {
+            when {
+                place.isDirectory() -> messages.isFolder(place.name)
+                place.fileSize() > LARGEST_FILE -> messages.fileTooLarge(place.name, LARGEST_FILE)
+                else -> return OpenedFile(place.name, place.readBytes(), place.toString())
+            }
+        } catch (_: NoSuchFileException) {
+            messages.noFile(place.name)
+        } catch (problem: IOException) {
+            messages.unreadable(place.name, problem.message.orEmpty())
         }
-    } catch (_: java.nio.file.NoSuchFileException) {
-        tell("There is no file ${place.name}.")
-        null
-    } catch (problem: IOException) {
-        tell("${place.name} could not be read: ${problem.message}")
-        null
-    }
+    tell(trouble)
+    return null
 }
 
 /** Far more than a project may have; what it may have is checked by those who read it. */

@@ -6,8 +6,10 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.window.application
 import kotlinx.coroutines.runBlocking
 import robotran.desktop.platform.dataFolder
+import robotran.desktop.platform.openedFile
 import robotran.ui.platform.Arrival
 import robotran.ui.platform.FolderWorkStore
+import java.awt.Desktop
 import kotlin.coroutines.EmptyCoroutineContext
 
 /** Shows a window with what [arrival] brings or, without, with the work that was open last, and returns when all windows are closed. */
@@ -15,6 +17,7 @@ internal fun showWindows(arrival: Arrival?) {
     val store = FolderWorkStore(dataFolder(), EmptyCoroutineContext)
     val place = runBlocking { store.read(PLACE) }?.let { WindowPlace.of(it) }
     val windows = mutableStateListOf(OpenWindow(store, arrival, goesOn = true))
+    onFilesOpened { windows.firstOrNull()?.bring(it) }
     application(exitProcessOnExit = false) {
         for (open in windows) {
             key(open) {
@@ -30,5 +33,14 @@ internal fun showWindows(arrival: Arrival?) {
                 )
             }
         }
+    }
+}
+
+/** A Mac hands files over to the app that runs already, other systems start it anew. */
+private fun onFilesOpened(bring: (Arrival) -> Unit) {
+    if (!Desktop.isDesktopSupported() || !Desktop.getDesktop().isSupported(Desktop.Action.APP_OPEN_FILE)) return
+    Desktop.getDesktop().setOpenFileHandler { event ->
+        val files = event.files.mapNotNull { file -> openedFile(file.toPath()) { bring(Arrival.Unreadable(it)) } }
+        if (files.isNotEmpty()) bring(Arrival.OfFiles(files))
     }
 }

@@ -12,6 +12,7 @@ class BenchmarksPlugin : Plugin<Project> {
     @OptIn(ExperimentalWasmDsl::class)
     override fun apply(project: Project) {
         project.pluginManager.apply("org.jetbrains.kotlin.multiplatform")
+        project.pluginManager.apply("org.jetbrains.kotlin.plugin.compose")
         project.pluginManager.apply("robotran.physics-web")
         project.pluginManager.apply("robotran.ecj-web")
         val kotlin = project.extensions.getByType(KotlinMultiplatformExtension::class.java)
@@ -31,9 +32,7 @@ class BenchmarksPlugin : Plugin<Project> {
             task.description = "Measures on the JVM."
             task.mainClass.set(JVM_MAIN)
             task.classpath(jvmClasses)
-            // The screen is drawn without one, and in software, so that the figures depend on the processor alone.
             task.systemProperty("java.awt.headless", "true")
-            task.environment("SKIKO_RENDER_API", "SOFTWARE")
         }
         project.tasks.register("runInBrowser", BrowserBenchmark::class.java) { task ->
             task.description = "Measures on the JVM and in headless Chromium."

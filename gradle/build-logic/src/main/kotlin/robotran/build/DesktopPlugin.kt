@@ -26,9 +26,31 @@ class DesktopPlugin : Plugin<Project> {
         }
         // The folder of the caller, not that of the module, is where the files named on the command line lie.
         project.tasks.named("run", JavaExec::class.java) { it.workingDir = project.rootDir }
+        for (type in PACKAGES) addPackage(project, type)
+    }
+
+    /** `packageDeb` and the like: the app as a package for a system, in `build/packages`. */
+    private fun addPackage(
+        project: Project,
+        type: String,
+    ) {
+        project.tasks.register("package${type.replaceFirstChar(Char::uppercase)}", PackageDesktopApp::class.java) { task ->
+            task.group = "distribution"
+            task.description = "Makes a .$type of the desktop app, with a Java of its own."
+            task.dependsOn("installDist")
+            task.jars.set(project.layout.buildDirectory.dir("install/robotran/lib"))
+            task.resources.set(project.layout.projectDirectory.dir("src/package"))
+            task.type.set(type)
+            task.version.set(VERSION)
+            task.mainClass.set("robotran.desktop.MainKt")
+            task.javaHome.set(System.getProperty("java.home"))
+            task.output.set(project.layout.buildDirectory.dir("packages/$type"))
+        }
     }
 
     private companion object {
+        val PACKAGES = listOf("deb", "msi", "dmg")
+        const val VERSION = "0.1.0"
         val RECORDED_RUNS = listOf("shared/world/src/commonTest/resources/runs", "shared/programs/src/commonTest/resources/runs")
         const val TEST_PROGRAMS = "shared/robolang/src/commonTest/resources/programs"
     }

@@ -33,7 +33,7 @@ internal object GermanJavaMeaningMessages : JavaMeaningMessages {
     override fun returnValue() =
         "Schreib \"return\" und den Wert, auch für den Fall, dass kein \"if\" zutrifft. Gibt es keinen, mach sie \"void\"."
 
-    override fun neverReached() = "Hierher kommt das Programm nie, wegen dem, was davor steht."
+    override fun neverReached() = "Hierher kommt das Programm nie. Das liegt an dem, was davor steht."
 
     override fun unhandledException(name: String) = "Hier kann ${quoted(name)} passieren, und nichts kümmert sich darum."
 

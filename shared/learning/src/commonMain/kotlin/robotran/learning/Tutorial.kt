@@ -17,6 +17,9 @@ object Tutorial {
             .toList().sortedBy { it.first }.map { (name, files) -> stepOf(name, files.toMap()) }
     }
 
+    /** The step whose world [world] is, in whatever language; null if it is none of theirs. */
+    fun stepIn(world: World): TutorialStep? = steps.firstOrNull { it.world(Language.ENGLISH).isSamePlaceAs(world) }
+
     private fun stepOf(name: String, files: Map<String, String>): TutorialStep {
         val programs = files.filterKeys { it.endsWith(ROBOLANG_FILE) || it.endsWith(JAVA_FILE) }
         val program = programs.entries.single { !it.key.startsWith(SOLUTION) }

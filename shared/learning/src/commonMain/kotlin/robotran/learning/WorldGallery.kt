@@ -32,7 +32,7 @@ object WorldGallery {
     }
 
     /** The one of [worlds] that [world] is, in whatever language, and whatever was changed about its chance; null if it is none of them. */
-    fun find(world: World): GalleryWorld? = worlds.firstOrNull { isSame(it.plainWorld, world) }
+    fun find(world: World): GalleryWorld? = worlds.firstOrNull { it.plainWorld.isSamePlaceAs(world) }
 
     /** The one of [worlds] called [name]. */
     fun named(name: String): GalleryWorld? = worlds.firstOrNull { it.name == name }
@@ -43,11 +43,12 @@ object WorldGallery {
         return worlds.filter { found -> found.world(language).let { "${it.title} ${it.task}".lowercase() }.let { text -> words.all { it in text } } }
     }
 
-    private fun isSame(one: World, other: World): Boolean =
-        one.copy(title = other.title, task = other.task, seed = other.seed, realism = other.realism) == other
-
     internal const val WORLD_FILE = ".world.json"
 }
+
+/** Whether [other] is the same but for its words and what it leaves to chance. */
+internal fun World.isSamePlaceAs(other: World): Boolean =
+    paper == other.paper && goals == other.goals && copy(title = other.title, task = other.task, seed = other.seed, realism = other.realism) == other
 
 internal class WorldTitle(val title: String, val task: String)
 

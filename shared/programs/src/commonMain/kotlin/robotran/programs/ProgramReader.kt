@@ -30,6 +30,10 @@ class ProgramReader(
         it.compiler = compiler?.telling(JavaMessages.of(language))
     }
 
+    /** A reader like this that runs Java as [java] says; itself if it does already. */
+    fun running(java: JavaSettings): ProgramReader =
+        if (java == this.java) this else ProgramReader(calibration, java, language).also { it.compiler = compiler }
+
     /**
      * Loads what reading [source] takes.
      *

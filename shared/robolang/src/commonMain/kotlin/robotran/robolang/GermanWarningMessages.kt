@@ -6,7 +6,7 @@ import robotran.language.quoted
 internal object GermanWarningMessages : WarningMessages {
     override fun unusedVariable(name: String) = "${quoted(name)} wird nie benutzt."
 
-    override fun neverReached(word: String) = "Das kommt nie dran, wegen dem ${quoted(word)} davor."
+    override fun neverReached(word: String) = "Das kommt nie dran, weil davor ${quoted(word)} steht."
 
     override fun busyLoop() = "Das geht ewig weiter, ohne zu fahren, zu warten oder zu messen, und beschäftigt nur den Stein."
 

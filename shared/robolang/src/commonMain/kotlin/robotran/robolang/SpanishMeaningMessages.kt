@@ -28,7 +28,7 @@ internal object SpanishMeaningMessages : MeaningMessages {
     override fun assignedConstant(name: String) =
         "${quoted(name)} es una constante y no cambia nunca. Si debe cambiar, declárala con \"var\"."
 
-    override fun assignedLoopVariable(name: String) = "${quoted(name)} la cuenta su \"for\" y aquí no se puede cambiar."
+    override fun assignedLoopVariable(name: String) = "Su \"for\" ya cuenta ${quoted(name)}, así que aquí no se puede cambiar."
 
     override fun numberNeeded(text: String) = "Aquí hace falta un número, y ${quoted(text)} no lo es."
 

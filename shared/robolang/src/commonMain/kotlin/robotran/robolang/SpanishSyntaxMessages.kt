@@ -117,7 +117,7 @@ internal object SpanishSyntaxMessages : SyntaxMessages {
 
     override fun extraElse() = "Este \"else\" no tiene ningún \"if\"."
 
-    override fun notOutermost(word: String) = "Un ${quoted(word)} no puede estar dentro de otro bloque. Sácalo fuera."
+    override fun notOutermost(word: String) = "Un ${quoted(word)} no puede estar dentro de otro bloque. Sácalo de ahí."
 
     override fun secondRobot() = "Ya hay un \"robot\". Un programa solo tiene uno."
 

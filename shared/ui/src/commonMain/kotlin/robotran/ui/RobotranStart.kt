@@ -41,7 +41,12 @@ fun RobotranStart(
 ) {
     val scope = rememberCoroutineScope()
     var workshop by remember { mutableStateOf<Workshop?>(null) }
-    LaunchedEffect(programs) { workshop = openWorkshop(programs, platform, scope).also(onOpened) }
+    LaunchedEffect(programs) {
+        workshop = openWorkshop(programs, platform, scope).also {
+            it.startLearning(welcoming = programs.isEmpty())
+            onOpened(it)
+        }
+    }
     DisposableEffect(Unit) { onDispose { workshop?.close() } }
     RobotranWindow(workshop)
 }

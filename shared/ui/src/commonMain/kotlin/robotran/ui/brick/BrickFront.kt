@@ -18,11 +18,15 @@ import robotran.rom.BrickButton
 import robotran.rom.BrickState
 import robotran.ui.resources.Res
 import robotran.ui.resources.brick
+import robotran.world.PortSensor
+import robotran.world.RobotPlace
 
 /**
  * The face of an RCX, with four buttons that are pressed and released one by one, by any number of fingers at once.
  *
  * @param down the buttons that look pressed.
+ * @param ports what is plugged into the input ports.
+ * @param onTouch a finger presses the touch sensor on an input port, 0..2, or lets it go.
  */
 @Composable
 internal fun BrickFront(
@@ -31,6 +35,8 @@ internal fun BrickFront(
     onPress: (BrickButton) -> Unit,
     onRelease: (BrickButton) -> Unit,
     modifier: Modifier = Modifier,
+    ports: List<List<PortSensor>> = RobotPlace.PENBOT_PORTS,
+    onTouch: (Int, Boolean) -> Unit = { _, _ -> },
 ) {
     val description = stringResource(Res.string.brick)
     BoxWithConstraints(
@@ -44,7 +50,10 @@ internal fun BrickFront(
     ) {
         val unit = maxWidth / BrickPlan.WIDTH
         Canvas(Modifier.matchParentSize()) { drawBrickBody(state.infrared.sending) }
-        state.sensors.zip(BrickPlan.INPUTS) { sensor, place -> InputPort(sensor, state.poweredOn, unit, Modifier.at(place, unit)) }
+        state.sensors.forEachIndexed { port, sensor ->
+            val plugged = PluggedSensor.of(ports.getOrElse(port) { emptyList() })
+            InputPort(sensor, plugged, state.poweredOn, unit, { onTouch(port, it) }, Modifier.at(BrickPlan.INPUTS[port], unit))
+        }
         for ((button, place) in BrickPlan.BUTTONS) {
             BrickButtonView(button, unit, button in down, { onPress(button) }, { onRelease(button) }, Modifier.at(place, unit))
         }

@@ -4,6 +4,7 @@ import androidx.compose.ui.geometry.CornerRadius
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.scale
 import org.jetbrains.compose.resources.StringResource
 import robotran.rom.SensorState
@@ -11,32 +12,69 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.left_bumper
 import robotran.ui.resources.light_sensor
 import robotran.ui.resources.right_bumper
+import robotran.ui.resources.run_sensor_none
+import robotran.ui.resources.run_sensor_rotation
+import robotran.ui.resources.run_sensor_temperature
+import robotran.ui.resources.run_sensor_touch
+import robotran.world.PortSensor
 
-/** What the penbot has plugged into its input ports, by their order. */
-internal enum class PluggedSensor(val words: StringResource) {
-    LEFT_BUMPER(Res.string.left_bumper),
+/**
+ * What is plugged into an input port, as it is shown.
+ *
+ * @property isSwitch whether it can be pushed in.
+ */
+internal enum class PluggedSensor(val words: StringResource, val isSwitch: Boolean = false) {
+    LEFT_BUMPER(Res.string.left_bumper, isSwitch = true),
+    RIGHT_BUMPER(Res.string.right_bumper, isSwitch = true),
+    TOUCH(Res.string.run_sensor_touch, isSwitch = true),
     LIGHT_SENSOR(Res.string.light_sensor),
-    RIGHT_BUMPER(Res.string.right_bumper),
+    ROTATION(Res.string.run_sensor_rotation),
+    TEMPERATURE(Res.string.run_sensor_temperature),
+    NOTHING(Res.string.run_sensor_none),
     ;
 
-    /** Whether [sensor] is the port of a bumper that is pushed in. */
-    fun isPressed(sensor: SensorState): Boolean = this != LIGHT_SENSOR && sensor.boolean
+    /** Whether [sensor] is the port of a switch that is pushed in. */
+    fun isPressed(sensor: SensorState): Boolean = isSwitch && sensor.boolean
 
     companion object {
-        /** @param port 1..3. */
-        fun of(port: Int): PluggedSensor = entries[port - 1]
+        /** What stands for [plugged], all that is on one port: one that a finger can press, or the first. */
+        fun of(plugged: List<PortSensor>): PluggedSensor = when (if (PortSensor.TOUCH in plugged) PortSensor.TOUCH else plugged.firstOrNull()) {
+            PortSensor.LEFT_BUMPER -> LEFT_BUMPER
+            PortSensor.RIGHT_BUMPER -> RIGHT_BUMPER
+            PortSensor.TOUCH -> TOUCH
+            PortSensor.LIGHT -> LIGHT_SENSOR
+            PortSensor.LEFT_ROTATION, PortSensor.RIGHT_ROTATION -> ROTATION
+            PortSensor.TEMPERATURE -> TEMPERATURE
+            null -> NOTHING
+        }
     }
 }
 
-/** A push button on its base, or a lamp; fills the draw area. */
+/** A push button on its base, a lamp, a wheel with an arrow or a thermometer; fills the draw area. */
 internal fun DrawScope.drawPlugged(sensor: PluggedSensor, pressed: Boolean) = scale(size.width / ICON_UNITS, Offset.Zero) {
     val colour = BrickColours.LABEL
-    if (sensor == PluggedSensor.LIGHT_SENSOR) {
-        drawCircle(colour, 3.5f, Offset(8f, 9f))
-        for ((from, to) in RAYS) drawLine(colour, from, to, RAY_WIDTH)
-    } else {
-        drawRoundRect(colour, Offset(1f, 9f), Size(14f, 5f), CornerRadius(1.5f))
-        drawRoundRect(colour, Offset(5f, if (pressed) 7f else 3f), Size(6f, 7f), CornerRadius(1.5f))
+    when (sensor) {
+        PluggedSensor.LEFT_BUMPER, PluggedSensor.RIGHT_BUMPER, PluggedSensor.TOUCH -> {
+            drawRoundRect(colour, Offset(1f, 9f), Size(14f, 5f), CornerRadius(1.5f))
+            drawRoundRect(colour, Offset(5f, if (pressed) 7f else 3f), Size(6f, 7f), CornerRadius(1.5f))
+        }
+
+        PluggedSensor.LIGHT_SENSOR -> {
+            drawCircle(colour, 3.5f, Offset(8f, 9f))
+            for ((from, to) in RAYS) drawLine(colour, from, to, RAY_WIDTH)
+        }
+
+        PluggedSensor.ROTATION -> {
+            drawArc(colour, -60f, 300f, false, Offset(2.5f, 2.5f), Size(11f, 11f), style = Stroke(RAY_WIDTH))
+            drawPath(polygon(8f, 0.5f, 12.5f, 3.5f, 8f, 6f), colour)
+        }
+
+        PluggedSensor.TEMPERATURE -> {
+            drawRoundRect(colour, Offset(6.5f, 1f), Size(3f, 10f), CornerRadius(1.5f))
+            drawCircle(colour, 3.2f, Offset(8f, 12f))
+        }
+
+        PluggedSensor.NOTHING -> Unit
     }
 }
 

@@ -17,9 +17,13 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.onClick
+import androidx.compose.ui.semantics.role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.rom.MotorMode
 import robotran.rom.MotorState
@@ -31,15 +35,23 @@ import robotran.ui.resources.motor_float
 import robotran.ui.resources.motor_forward
 import robotran.ui.resources.sensor
 import robotran.ui.resources.sensor_value
+import robotran.ui.theme.focusRing
 
 /**
  * A grey input port, with what is plugged in and what it measures; it lights while it is powered, or its bumper is pressed.
  *
  * @param on whether the brick is switched on, and so measures.
+ * @param onTouch a finger presses the touch sensor on the port, or lets it go; nothing happens on ports without one.
  */
 @Composable
-internal fun InputPort(sensor: SensorState, on: Boolean, unit: Dp, modifier: Modifier = Modifier) {
-    val plugged = PluggedSensor.of(sensor.port)
+internal fun InputPort(
+    sensor: SensorState,
+    plugged: PluggedSensor,
+    on: Boolean,
+    unit: Dp,
+    onTouch: (Boolean) -> Unit,
+    modifier: Modifier = Modifier,
+) {
     val name = stringResource(plugged.words)
     val port = stringResource(Res.string.sensor, sensor.port, name)
     val description = if (on) stringResource(Res.string.sensor_value, port, sensor.value) else port
@@ -47,7 +59,20 @@ internal fun InputPort(sensor: SensorState, on: Boolean, unit: Dp, modifier: Mod
     PortBlock(
         if (lit) BrickColours.READ else BrickColours.INPUT,
         unit,
-        modifier.testTag("port-${sensor.port}").clearAndSetSemantics { contentDescription = description },
+        modifier
+            .testTag("port-${sensor.port}")
+            .touchable(plugged == PluggedSensor.TOUCH, onTouch)
+            .clearAndSetSemantics {
+                contentDescription = description
+                if (plugged == PluggedSensor.TOUCH) {
+                    role = Role.Button
+                    // Pressed and let go at once it would be missed: a click presses it, the next lets it go.
+                    onClick {
+                        onTouch(!plugged.isPressed(sensor))
+                        true
+                    }
+                }
+            },
     ) {
         Row(verticalAlignment = Alignment.CenterVertically) {
             PortLabel("${sensor.port}", BrickColours.LABEL, unit)
@@ -56,6 +81,10 @@ internal fun InputPort(sensor: SensorState, on: Boolean, unit: Dp, modifier: Mod
         PortLabel(if (on) "${sensor.value}" else "", BrickColours.LABEL, unit)
     }
 }
+
+@Composable
+private fun Modifier.touchable(isTouch: Boolean, onTouch: (Boolean) -> Unit): Modifier =
+    if (isTouch) focusRing(12.dp).holdable({ onTouch(true) }, { onTouch(false) }) else this
 
 /** A black output port; it lights while its motor is driven, with an arrow for the direction and the power as a figure. */
 @Composable

@@ -2,33 +2,36 @@ package robotran.ui.runbar
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.LiveRegionMode
-import androidx.compose.ui.semantics.liveRegion
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
-import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
-import robotran.ui.resources.clock
+import robotran.ui.resources.run_more
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.Pace
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorkshopStatus
+import robotran.world.Breakpoint
 
-/** Run, Stop, and what is going on; always in sight. At its end there is room for [more]. */
+/**
+ * Run, Pause, Step, Stop, what is going on, how fast, and the timeline; always in sight. What there is no room for is in a panel behind one button. At its
+ * end there is room for [more].
+ */
 @Composable
 internal fun RunBar(
     state: WorkshopState,
@@ -36,48 +39,61 @@ internal fun RunBar(
     modifier: Modifier = Modifier,
     more: @Composable () -> Unit = {},
 ) {
-    Row(
-        modifier
-            .fillMaxWidth()
-            .background(LocalRobotranColours.current.pane)
-            .defaultMinSize(minHeight = 72.dp)
-            .padding(horizontal = 16.dp, vertical = 8.dp),
-        horizontalArrangement = Arrangement.spacedBy(12.dp),
-        verticalAlignment = Alignment.CenterVertically,
-    ) {
-        RunButton(pulsing = state.untouched && state.status == WorkshopStatus.Ready, onClick = { onEvent(RunEvent.RunPressed) })
-        StopButton(enabled = state.stoppable, onClick = { onEvent(RunEvent.StopPressed) })
-        Status(state, Modifier.weight(1f))
-        more()
+    var panelOpen by remember { mutableStateOf(false) }
+    val cursor = cursorLine(state)
+    BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
+        // Larger text needs more room, as a narrower bar does.
+        val room = BarRoom.of(maxWidth / LocalDensity.current.fontScale.coerceAtLeast(1f))
+        Column(Modifier.padding(horizontal = 16.dp, vertical = 8.dp)) {
+            if (!room.statusBeside) RunStatus(state, Modifier.fillMaxWidth().padding(bottom = 8.dp))
+            Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
+                Controls(state, cursor, room, onEvent)
+                if (room.statusBeside) RunStatus(state, Modifier.weight(1f).padding(start = 4.dp))
+                if (room.speed) SpeedChooser(state.run.speed, { onEvent(RunEvent.SpeedChosen(it)) })
+                QuietButton(RunIcon.SETTINGS, stringResource(Res.string.run_more), "run-more", { panelOpen = true })
+                more()
+            }
+            if (!state.untouched) Timeline(state.run, { onEvent(RunEvent.Scrubbed(it)) }, Modifier.fillMaxWidth())
+        }
     }
+    if (panelOpen) RunPanel(state.run, cursor, onEvent, { panelOpen = false })
 }
 
 @Composable
-private fun Status(state: WorkshopState, modifier: Modifier) {
-    val colours = LocalRobotranColours.current
-    val status = state.status
-    val wrong = status is WorkshopStatus.Mistaken || status is WorkshopStatus.Failed
-    Column(modifier.padding(start = 4.dp)) {
-        Text(
-            statusText(status),
-            Modifier.testTag("status").semantics { liveRegion = LiveRegionMode.Polite },
-            color = if (wrong) colours.mistake else colours.onPane,
-            fontSize = 16.sp,
-            lineHeight = 20.sp,
-            fontWeight = FontWeight.Medium,
-            maxLines = 3,
-            overflow = TextOverflow.Ellipsis,
-        )
-        if (!state.untouched) {
-            Text(
-                stringResource(Res.string.clock, oneDecimal(state.session.milliseconds / MILLISECONDS_PER_SECOND)),
-                Modifier.testTag("clock"),
-                color = colours.quiet,
-                fontSize = 14.sp,
-                maxLines = 1,
-            )
-        }
-    }
+private fun Controls(state: WorkshopState, cursor: Breakpoint, room: BarRoom, onEvent: (WorkshopEvent) -> Unit) {
+    val run = state.run
+    RunButton(
+        pulsing = state.untouched && state.status == WorkshopStatus.Ready,
+        onClick = { onEvent(RunEvent.RunPressed) },
+        room = room.runWord,
+    )
+    PauseButton(run.pace == Pace.PAUSED, run.pausable, { onEvent(RunEvent.PausePressed) }, room = room.words)
+    StepButton(cursor, onEvent, room.words, menu = room.statusBeside)
+    StopButton(run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room.words)
 }
 
-private const val MILLISECONDS_PER_SECOND = 1000.0
+/** The line in which somebody writes, to be run to. */
+private fun cursorLine(state: WorkshopState): Breakpoint {
+    val programs = state.programs
+    return Breakpoint(programs.draft.lines.lineOf(programs.draft.selection.caret) + 1, programs.file.name.takeIf { programs.program.files.size > 1 })
+}
+
+/**
+ * What there is room for.
+ *
+ * @property runWord whether Run has its word beside its sign.
+ * @property words whether the other buttons have.
+ * @property statusBeside whether what is going on is told beside the buttons, otherwise above.
+ * @property speed whether the speed can be chosen in the bar.
+ */
+private enum class BarRoom(val from: Dp, val runWord: Boolean, val words: Boolean, val statusBeside: Boolean, val speed: Boolean) {
+    ROOMY(840.dp, runWord = true, words = true, statusBeside = true, speed = true),
+    MIDDLE(600.dp, runWord = true, words = false, statusBeside = true, speed = true),
+    TIGHT(360.dp, runWord = true, words = false, statusBeside = false, speed = false),
+    TIGHTEST(0.dp, runWord = false, words = false, statusBeside = false, speed = false),
+    ;
+
+    companion object {
+        fun of(width: Dp): BarRoom = entries.first { width >= it.from }
+    }
+}

@@ -4,6 +4,8 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.mistake_in_line_of_file
+import robotran.ui.resources.run_status_paused
+import robotran.ui.resources.run_status_paused_line
 import robotran.ui.resources.status_changed
 import robotran.ui.resources.status_compiling
 import robotran.ui.resources.status_empty
@@ -55,6 +57,10 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
 
     is WorkshopStatus.Running -> {
         if (status.line > 0) stringResource(Res.string.status_running_line, status.line) else stringResource(Res.string.status_running)
+    }
+
+    is WorkshopStatus.Paused -> {
+        if (status.line > 0) stringResource(Res.string.run_status_paused_line, status.line) else stringResource(Res.string.run_status_paused)
     }
 
     is WorkshopStatus.Ended -> {

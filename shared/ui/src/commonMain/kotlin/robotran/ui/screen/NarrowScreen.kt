@@ -21,33 +21,58 @@ import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
 import robotran.ui.brick.LEAST_BRICK_WIDTH
+import robotran.ui.drawer.DrawerPage
+import robotran.ui.drawer.GoalChip
+import robotran.ui.drawer.RunAnnouncer
+import robotran.ui.learning.TutorialPane
+import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.LearningEvent
 import robotran.ui.workshop.Pane
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.world.WorldPane
+import robotran.world.SessionInput
 
-/** Phone: one pane at a time under three tabs, the run bar always below. */
+/** Phone: one pane at a time under three tabs, or the tutorial in its place; the run bar always below. */
 @Composable
 internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    val tutorial = state.learning.tutorial
+    val isReading = tutorial != null && !tutorial.isFolded
+    val perform = { event: WorkshopEvent ->
+        if (isReading && makesRoom(event)) onEvent(LearningEvent.TutorialFolded(true))
+        onEvent(event)
+    }
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
             MainMenu(state, onEvent, withWork = true)
-            PaneTabs(state.pane, state.mistakes.isNotEmpty(), { onEvent(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
+            PaneTabs(state.pane, state.mistakes.isNotEmpty(), { perform(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
-        val pane = Modifier.weight(1f)
-        when (state.pane) {
-            Pane.PROGRAM -> ProgramPane(state, MOST_MISTAKES, onEvent, pane)
-            Pane.WORLD -> WorldWithStrip(state, onEvent, pane)
-            Pane.BRICK -> BrickAlone(state, onEvent, pane)
+        if (isReading) {
+            TutorialPane(state.learning, perform, Modifier.weight(1f))
+        } else {
+            if (tutorial != null) TutorialStrip(state.learning, onEvent)
+            PaneAlone(state, onEvent, Modifier.weight(1f))
         }
         state.notice?.let { NoticeBar(it, onEvent) }
-        RunBar(state, onEvent)
+        RunBar(state, perform)
+        RunAnnouncer(state.run)
     }
+}
+
+/** Whether whoever does [event] wants to see a pane instead of the tutorial. */
+private fun makesRoom(event: WorkshopEvent): Boolean =
+    event is WorkshopEvent.PaneChosen || event == RunEvent.RunPressed || event == LearningEvent.StepTried
+
+@Composable
+private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) = when (state.pane) {
+    Pane.PROGRAM -> ProgramPane(state, MOST_MISTAKES, onEvent, modifier)
+    Pane.WORLD -> if (state.run.drawer.tab == null) WorldWithStrip(state, onEvent, modifier) else DrawerPage(state.run, onEvent, modifier)
+    Pane.BRICK -> BrickAlone(state, onEvent, modifier)
 }
 
 /** The brick's strip lies under the paper, or beside it if there is more room there. */
@@ -56,7 +81,7 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
     BoxWithConstraints(modifier.fillMaxSize().background(LocalRobotranColours.current.desk)) {
         val strip: @Composable () -> Unit = {
             BrickStrip(
-                state.session.brick,
+                state.run.brick,
                 state.down,
                 { onEvent(RunEvent.ButtonPressed(it)) },
                 { onEvent(RunEvent.ButtonReleased(it)) },
@@ -69,12 +94,16 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                     WorldPane(state, onEvent, Modifier.weight(1f))
                     EndExplained(state)
                 }
-                strip()
+                Column(horizontalAlignment = Alignment.End) {
+                    GoalChip(state.session.goals, onEvent, Modifier.padding(horizontal = 12.dp))
+                    strip()
+                }
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
                 WorldPane(state, onEvent, Modifier.weight(1f))
                 EndExplained(state)
+                GoalChip(state.session.goals, onEvent, Modifier.padding(horizontal = 12.dp))
                 strip()
             }
         }
@@ -93,13 +122,15 @@ private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, m
     BoxWithConstraints(modifier.fillMaxSize().background(LocalRobotranColours.current.desk), Alignment.Center) {
         val width = minOf(maxWidth - MARGIN * 2, (maxHeight - MARGIN * 2) * BRICK_ASPECT).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
         Column(Modifier.verticalScroll(rememberScrollState()).padding(MARGIN), Arrangement.spacedBy(MARGIN)) {
-            BrickHint(state.session.brick, Modifier.width(width))
+            BrickHint(state.run.brick, Modifier.width(width))
             BrickFront(
-                state.session.brick,
+                state.run.brick,
                 state.down,
                 { onEvent(RunEvent.ButtonPressed(it)) },
                 { onEvent(RunEvent.ButtonReleased(it)) },
                 Modifier.width(width),
+                state.world.robots[state.run.watched].ports,
+                { port, pressed -> onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed))) },
             )
         }
     }

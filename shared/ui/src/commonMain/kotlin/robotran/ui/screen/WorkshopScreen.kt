@@ -12,6 +12,7 @@ import androidx.compose.ui.platform.LocalDensity
 import robotran.ui.documents.DocumentDialogs
 import robotran.ui.documents.KeepingBanner
 import robotran.ui.documents.documentShortcut
+import robotran.ui.learning.LearningPages
 import robotran.ui.settings.SettingsPage
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
@@ -33,6 +34,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             Box(Modifier.weight(1f)) { if (isWide) WideScreen(state, onEvent) else NarrowScreen(state, onEvent) }
         }
         state.worldEdit?.let { WorldEditPane(it, state.session, onEvent) }
+        LearningPages(state.learning, onEvent)
         if (state.settingsShown) SettingsPage(state.settings, onEvent)
         DocumentDialogs(state.document, onEvent)
     }

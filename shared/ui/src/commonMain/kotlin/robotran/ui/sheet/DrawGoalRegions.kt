@@ -11,14 +11,36 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.text.TextMeasurer
 import robotran.world.GoalProgress
+import robotran.world.Shape
 import kotlin.math.max
 
 internal class RegionDrawing(val region: GoalRegion, transform: SheetTransform) {
-    val path = pathOf(region.shape, transform)
+    private val polygon = (region.shape as? Shape.Polygon)?.let(SeamlessPolygon::of)
+    val path = pathOf(polygon?.let { Shape.Polygon(it.corners) } ?: region.shape, transform)
+
+    /** Its edge, without what is no edge to the eye. */
+    val outline: Path = if (polygon == null || polygon.seams.isEmpty()) path else outlineOf(polygon, transform)
 
     /** Where its flag is put, with so much room around it. */
     val flag: Rect = roomiestPlace(region.shape).let { (place, room) ->
         Rect(transform.toPixels(place.x, place.y), (room * transform.pixelsPerCentimetre).toFloat())
+    }
+
+    private fun outlineOf(polygon: SeamlessPolygon, transform: SheetTransform) = Path().apply {
+        val corners = polygon.corners.map(transform::toPixels)
+        val first = polygon.seams.first()
+        var isDown = false
+        // From a seam on, so that no piece is begun in its middle.
+        for (edge in corners.indices.map { (first + it) % corners.size }) {
+            val to = corners[(edge + 1) % corners.size]
+            if (edge in polygon.seams) {
+                isDown = false
+            } else {
+                if (!isDown) corners[edge].let { moveTo(it.x, it.y) }
+                lineTo(to.x, to.y)
+                isDown = true
+            }
+        }
     }
 }
 
@@ -29,17 +51,17 @@ internal fun DrawScope.drawRegion(drawing: RegionDrawing, goals: List<GoalProgre
         RegionKind.REACH -> {
             val met = drawing.region.isMet(goals)
             drawPath(drawing.path, SheetColours.REACH.copy(alpha = if (met) MET_ALPHA else FILL_ALPHA))
-            drawPath(drawing.path, SheetColours.REACH.copy(alpha = LINE_ALPHA), style = Stroke(width))
+            drawPath(drawing.outline, SheetColours.REACH.copy(alpha = LINE_ALPHA), style = Stroke(width))
             drawFlag(drawing, transform, labels)
         }
 
         RegionKind.STAY_OUT -> {
             drawPath(drawing.path, SheetColours.STAY_OUT.copy(alpha = FILL_ALPHA))
-            drawDashes(drawing.path, SheetColours.STAY_OUT, width, SHORT_DASH)
+            drawDashes(drawing.outline, SheetColours.STAY_OUT, width, SHORT_DASH)
         }
 
         RegionKind.STAY_IN -> {
-            drawDashes(drawing.path, SheetColours.STAY_IN, width, LONG_DASH)
+            drawDashes(drawing.outline, SheetColours.STAY_IN, width, LONG_DASH)
         }
     }
 }

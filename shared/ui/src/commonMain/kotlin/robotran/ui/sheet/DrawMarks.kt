@@ -110,15 +110,15 @@ private fun picture(map: MarkFigure.GreyMap, transform: SheetTransform): MarkDra
     return MarkDrawing.Picture(image, Rect(Offset(corner.x, corner.y - cell * map.rows.size), Size(cell * columns, cell * map.rows.size)))
 }
 
-private val Shade.colour: Color
+internal val Shade.colour: Color
     get() = when (this) {
         is Shade.Grey -> greyColour(reflectance)
         is Shade.Colour -> Color(red, green, blue)
     }
 
-private val Shade.isBlue: Boolean get() = this is Shade.Colour && blue > red + CLEARLY && blue > green + CLEARLY
+internal val Shade.isBlue: Boolean get() = this is Shade.Colour && blue > red + CLEARLY && blue > green + CLEARLY
 
-private fun greyColour(reflectance: Double): Color = reflectance.toFloat().coerceIn(0f, 1f).let { Color(it, it, it) }
+internal fun greyColour(reflectance: Double): Color = reflectance.toFloat().coerceIn(0f, 1f).let { Color(it, it, it) }
 
 private fun dotStep(transform: SheetTransform) = max(DOT_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_DOT_STEP)
 

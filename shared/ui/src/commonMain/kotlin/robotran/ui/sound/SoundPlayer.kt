@@ -26,6 +26,9 @@ internal class SoundPlayer(private val speaker: LoudSpeaker) {
     /** Plays what is new. */
     fun follow() = catchUp { if (!muted) plan.add(it.since(heard)) }
 
+    /** Ends what sounds; what comes after is heard. */
+    fun silence() = speaker.silence()
+
     /** Leaves out what is new: it passed too quickly to be heard. */
     fun skip() = catchUp { }
 

@@ -3,17 +3,158 @@ package robotran.ui.workshop
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import kotlinx.coroutines.launch
+import robotran.language.Language
+import robotran.learning.GalleryWorld
+import robotran.learning.WorldGallery
+import robotran.ui.language.spokenLanguage
+import robotran.ui.resources.Res
+import robotran.ui.resources.learning_world_done
+import robotran.world.GoalProgress
+import robotran.world.GoalStatus
+import robotran.world.SessionState
 
-/** Keeps what is being learned from. */
+/** Keeps what is being learned from, and how far somebody has come with it. */
 class LearningHolder(private val bench: Bench) {
+    private var progress = LearningProgress()
+    private var goalsSeen: List<GoalProgress> = emptyList()
+    private val tutorial = TutorialDesk(bench, ::language, { progress }, ::keep)
+    private val help = HelpFinder(bench, ::language)
+
     var state: LearningState by mutableStateOf(LearningState())
         private set
 
+    /** Goes on where somebody has stopped the last time; on the very first start, shows what there is to be tried if [welcoming]. */
+    suspend fun start(welcoming: Boolean) {
+        progress = LearningProgress.readFrom(bench.platform.store)
+        state = state.copy(
+            page = LearningPage.FIRST_RUN.takeIf { welcoming && !progress.welcomed },
+            tutorial = if (progress.tutorialShown) tutorial.first().copy(isFolded = progress.folded) else null,
+        )
+        refresh()
+    }
+
     fun handle(event: LearningEvent) {
         when (event) {
-            is LearningEvent.PageWanted -> state = state.copy(page = event.page)
-            LearningEvent.PageLeft -> state = state.copy(page = null)
-            is LearningEvent.HelpWanted -> state = state.copy(page = LearningPage.HELP)
+            is LearningEvent.PageWanted -> want(event.page)
+            LearningEvent.PageLeft -> leavePage()
+            LearningEvent.SquareTried -> trySquare()
+            LearningEvent.TutorialBegun -> beginTutorial()
+            is LearningEvent.StepChosen -> changeTutorial { tutorial.choose(it, event.place) }
+            LearningEvent.StepTried -> changeTutorial { tutorial.putOnDesk(it) }
+            LearningEvent.StepBegunAgain -> changeTutorial { tutorial.beginAgain(it) }
+            is LearningEvent.HintWanted -> changeTutorial { it.copy(hintShown = event.shown) }
+            is LearningEvent.SolutionWanted -> changeTutorial { tutorial.showSolution(it, event.shown) }
+            is LearningEvent.TutorialFolded -> fold(event.folded)
+            LearningEvent.TutorialLeft -> leaveTutorial()
+            is LearningEvent.WorldsAsked -> state = state.copy(asked = event.asked)
+            is LearningEvent.WorldChosen -> chooseWorld(event.name)
+            is LearningEvent.HelpWanted -> showHelp(help.at(event.text, event.offset))
+            is LearningEvent.WordChosen -> showHelp(help.on(state.help.code, event.word))
+            is LearningEvent.WordsWanted -> showHelp(HelpState(event.language))
+            LearningEvent.ExampleTried -> if (help.tryExample(state.help)) leavePage()
+        }
+        refresh()
+    }
+
+    /** The session is now as [session] says: whoever has met all goals has done a task. */
+    fun look(session: SessionState) {
+        if (session.goals == goalsSeen) return
+        goalsSeen = session.goals
+        if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return
+        val step = tutorial.stepOnDesk()
+        if (step != null) {
+            keep(progress.copy(stepsDone = progress.stepsDone + step.name))
+        } else {
+            WorldGallery.find(bench.project.world)?.let(::worldDone)
+        }
+        refresh()
+    }
+
+    /** What is on the desk may have changed. */
+    fun refresh() {
+        val shown = state.tutorial?.let { it.copy(isOnDesk = tutorial.stepOnDesk() === it.current) }
+        val now = state.copy(language = language(), tutorial = shown, stepsDone = progress.stepsDone, worldsDone = progress.worldsDone)
+        if (now != state) state = now
+    }
+
+    private fun want(page: LearningPage) {
+        if (page == LearningPage.TUTORIAL) {
+            showTutorial()
+        } else {
+            if (page == LearningPage.HELP) state = state.copy(help = HelpState(help.shownCode()))
+            state = state.copy(page = page, asked = "")
         }
     }
+
+    private fun leavePage() {
+        state = state.copy(page = null)
+        if (!progress.welcomed) keep(progress.copy(welcomed = true))
+    }
+
+    private fun trySquare() {
+        leavePage()
+        putSquare(bench)
+        bench.perform(RunEvent.RunPressed)
+    }
+
+    private fun beginTutorial() {
+        leavePage()
+        showTutorial()
+        if (tutorial.stepOnDesk() == null) changeTutorial { tutorial.putOnDesk(it) }
+    }
+
+    private fun showTutorial() {
+        state = state.copy(page = null, tutorial = (state.tutorial ?: tutorial.first()).copy(isFolded = false))
+        keep(progress.copy(welcomed = true, tutorialShown = true, folded = false))
+    }
+
+    private fun changeTutorial(change: (TutorialState) -> TutorialState) {
+        val now = state.tutorial ?: return
+        state = state.copy(tutorial = change(now))
+    }
+
+    private fun fold(folded: Boolean) {
+        changeTutorial { it.copy(isFolded = folded) }
+        keep(progress.copy(folded = folded))
+    }
+
+    private fun leaveTutorial() {
+        tutorial.leaveDesk()
+        state = state.copy(tutorial = null)
+        keep(progress.copy(tutorialShown = false))
+    }
+
+    private fun chooseWorld(name: String) {
+        val found = WorldGallery.named(name) ?: return
+        if (tutorial.stepOnDesk() != null) leaveTutorial()
+        leavePage()
+        bench.changeWorld(found.world(language()))
+        bench.show(Pane.WORLD)
+    }
+
+    private fun worldDone(world: GalleryWorld) {
+        if (world.name in progress.worldsDone) return
+        keep(progress.copy(worldsDone = progress.worldsDone + world.name))
+        bench.say(Notice(Res.string.learning_world_done, listOf(world.world(language()).title)))
+    }
+
+    private fun showHelp(found: HelpState) {
+        state = state.copy(page = LearningPage.HELP, help = found)
+    }
+
+    private fun keep(now: LearningProgress) {
+        if (now == progress) return
+        progress = now
+        bench.scope.launch { now.keepIn(bench.platform.store) }
+    }
+
+    private fun language(): Language = Language.of(spokenLanguage(bench.settings.language).tag) ?: Language.ENGLISH
+}
+
+/** The square in a tab of its own, unless it is there as it came. */
+private fun putSquare(bench: Bench) {
+    val square = firstProgram()
+    val place = pupilProgramsOf(bench.project).indexOf(square)
+    if (place >= 0) bench.perform(ProgramEvent.ProgramChosen(place)) else bench.addProgram(square, replacing = true)
 }

@@ -4,6 +4,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.language.Language
+import robotran.programs.JavaSettings
 import robotran.programs.ProgramReader
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
@@ -22,7 +23,7 @@ class ProgramsHolder(
     private val bench: Bench,
     private val onRead: (ProgramReading) -> Unit,
 ) {
-    private var reader = ProgramReader(PENBOT_CALIBRATION, language = bench.language)
+    private var reader = ProgramReader(PENBOT_CALIBRATION, project.settings.java, bench.language)
     private var robots = robotsOf(project)
     private var shownRobot = robots.first().place.name
     private var translationShown = false
@@ -85,6 +86,7 @@ class ProgramsHolder(
 
     /** Puts the programs of [project] in place of all there are. */
     fun open(project: Project) {
+        reader = reader.running(project.settings.java)
         robots = robotsOf(project)
         shownRobot = robots.first().place.name
         reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
@@ -104,8 +106,14 @@ class ProgramsHolder(
     }
 
     /** Reads all programs again, to tell what is wrong with them in [language]. */
-    fun speak(language: Language) {
-        reader = reader.telling(language)
+    fun speak(language: Language) = readBy(reader.telling(language))
+
+    /** Reads all programs again, to run Java as [java] says. */
+    fun runJava(java: JavaSettings) = readBy(reader.running(java))
+
+    private fun readBy(next: ProgramReader) {
+        if (next === reader) return
+        reader = next
         robots = robots.map { it.readBy(reader) }
         reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
         readingLoop.programsChanged()

@@ -1,6 +1,12 @@
 package robotran.ui.workshop
 
+import robotran.projects.ProjectSettings
 import robotran.rom.BrickButton
+import robotran.rom.RomLogFilter
+import robotran.rom.StepKind
+import robotran.running.ChartLane
+import robotran.running.RunSpeed
+import robotran.world.Breakpoint
 import robotran.world.SessionInput
 
 /** Something a person does with the run. */
@@ -11,6 +17,32 @@ sealed interface RunEvent : WorkshopEvent {
     /** Stop in the run bar: the program ends where it is. */
     data object StopPressed : RunEvent
 
+    /** Time is to stand still, or to go on. */
+    data object PausePressed : RunEvent
+
+    /** The program is to make one step; where none runs, it begins and stops before its first line. */
+    data class StepPressed(val kind: StepKind) : RunEvent
+
+    /** The program is to run until it stands before [line]; where none runs, it begins. */
+    data class RunToLine(val line: Breakpoint) : RunEvent
+
+    /** The robot goes back to its start on a clean sheet and waits. */
+    data object StartedOver : RunEvent
+
+    data class SpeedChosen(val speed: RunSpeed) : RunEvent
+
+    /** The run is to be looked at as it was, or will be, at [milliseconds]. */
+    data class Scrubbed(val milliseconds: Long) : RunEvent
+
+    /** The robot with this number is to be looked into. */
+    data class RobotWatched(val robot: Int) : RunEvent
+
+    /** What was done to the run that came with the project is to be done again. */
+    data object RecordingPlayed : RunEvent
+
+    /** How the programs run is to be changed. */
+    data class RunSettingsChanged(val settings: ProjectSettings) : RunEvent
+
     /** A finger, a mouse or a key goes down on a button of the brick. */
     data class ButtonPressed(val button: BrickButton) : RunEvent
 
@@ -19,4 +51,22 @@ sealed interface RunEvent : WorkshopEvent {
 
     /** Something is done to the session by hand, such as dragging the robot; it is recorded with its time. */
     data class SessionTouched(val input: SessionInput) : RunEvent
+
+    /** The drawer is to show [tab]; null to close it. */
+    data class DrawerChosen(val tab: DrawerTab?) : RunEvent
+
+    /** The thread with this number, and the place in its call stack, are to be looked into. */
+    data class FrameChosen(val thread: Int, val frame: Int) : RunEvent
+
+    /** Only what [filter] lets through is to be seen of the ROM calls. */
+    data class LogFiltered(val filter: RomLogFilter) : RunEvent
+
+    /** The ROM calls that are shown are to be copied. */
+    data object LogCopied : RunEvent
+
+    /** The ROM calls that are shown are to be saved as a file. */
+    data object LogSaved : RunEvent
+
+    /** [lane] of the chart is to be seen or not. */
+    data class LaneSwitched(val lane: ChartLane) : RunEvent
 }

@@ -3,48 +3,88 @@ package robotran.ui.workshop
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import kotlinx.coroutines.launch
 import robotran.rom.BrickButton
+import robotran.rom.RunState
+import robotran.rom.StepKind
+import robotran.rom.toLogText
+import robotran.running.Motion
+import robotran.running.RestWatch
+import robotran.running.RunPlayer
+import robotran.running.RunSetup
+import robotran.running.RunSpeed
+import robotran.ui.platform.FileKind
+import robotran.ui.platform.Saving
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_log_copied
+import robotran.ui.resources.run_log_not_copied
+import robotran.ui.resources.run_new_future
 import robotran.ui.sound.SoundPlayer
+import robotran.world.Breakpoint
 import robotran.world.RecordedInput
 import robotran.world.RunReport
-import robotran.world.Session
 import robotran.world.SessionInput
 import robotran.world.World
 import robotran.world.physics.PhysicsEngine
 import robotran.world.report
 
 /**
- * Keeps the running session; not safe for use by several threads.
+ * Keeps the run that is watched; not safe for use by several threads.
  *
- * Run in the run bar begins afresh with the program that is shown: the robot is back at its start on a clean sheet, on a brick that is switched on.
- * The brick's own Run carries on from where the robot stands, as on a real one, unless a program has changed, which begins afresh too.
+ * Run in the run bar begins afresh with the program that is shown: the robot is back at its start on a clean sheet, on a brick that is switched on, and Run is
+ * pressed on the bricks of all robots. The brick's own Run carries on from where the robot stands, as on a real one, unless a program has changed, which begins
+ * afresh too.
+ *
+ * @param recording what was done to a run that the project came with; it can be played.
  */
 class RunHolder(
     private var world: World,
     private val physics: PhysicsEngine,
     private val programs: ProgramsHolder,
     private val bench: Bench,
+    private var recording: List<RecordedInput> = emptyList(),
 ) {
     private var loaded = programs.written
     private val sound = SoundPlayer(bench.platform.speaker)
-    private var session = newSession(slot = 0)
-    private val frames = FrameClock()
+    private var player = newPlayer(slot = 0)
     private val rest = RestWatch()
-    private var runWhenRead = false
+    private val drawer = DrawerFilling()
+    private var whenRead: (() -> Unit)? = null
+    private var lastSession = player.session
+    private var futures = 0
 
-    var state: RunPaneState by mutableStateOf(RunPaneState(world, session.state))
+    var state: RunPaneState by mutableStateOf(firstState())
         private set
 
-    /** What was done to the session so far. */
-    val inputs: List<RecordedInput> get() = session.inputs
+    init {
+        sound.listenTo(player.sounds)
+    }
+
+    /** What was done to the run, also after the time that is looked at. */
+    val inputs: List<RecordedInput> get() = player.inputs
 
     fun handle(event: RunEvent) {
         when (event) {
             RunEvent.RunPressed -> run()
             RunEvent.StopPressed -> stop()
+            RunEvent.PausePressed -> pauseOrGoOn()
+            is RunEvent.StepPressed -> step(event.kind)
+            is RunEvent.RunToLine -> runTo(event.line)
+            RunEvent.StartedOver -> startOver()
+            is RunEvent.SpeedChosen -> choose(event.speed)
+            is RunEvent.Scrubbed -> player.seek(event.milliseconds)
+            is RunEvent.RobotWatched -> watch(event.robot)
+            RunEvent.RecordingPlayed -> playRecording()
+            is RunEvent.RunSettingsChanged -> bench.changeProjectSettings(event.settings)
             is RunEvent.ButtonPressed -> press(event.button)
             is RunEvent.ButtonReleased -> release(event.button)
-            is RunEvent.SessionTouched -> session.apply(event.input)
+            is RunEvent.SessionTouched -> touch(event.input)
+            is RunEvent.DrawerChosen -> openDrawer(event.tab)
+            is RunEvent.FrameChosen -> drawer.choose(event.thread, event.frame)
+            is RunEvent.LogFiltered -> drawer.filter(event.filter)
+            RunEvent.LogCopied -> copyLog()
+            RunEvent.LogSaved -> saveLog()
+            is RunEvent.LaneSwitched -> switch(event)
         }
         rest.disturb()
         show()
@@ -52,17 +92,17 @@ class RunHolder(
 
     /** Something about the programs was changed. */
     fun programsChanged() {
-        runWhenRead = false
+        whenRead = null
         rest.disturb()
         show()
     }
 
     /** The programs were read as far as [reading] says. */
     fun programsRead(reading: ProgramReading) {
-        if (reading == ProgramReading.NO_COMPILER) runWhenRead = false
+        if (reading == ProgramReading.NO_COMPILER) whenRead = null
         if (reading == ProgramReading.DONE) {
             if (state.untouched) beginAfresh(slotOnBrick())
-            if (runWhenRead) run()
+            whenRead?.also { whenRead = null }?.invoke()
         }
         rest.disturb()
         show()
@@ -70,31 +110,34 @@ class RunHolder(
 
     /** A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards: virtual time follows it while [RunPaneState.awake]. */
     fun frame(nanoseconds: Long) {
-        val milliseconds = frames.millisecondsTo(nanoseconds)
-        if (state.awake && milliseconds > 0) {
-            pass(milliseconds)
-            sound.follow()
-        }
-        if (!state.awake) frames.rest()
+        if (!state.awake) return player.rest()
+        player.frame(nanoseconds)
+        rest.passed(player.state)
+        hearWhatIsNew()
+        show()
+        if (!state.awake) player.rest()
     }
 
     /** Lets [milliseconds] of virtual time pass at once, too quickly to be heard. */
     fun advance(milliseconds: Int) {
-        pass(milliseconds)
+        player.pass(milliseconds)
+        rest.passed(player.state)
         sound.skip()
+        show()
     }
 
-    /** Puts the robots into [world], with the programs as they are. */
-    fun changeWorld(world: World) {
+    /** Puts the robots into [world], with the programs as they are, and with [recording], which can be played there. */
+    fun changeWorld(world: World, recording: List<RecordedInput> = emptyList()) {
         this.world = world
+        this.recording = recording
         beginAfresh(slot = 0)
-        state = state.copy(untouched = true)
+        state = state.copy(untouched = true, hasRecording = recording.isNotEmpty(), settings = bench.project.settings)
         rest.disturb()
         show()
     }
 
     /** What came of the run up to now. */
-    fun report(): RunReport = session.report()
+    fun report(): RunReport = player.session.report()
 
     /** Whether the brick's tones are to be heard. */
     fun hear(on: Boolean) {
@@ -104,63 +147,199 @@ class RunHolder(
     /** Gives back what the session holds. Nothing may be called afterwards. */
     fun close() {
         sound.close()
-        session.close()
+        player.close()
     }
 
-    private fun pass(milliseconds: Int) {
-        session.advance(milliseconds)
-        rest.passed(milliseconds, session.state)
-        show()
-    }
-
-    private fun run() {
-        val slot = programs.slotToRun
-        if (!canStart(slot)) return
+    /** Presses Run on a clean sheet, with the program in [slot], and then does [what] is wanted of it; if it was not read yet, once it is. */
+    private fun start(slot: Int, what: () -> Unit) {
+        whenRead = if (programs.isRead(slot)) null else ({ start(slot, what) })
+        if (!programs.canStart(slot)) return
         beginAfresh(slot)
-        press(BrickButton.RUN)
-        release(BrickButton.RUN)
+        state = state.copy(untouched = false)
+        for (robot in world.robots.indices) {
+            player.apply(SessionInput.Press(BrickButton.RUN, robot))
+            player.apply(SessionInput.Release(BrickButton.RUN, robot))
+        }
+        what()
+    }
+
+    private fun run() = start(programs.slotToRun) {
+        player.play()
         bench.show(Pane.WORLD)
     }
 
     private fun stop() {
-        runWhenRead = false
-        session.apply(SessionInput.Stop)
+        whenRead = null
+        if (player.isInPast) {
+            player.pause()
+        } else {
+            player.apply(SessionInput.Stop)
+            player.play()
+        }
+    }
+
+    private fun pauseOrGoOn() {
+        if (player.motion == Motion.Still || state.pace == Pace.SEEKING) {
+            goOn { player.play() }
+        } else {
+            player.pause()
+            sound.silence()
+        }
+    }
+
+    private fun step(kind: StepKind) =
+        if (state.running) goOn { player.step(kind) } else start(programs.slotToRun) { player.pause() }
+
+    private fun runTo(line: Breakpoint) =
+        if (state.running) goOn { player.play(line) } else start(programs.slotToRun) { player.play(line) }
+
+    private fun goOn(how: () -> Unit) {
+        drawer.variables.goesOn(player.session)
+        drawer.goesOn()
+        how()
+    }
+
+    private fun startOver() {
+        whenRead = null
+        beginAfresh(slotOnBrick())
+    }
+
+    private fun choose(speed: RunSpeed) {
+        player.speed = speed
+        state = state.copy(speed = speed)
+    }
+
+    private fun watch(robot: Int) {
+        if (robot !in world.robots.indices) return
+        player.watched = robot
+        drawer.beginAfresh()
+        state = state.copy(watched = robot)
+        sound.listenTo(player.sounds)
+        sound.skip()
+    }
+
+    private fun playRecording() {
+        if (recording.isEmpty()) return
+        beginAfresh(slot = 0, inputs = recording)
+        state = state.copy(untouched = false)
+        bench.show(Pane.WORLD)
     }
 
     private fun press(button: BrickButton) {
         state = state.copy(down = state.down + button)
-        if (button == BrickButton.RUN && !state.running && state.changed) {
+        if (button == BrickButton.RUN && state.brick.run !is RunState.Running && state.changed) {
             val slot = slotOnBrick()
-            if (!canStart(slot)) return
+            whenRead = if (programs.isRead(slot)) null else ({ start(slot) { player.play() } })
+            if (!programs.canStart(slot)) return
             beginAfresh(slot)
         }
         if (button == BrickButton.RUN) state = state.copy(untouched = false)
-        session.apply(SessionInput.Press(button))
+        touch(SessionInput.Press(button, state.watched))
     }
 
     private fun release(button: BrickButton) {
         state = state.copy(down = state.down - button)
-        session.apply(SessionInput.Release(button))
+        touch(SessionInput.Release(button, state.watched))
     }
 
-    private fun canStart(slot: Int): Boolean {
-        runWhenRead = !programs.isRead(slot)
-        return programs.canStart(slot)
+    private fun touch(input: SessionInput) {
+        player.apply(input)
+        // A brick that is switched off, or waits for a button, would not answer while time stands still.
+        if (player.motion == Motion.Still && !state.running) player.play()
     }
 
-    private fun slotOnBrick() = session.state.brick.selectedSlot.coerceAtMost(programs.count - 1)
+    private fun openDrawer(tab: DrawerTab?) {
+        state = state.copy(drawer = state.drawer.copy(tab = tab))
+        if (tab != null) bench.show(Pane.WORLD)
+    }
 
-    private fun beginAfresh(slot: Int) {
-        session.close()
-        session = newSession(slot)
+    private fun copyLog() {
+        val text = state.drawer.log.entries.toLogText()
+        bench.scope.launch {
+            val isDone = bench.platform.sharing.copy(text)
+            bench.say(Notice(if (isDone) Res.string.run_log_copied else Res.string.run_log_not_copied, bad = !isDone))
+        }
+    }
+
+    private fun saveLog() {
+        val bytes = state.drawer.log.entries.toLogText().encodeToByteArray()
+        bench.scope.launch {
+            val saving = bench.platform.files.save("${programs.state.program.name}${FileKind.TEXT.extension}", FileKind.TEXT, bytes)
+            if (saving is Saving.Failed) bench.say(Notice(null, plain = saving.reason, bad = true))
+        }
+    }
+
+    private fun switch(event: RunEvent.LaneSwitched) {
+        val chart = state.drawer.chart
+        val hidden = if (event.lane in chart.hidden) chart.hidden - event.lane else chart.hidden + event.lane
+        state = state.copy(drawer = state.drawer.copy(chart = chart.copy(hidden = hidden)))
+    }
+
+    private fun firstState() =
+        RunPaneState(world, player.state, hasRecording = recording.isNotEmpty(), settings = bench.project.settings)
+
+    private fun slotOnBrick() = player.state.brick.selectedSlot.coerceAtMost(programs.count - 1)
+
+    private fun beginAfresh(slot: Int, inputs: List<RecordedInput> = emptyList()) {
+        player.close()
         loaded = programs.written
+        player = newPlayer(slot, inputs).also {
+            it.speed = state.speed
+            if (state.watched in world.robots.indices) it.watched = state.watched
+        }
+        state = state.copy(watched = player.watched)
+        drawer.beginAfresh()
+        futures = 0
         show()
     }
 
-    private fun newSession(slot: Int) = Session(world, programs.loads(world, slot), physics, bench.language).also { sound.listenTo(it.sounds) }
+    private fun newPlayer(slot: Int, inputs: List<RecordedInput> = emptyList()) =
+        RunPlayer(RunSetup(world, programs.loads(world, slot), physics, bench.language), inputs)
+
+    private fun hearWhatIsNew() {
+        val isHeard = state.speed != RunSpeed.FASTEST && (player.motion is Motion.Playing || player.motion is Motion.Stepping)
+        if (isHeard) sound.follow() else sound.skip()
+    }
 
     private fun show() {
-        val now = session.state
-        state = state.copy(world = world, session = now, changed = programs.written != loaded, awake = rest.isAwake(now))
+        if (player.session !== lastSession) {
+            val isAfresh = player.session.milliseconds == 0L && player.time == 0L
+            lastSession = player.session
+            sound.listenTo(player.sounds)
+            if (!isAfresh) sound.skip()
+        }
+        if (player.newFutures != futures) bench.say(Notice(Res.string.run_new_future))
+        futures = player.newFutures
+        val changed = programs.written != loaded
+        // The lines of a program that was changed are not those of the one that runs.
+        if (!changed) player.breakpoints = breakpoints()
+        state = state.copy(
+            world = world,
+            session = player.state,
+            drawn = player.drawn,
+            changed = changed,
+            pace = paceOf(player.motion),
+            time = player.time,
+            length = player.length,
+            marks = player.marks,
+            drawer = drawer.fill(state.drawer, player),
+            awake = isAwake(),
+        )
     }
+
+    private fun breakpoints(): Set<Breakpoint> =
+        programs.breakpoints(world.robots[player.watched].name, player.state.robots[player.watched].brick.selectedSlot)
+
+    private fun isAwake(): Boolean = when (player.motion) {
+        Motion.Still -> state.drawer.tab == DrawerTab.LOG && drawer.isBusy
+        is Motion.Stepping, is Motion.Seeking -> true
+        is Motion.Playing -> player.isInPast || rest.isAwake(player.state)
+    }
+}
+
+private fun paceOf(motion: Motion): Pace = when (motion) {
+    Motion.Still -> Pace.PAUSED
+    is Motion.Playing -> Pace.GOING
+    is Motion.Stepping -> Pace.STEPPING
+    is Motion.Seeking -> Pace.SEEKING
 }

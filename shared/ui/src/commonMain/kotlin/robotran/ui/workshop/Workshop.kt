@@ -36,7 +36,7 @@ class Workshop(
 
     private val settingsHolder = SettingsHolder(this, settings)
     private val programs: ProgramsHolder = ProgramsHolder(project, this, ::programsRead)
-    private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this).also { it.hear(settings.soundOn) }
+    private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this, project.inputs).also { it.hear(settings.soundOn) }
     private val sheet = SheetHolder()
     private val worldEdit = WorldEditHolder(this)
     private val document = DocumentHolder(this)
@@ -79,6 +79,9 @@ class Workshop(
         }
     }
 
+    /** Goes on with learning where somebody has stopped; on the very first start, says what there is to be tried if [welcoming]. */
+    suspend fun startLearning(welcoming: Boolean) = learning.start(welcoming)
+
     /** Compiles Java programs in the pauses of typing, for ever; to be called once, for as long as the workshop is on a screen. */
     suspend fun keepReading() = programs.keepReading()
 
@@ -87,6 +90,9 @@ class Workshop(
 
     /** Keeps the work as it changes, for ever; to be called once, for as long as the workshop is on a screen. */
     suspend fun keepDocument() = document.keepKeeping()
+
+    /** Keeps what has changed at once; false if it cannot be kept. */
+    suspend fun keepDocumentNow(): Boolean = document.keepNow()
 
     /** Keeps what has changed at once, since the window is out of sight and may be gone without a word. */
     suspend fun restDocument() = document.rest()
@@ -98,10 +104,16 @@ class Workshop(
     suspend fun readPrograms() = programs.readPrograms()
 
     /** A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards: virtual time follows it while [WorkshopState.awake]. */
-    fun frame(nanoseconds: Long) = run.frame(nanoseconds)
+    fun frame(nanoseconds: Long) {
+        run.frame(nanoseconds)
+        learning.look(run.state.session)
+    }
 
     /** Lets [milliseconds] of virtual time pass at once, too quickly to be heard. */
-    fun advance(milliseconds: Int) = run.advance(milliseconds)
+    fun advance(milliseconds: Int) {
+        run.advance(milliseconds)
+        learning.look(run.state.session)
+    }
 
     /** What came of the run up to now. */
     fun report(): RunReport = run.report()
@@ -115,7 +127,8 @@ class Workshop(
     override fun openProject(project: Project) {
         opened = project
         programs.open(project)
-        run.changeWorld(project.worldToRun)
+        run.changeWorld(project.worldToRun, project.inputs)
+        learning.refresh()
         sheet.worldChanged()
     }
 
@@ -123,6 +136,7 @@ class Workshop(
         opened = opened.copy(world = world)
         programs.worldChanged(world)
         run.changeWorld(opened.worldToRun)
+        learning.refresh()
         sheet.worldChanged()
     }
 
@@ -136,13 +150,15 @@ class Workshop(
 
     override fun changeProjectSettings(settings: ProjectSettings) {
         opened = opened.copy(settings = settings)
+        programs.runJava(settings.java)
         run.changeWorld(opened.worldToRun)
     }
 
     override fun addProgram(program: PupilProgram, replacing: Boolean) {
         val place = programs.state.programs.indexOfFirst { it.name == program.name }
-        if (replacing && place >= 0) handle(ProgramEvent.ProgramClosed(place))
-        handle(ProgramEvent.ProgramAdded(program))
+        if (!replacing || place < 0 || program.files.size > 1) return handle(ProgramEvent.ProgramAdded(program))
+        handle(ProgramEvent.ProgramChosen(place))
+        handle(ProgramEvent.ProgramEdited(program.files.single().text))
     }
 
     override fun perform(event: WorkshopEvent) = handle(event)

@@ -63,8 +63,8 @@ data class WorkshopState(
     /** The line of the text shown that is running, 0 if none is. */
     val runningLine: Int
         get() {
-            val run = shownRobot?.brick?.run as? RunState.Running ?: return 0
-            return if (isShownInRun && (run.sourceFile ?: file.name) == file.name) run.sourceLine else 0
+            val now = shownRobot?.brick?.run as? RunState.Running ?: return 0
+            return if (run.lineIsLit && isShownInRun && (now.sourceFile ?: file.name) == file.name) now.sourceLine else 0
         }
 
     val status: WorkshopStatus
@@ -77,10 +77,10 @@ data class WorkshopState(
             ?: WorkshopStatus.Changed.takeIf { changed }
             ?: runStatus(session.brick.run)
 
-    private fun runStatus(run: RunState): WorkshopStatus = when (run) {
+    private fun runStatus(now: RunState): WorkshopStatus = when (now) {
         RunState.Idle -> WorkshopStatus.Ready
-        is RunState.Running -> WorkshopStatus.Running(run.sourceLine)
-        is RunState.Ended -> WorkshopStatus.Ended(run.stopped)
-        is RunState.Failed -> with(run.failure) { WorkshopStatus.Failed(sourceLine, message, sourceFile) }
+        is RunState.Running -> if (run.pace == Pace.PAUSED) WorkshopStatus.Paused(now.sourceLine) else WorkshopStatus.Running(now.sourceLine)
+        is RunState.Ended -> WorkshopStatus.Ended(now.stopped)
+        is RunState.Failed -> with(now.failure) { WorkshopStatus.Failed(sourceLine, message, sourceFile) }
     }
 }

@@ -26,6 +26,9 @@ sealed interface WorkshopStatus {
     /** The program is at [line]; 0 if it is at none. */
     data class Running(val line: Int) : WorkshopStatus
 
+    /** Time stands still, and the program is before [line]; 0 if it is at none. */
+    data class Paused(val line: Int) : WorkshopStatus
+
     /** The program came to its end, or somebody stopped it. */
     data class Ended(val stopped: Boolean) : WorkshopStatus
 

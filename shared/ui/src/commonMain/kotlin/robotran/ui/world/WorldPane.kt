@@ -32,7 +32,7 @@ import robotran.world.World
 /** The sheet of paper on the desk, with everything on it under one's fingers, and the buttons for looking at it. */
 @Composable
 internal fun WorldPane(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
-    WorldPane(state.world, state.session, state.sheet, onEvent, modifier)
+    WorldPane(state.world, state.run.drawn, state.sheet, onEvent, modifier)
 }
 
 @Composable

@@ -3,6 +3,7 @@ package robotran.ui.worldedit
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_kind_barriers
 import robotran.ui.resources.worldedit_kind_blocks
@@ -54,7 +55,7 @@ internal fun troubleInWords(world: World, trouble: Trouble): String = when (trou
 
     is Trouble.NothingToTrace -> stringResource(Res.string.worldedit_trouble_no_template)
 
-    is Trouble.Refused -> trouble.message
+    is Trouble.Refused -> trouble.message(LocalLanguage.current)
 }
 
 /** Why something was not done, as a sentence. */

@@ -3,6 +3,7 @@ package robotran.ui.brick
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.toPixelMap
 import robotran.rom.Brick
+import robotran.world.RobotPlace
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -24,10 +25,10 @@ class BrickPictureTest {
     @Test
     fun `a bumper that is pushed in lights its port, a light sensor in the dark does not`() {
         val brick = Brick(emptyList())
-        assertEquals(listOf(false, false, false), brick.state.sensors.map { PluggedSensor.of(it.port).isPressed(it) })
+        assertEquals(listOf(false, false, false), brick.state.sensors.map { PluggedSensor.of(RobotPlace.PENBOT_PORTS[it.port - 1]).isPressed(it) })
         repeat(3) { brick.setRawSensorValue(it, raw = 0) }
         repeat(4) { brick.tick() }
-        assertEquals(listOf(true, false, true), brick.state.sensors.map { PluggedSensor.of(it.port).isPressed(it) })
+        assertEquals(listOf(true, false, true), brick.state.sensors.map { PluggedSensor.of(RobotPlace.PENBOT_PORTS[it.port - 1]).isPressed(it) })
     }
 
     @Test

@@ -123,6 +123,42 @@ class SheetThingsTest {
     }
 
     @Test
+    fun `a robot casts a shadow, but not when the lamp stands on it`() {
+        val lamp = Lamp(Point(40.0, 30.0))
+        val world = with { copy(lamps = listOf(lamp), robots = listOf(RobotPlace(Pose(55.0, 30.0, 0.0)))) }
+        val picture = closeUp(world)
+        assertEquals(paper, picture.at(68.0, 30.0))
+        assertNotEquals(paper, picture.at(55.0, 15.0))
+        val under = closeUp(world, SheetScenes.state(world, poses = listOf(Pose(40.0, 30.0, 0.0))))
+        assertNotEquals(paper, under.at(55.0, 30.0))
+    }
+
+    @Test
+    fun `a region that had to be cut open has no seam`() {
+        val slit = listOf(
+            20.0 to 5.0, 80.0 to 5.0, 80.0 to 40.0, 50.1 to 40.0, 50.1 to 30.0, 60.0 to 30.0, 60.0 to 15.0, 40.0 to 15.0, 40.0 to 30.0,
+            49.9 to 30.0, 49.9 to 40.0, 20.0 to 40.0,
+        )
+        val region = Shape.Polygon(slit.map { (x, y) -> Point(x, y) })
+        val picture = closeUp(with { copy(goals = listOf(Goal.Reach(region))) })
+        assertEquals(picture.at(30.0, 35.0), picture.at(50.0, 35.0))
+        assertEquals(paper, picture.at(50.0, 22.0))
+        assertNotEquals(picture.at(30.0, 35.0), picture.at(45.0, 15.0))
+    }
+
+    @Test
+    fun `what is wanted is drawn over the sheet, and goals are not if they are not wanted`() {
+        val world = with { copy(goals = listOf(Goal.Reach(box(60.0, 20.0, 20.0)))) }
+        val state = SheetScenes.state(world).copy(trail = listOf(robotran.world.TrailPiece(0, listOf(Point(30.0, 40.0), Point(50.0, 40.0)))))
+        val plain = renderOn(world, 2000) { drawSheet(it, state, SheetColours.LIGHT, shown = emptySet()) }
+        assertEquals(paper, plain.at(52.0, 12.0))
+        assertEquals(setOf(paper), plain.coloursAround(40.0, 40.0, 2.0))
+        val all = renderOn(world, 2000) { drawSheet(it, state, SheetColours.LIGHT, shown = SheetLayer.entries.toSet()) }
+        assertNotEquals(paper, all.at(52.0, 12.0))
+        assertTrue(all.coloursAround(40.0, 40.0, 2.0).size > 2)
+    }
+
+    @Test
     fun `a lamp that has been moved shines where it is now`() {
         val world = with { copy(lamps = listOf(Lamp(Point(30.0, 30.0)))) }
         val moved = closeUp(world, SheetScenes.state(world, lamps = listOf(LampState(Point(80.0, 30.0), on = true))))

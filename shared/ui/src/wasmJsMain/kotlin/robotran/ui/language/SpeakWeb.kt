@@ -1,13 +1,16 @@
 package robotran.ui.language
 
-internal actual fun speak(tag: String?) = overrideLanguages(tag)
+import robotran.language.Language
+
+internal actual fun speak(tag: String?) = overrideLanguages(tag, spokenLanguage(tag?.let(Language::of)).tag)
 
 internal actual fun machineLanguage(): String = languageOfBrowser()
 
-/** Compose asks the browser for its languages, so that is where it has to be told another. */
-private fun overrideLanguages(tag: String?): Unit =
+/** Compose asks the browser for its languages, so that is where it has to be told another; screen readers ask the page, which is told [spoken]. */
+private fun overrideLanguages(tag: String?, spoken: String): Unit =
     js(
         """{
+        document.documentElement.lang = spoken;
         if (tag) {
             Object.defineProperty(navigator, 'languages', { value: [tag], configurable: true });
         } else {

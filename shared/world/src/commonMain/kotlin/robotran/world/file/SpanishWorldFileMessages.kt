@@ -53,9 +53,9 @@ internal object SpanishWorldFileMessages : WorldFileMessages {
 
     override fun mustNameRobot() = "tiene que ser el nombre de un robot"
 
-    override fun goalsTooDeep(limit: Int) = "no puede tener más de $limit objetivos unos dentro de otros"
+    override fun goalsTooDeep(limit: Int) = "no puede tener más de $limit metas unas dentro de otras"
 
-    override fun tooManyGoals(limit: Int) = "pasa de los $limit objetivos que puede tener un mundo"
+    override fun tooManyGoals(limit: Int) = "pasa de los $limit metas que puede tener un mundo"
 
     override fun wordTwice() = "no puede tener dos veces la misma palabra"
 

@@ -1,0 +1,60 @@
+package robotran.benchmarks
+
+import androidx.compose.ui.ImageComposeScene
+import androidx.compose.ui.unit.Density
+import robotran.programs.SourceFile
+import robotran.projects.ProgramLanguage
+import robotran.projects.Project
+import robotran.projects.ProjectProgram
+import robotran.projects.ProjectRobot
+import robotran.ui.RobotranApp
+import robotran.ui.workshop.DrawerTab
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.Workshop
+import robotran.world.physics.loadPhysicsEngine
+import kotlin.time.Duration
+import kotlin.time.DurationUnit
+import kotlin.time.measureTime
+
+/** What can be measured of the screen, which is drawn on the JVM only. */
+internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Figure> =
+    mapOf(
+        "frames-log" to { frameTime(DrawerTab.LOG) },
+        "frames-chart" to { frameTime(DrawerTab.CHART) },
+        "keystroke" to ::keystrokeTime,
+    )
+
+/**
+ * How long it takes to let a sixtieth of a second pass in the world full of things and to draw the whole screen of a tablet with [tab] of the drawer open,
+ * in software: on one core, with no graphics card.
+ */
+private suspend fun frameTime(tab: DrawerTab): Figure {
+    val workshop = Workshop(heavyProject(), loadPhysicsEngine())
+    workshop.handle(RunEvent.RunPressed)
+    workshop.advance(EARLIER_MILLISECONDS)
+    workshop.handle(RunEvent.DrawerChosen(tab))
+    val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f)) { RobotranApp(workshop, dark = false) }
+    val times = List(WARMING_FRAMES + FRAMES) { frame -> measureTime { scene.render(frame * FRAME_NANOSECONDS) } }.drop(WARMING_FRAMES).sorted()
+    val calls = workshop.state.session.robots.sumOf { it.romCalls }
+    scene.close()
+    workshop.close()
+    val note = "99th percentile ${milliseconds(times[FRAMES * 99 / 100])} ms; $WIDTH by $HEIGHT, software rendering, $calls ROM calls"
+    return Figure(times[FRAMES / 2].toDouble(DurationUnit.MILLISECONDS), "ms a frame, the median", note)
+}
+
+private fun heavyProject(): Project {
+    val world = heavyWorld()
+    val program = ProjectProgram("drive.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("drive.robo", PROGRAM)))
+    return Project(world, world.robots.map { ProjectRobot(it.name, listOf(program)) })
+}
+
+private fun milliseconds(time: Duration): String = rounded(time.toDouble(DurationUnit.MILLISECONDS))
+
+private const val WIDTH = 1280
+private const val HEIGHT = 800
+
+/** Virtual time that has passed before, so that log and chart have something to show. */
+private const val EARLIER_MILLISECONDS = 20_000
+private const val WARMING_FRAMES = 300
+private const val FRAMES = 600
+private const val FRAME_NANOSECONDS = 16_666_667L

@@ -1,0 +1,147 @@
+package robotran.ui.drawer
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.gestures.awaitEachGesture
+import androidx.compose.foundation.gestures.awaitFirstDown
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.PathEffect
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import robotran.running.ChartLine
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
+
+/**
+ * One lane of the chart between its [name] and its value at the time [at].
+ *
+ * @param now the time that the run is at.
+ * @param onTouch is told the time that is touched, null when the finger is gone.
+ */
+@Composable
+internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, now: Long, onTouch: (Long?) -> Unit) {
+    val colours = LocalRobotranColours.current
+    val value = valueText(line, at)
+    val latest by rememberUpdatedState(window)
+    val touch by rememberUpdatedState(onTouch)
+    Row(
+        Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) { contentDescription = "$name: $value" },
+        Arrangement.spacedBy(8.dp),
+        Alignment.CenterVertically,
+    ) {
+        Column(Modifier.width(92.dp)) {
+            Text(name, color = colours.quiet, fontSize = 14.sp, lineHeight = 18.sp)
+        }
+        Canvas(
+            Modifier
+                .testTag("chart-${line.lane.name.lowercase()}")
+                .weight(1f)
+                .height(LANE_HEIGHT)
+                .pointerInput(Unit) {
+                    awaitEachGesture {
+                        val down = awaitFirstDown()
+                        touch(latest.timeAt(down.position.x / size.width))
+                        do {
+                            val event = awaitPointerEvent()
+                            val change = event.changes.firstOrNull { it.id == down.id } ?: break
+                            // Up and down the lanes are scrolled, to the sides their values are read.
+                            if (change.pressed && !change.isConsumed) touch(latest.timeAt(change.position.x / size.width))
+                        } while (change.pressed)
+                        touch(null)
+                    }
+                },
+        ) { drawLane(line, window, at, now, colours) }
+        Text(
+            value,
+            Modifier.widthIn(min = 48.dp).testTag("value-${line.lane.name.lowercase()}"),
+            color = colours.onPane,
+            fontSize = 15.sp,
+            fontWeight = FontWeight.SemiBold,
+            textAlign = TextAlign.End,
+            maxLines = 1,
+        )
+    }
+}
+
+/** What [line] shows at [time]; both ends if it changed so quickly that the chart cannot tell. */
+private fun valueText(line: ChartLine, time: Long): String {
+    if (line.size == 0) return ""
+    val piece = line.pieceAt(time)
+    val least = line.least(piece)
+    val greatest = line.greatest(piece)
+    return if (least == greatest) signed(line, least) else "${signed(line, least)}–${signed(line, greatest)}"
+}
+
+private fun signed(line: ChartLine, value: Int) = if (line.lane.isMotor && value > 0) "+$value" else "$value"
+
+private fun DrawScope.drawLane(line: ChartLine, window: ChartWindow, at: Long, now: Long, colours: RobotranColours) {
+    val range = rangeOf(line)
+    fun y(value: Int) = size.height - PAD.toPx() - (size.height - 2 * PAD.toPx()) * (value - range.first) / (range.last - range.first).coerceAtLeast(1)
+    drawRect(colours.line.copy(alpha = 0.25f), Offset.Zero, Size(size.width, size.height))
+    drawLine(colours.line, Offset(0f, y(0)), Offset(size.width, y(0)), 1.dp.toPx())
+    drawValues(line, window, colours.onPane, ::y)
+    val x = window.shareOf(now) * size.width
+    drawLine(colours.focus, Offset(x, 0f), Offset(x, size.height), 1.5.dp.toPx(), pathEffect = PathEffect.dashPathEffect(floatArrayOf(6f, 4f)))
+    if (at != now) {
+        val touched = window.shareOf(at) * size.width
+        drawLine(colours.onPane, Offset(touched, 0f), Offset(touched, size.height), 1.5.dp.toPx())
+    }
+}
+
+/** A step line through the values, and the area to 0 under those of a motor; never more corners than there are pixels. */
+private fun DrawScope.drawValues(line: ChartLine, window: ChartWindow, colour: Color, y: (Int) -> Float) {
+    if (line.size == 0) return
+    val first = line.pieceAt(window.from)
+    val last = line.pieceAt(window.until)
+    val pixels = size.width.toInt().coerceAtLeast(1)
+    val stride = ((last - first) / pixels).coerceAtLeast(1)
+    val path = Path()
+    var before = Float.NaN
+    var piece = first
+    while (piece <= last) {
+        var least = line.least(piece)
+        var greatest = line.greatest(piece)
+        for (other in piece + 1..<minOf(piece + stride, last + 1)) {
+            least = minOf(least, line.least(other))
+            greatest = maxOf(greatest, line.greatest(other))
+        }
+        val x = window.shareOf(piece * line.step) * size.width
+        val next = (window.shareOf((piece + stride) * line.step) * size.width).coerceAtMost(size.width)
+        val isFromTop = !before.isNaN() && before <= y(greatest)
+        val enter = if (isFromTop) y(greatest) else y(least)
+        val leave = if (isFromTop) y(least) else y(greatest)
+        if (before.isNaN()) path.moveTo(x, enter) else path.lineTo(x, enter)
+        path.lineTo(x, leave)
+        path.lineTo(next, leave)
+        before = leave
+        piece += stride
+    }
+    drawPath(path, colour, style = Stroke(1.5.dp.toPx()))
+}
+
+private val LANE_HEIGHT = 44.dp
+private val PAD = 4.dp

@@ -1,0 +1,128 @@
+package robotran.ui.drawer
+
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableIntStateOf
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.saveable.rememberSaveable
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.running.ChartLane
+import robotran.running.ChartLine
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_chart_all_hidden
+import robotran.ui.resources.run_chart_empty
+import robotran.ui.resources.run_chart_finer
+import robotran.ui.resources.run_chart_coarser
+import robotran.ui.resources.run_chart_motor
+import robotran.ui.resources.run_chart_sensor
+import robotran.ui.runbar.Chip
+import robotran.ui.runbar.QuietButton
+import robotran.ui.runbar.RunIcon
+import robotran.ui.runbar.seconds
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.RunPaneState
+
+/** Sensors and motors over time, each in a lane of its own, with their values at the time that is looked at or touched. */
+@Composable
+internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
+    if (state.untouched || state.drawer.chart.lines.isEmpty()) return EmptyDrawer(Res.string.run_chart_empty, modifier)
+    var zoom by rememberSaveable { mutableIntStateOf(0) }
+    var touched by rememberSaveable { mutableStateOf<Long?>(null) }
+    val chart = state.drawer.chart
+    val shown = chart.lines.filter { it.lane !in chart.hidden }
+    val window = ChartWindow.around(state.time, state.length, zoom)
+    Column(modifier.padding(horizontal = 12.dp)) {
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
+                for (line in chart.lines) {
+                    Chip(laneName(line.lane), line.lane !in chart.hidden, "lane-${line.lane.name.lowercase()}") {
+                        onEvent(RunEvent.LaneSwitched(line.lane))
+                    }
+                }
+            }
+            QuietButton(RunIcon.LESS, stringResource(Res.string.run_chart_coarser), "chart-coarser", { zoom-- }, enabled = zoom > 0)
+            QuietButton(RunIcon.MORE, stringResource(Res.string.run_chart_finer), "chart-finer", { zoom++ }, enabled = zoom < MOST_ZOOM)
+        }
+        if (shown.isEmpty()) return EmptyDrawer(Res.string.run_chart_all_hidden, Modifier.fillMaxWidth())
+        Column(Modifier.weight(1f).fillMaxWidth().verticalScroll(rememberScrollState())) {
+            for (line in shown) {
+                Lane(laneName(line.lane), line, window, touched ?: state.time, state.time) { touched = it }
+            }
+            Row(Modifier.fillMaxWidth(), Arrangement.SpaceBetween) {
+                for (time in listOf(window.from, touched, window.until)) {
+                    Text(
+                        time?.let { "${seconds(it)} s" }.orEmpty(),
+                        Modifier.testTag("chart-time"),
+                        color = LocalRobotranColours.current.quiet,
+                        fontSize = 14.sp,
+                    )
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun laneName(lane: ChartLane): String =
+    if (lane.isMotor) {
+        stringResource(Res.string.run_chart_motor, 'A' + (lane.ordinal - ChartLane.MOTOR_A.ordinal))
+    } else {
+        stringResource(Res.string.run_chart_sensor, lane.ordinal + 1)
+    }
+
+/**
+ * The piece of time that the chart shows.
+ *
+ * @property from milliseconds.
+ * @property until the same, more than [from].
+ */
+internal data class ChartWindow(val from: Long, val until: Long) {
+    /** Where [time] is, 0 at the left end and 1 at the right one. */
+    fun shareOf(time: Long): Float = (time - from).toFloat() / (until - from)
+
+    fun timeAt(share: Float): Long = from + ((until - from) * share.coerceIn(0f, 1f)).toLong()
+
+    companion object {
+        /** [length] divided by two as often as [zoom] says, around [time]; never less than [LEAST]. */
+        fun around(time: Long, length: Long, zoom: Int): ChartWindow {
+            val whole = maxOf(length, LEAST)
+            val width = maxOf(LEAST, whole shr zoom)
+            val from = (time - width / 2).coerceIn(0, whole - width)
+            return ChartWindow(from, from + width)
+        }
+
+        /** Milliseconds. */
+        const val LEAST = 500L
+    }
+}
+
+/** The least and the greatest value that [line] has, at least a little apart. */
+internal fun rangeOf(line: ChartLine): IntRange {
+    if (line.lane.isMotor) return -MOST_POWER..MOST_POWER
+    var least = 0
+    var greatest = 1
+    for (piece in 0..<line.size) {
+        least = minOf(least, line.least(piece))
+        greatest = maxOf(greatest, line.greatest(piece))
+    }
+    return least..greatest
+}
+
+private const val MOST_ZOOM = 8
+private const val MOST_POWER = 8

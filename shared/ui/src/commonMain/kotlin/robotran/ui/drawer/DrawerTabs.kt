@@ -1,0 +1,97 @@
+package robotran.ui.drawer
+
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.geometry.CornerRadius
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_drawer_close
+import robotran.ui.resources.run_drawer_open
+import robotran.ui.resources.run_tab_chart
+import robotran.ui.resources.run_tab_goals
+import robotran.ui.resources.run_tab_log
+import robotran.ui.resources.run_tab_variables
+import robotran.ui.resources.run_tab_why
+import robotran.ui.runbar.QuietButton
+import robotran.ui.runbar.RunIcon
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.DrawerTab
+
+/** The names of what the drawer holds; the one that is [open] is underlined, and touched again it closes. */
+@Composable
+internal fun DrawerTabs(open: DrawerTab?, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
+    Row(modifier.fillMaxWidth().padding(horizontal = 8.dp), verticalAlignment = Alignment.CenterVertically) {
+        Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()), Arrangement.spacedBy(4.dp)) {
+            for (tab in DrawerTab.entries) TabName(tab, tab == open) { onTab(if (tab == open) null else tab) }
+        }
+        if (open == null) {
+            QuietButton(RunIcon.UP, stringResource(Res.string.run_drawer_open), "drawer-open", { onTab(DrawerTab.VARIABLES) })
+        } else {
+            QuietButton(RunIcon.DOWN, stringResource(Res.string.run_drawer_close), "drawer-close", { onTab(null) })
+        }
+    }
+}
+
+@Composable
+private fun TabName(tab: DrawerTab, selected: Boolean, onClick: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    Box(
+        Modifier
+            .testTag("drawer-${tab.name.lowercase()}")
+            .focusRing(8.dp)
+            .clip(RoundedCornerShape(8.dp))
+            .selectable(selected, role = Role.Tab, onClick = onClick)
+            .defaultMinSize(minHeight = Measures.TARGET)
+            .drawBehind {
+                if (!selected) return@drawBehind
+                val height = 4.dp.toPx()
+                val inset = 12.dp.toPx()
+                drawRoundRect(RobotranColours.YELLOW, Offset(inset, size.height - height), Size(size.width - 2 * inset, height), CornerRadius(height / 2))
+            }
+            .padding(horizontal = 12.dp),
+        Alignment.Center,
+    ) {
+        Text(
+            stringResource(tab.word),
+            color = if (selected) colours.onPane else colours.quiet,
+            fontSize = 15.sp,
+            fontWeight = if (selected) FontWeight.SemiBold else FontWeight.Medium,
+            maxLines = 1,
+        )
+    }
+}
+
+/** What the tab is called. */
+internal val DrawerTab.word: StringResource
+    get() = when (this) {
+        DrawerTab.VARIABLES -> Res.string.run_tab_variables
+        DrawerTab.LOG -> Res.string.run_tab_log
+        DrawerTab.CHART -> Res.string.run_tab_chart
+        DrawerTab.GOALS -> Res.string.run_tab_goals
+        DrawerTab.WHY -> Res.string.run_tab_why
+    }

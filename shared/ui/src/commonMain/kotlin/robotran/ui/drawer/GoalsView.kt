@@ -1,0 +1,90 @@
+package robotran.ui.drawer
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.LinearProgressIndicator
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_goal_lost
+import robotran.ui.resources.run_goal_met
+import robotran.ui.resources.run_goal_pending
+import robotran.ui.resources.run_goals_all
+import robotran.ui.resources.run_goals_empty
+import robotran.ui.runbar.RunIcon
+import robotran.ui.runbar.RunIconView
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
+import robotran.world.GoalProgress
+import robotran.world.GoalStatus
+
+/** The goals of the world and how far each has come. */
+@Composable
+internal fun GoalsView(goals: List<GoalProgress>, modifier: Modifier = Modifier) {
+    if (goals.isEmpty()) return EmptyDrawer(Res.string.run_goals_empty, modifier)
+    Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(16.dp)) {
+        if (goals.all { it.status == GoalStatus.MET }) {
+            Text(
+                stringResource(Res.string.run_goals_all),
+                color = LocalRobotranColours.current.onPane,
+                fontSize = 18.sp,
+                lineHeight = 24.sp,
+                fontWeight = FontWeight.SemiBold,
+            )
+        }
+        for (goal in goals) GoalRow(goal)
+    }
+}
+
+@Composable
+private fun GoalRow(goal: GoalProgress) {
+    val colours = LocalRobotranColours.current
+    val look = look(goal.status)
+    val word = stringResource(look.word)
+    Row(
+        Modifier.testTag("goal").semantics(mergeDescendants = true) { stateDescription = word },
+        Arrangement.spacedBy(12.dp),
+    ) {
+        val colour = if (goal.status == GoalStatus.FAILED) colours.mistake else colours.onPane
+        RunIconView(look.icon, Modifier.padding(top = 2.dp), colour = colour)
+        Column(verticalArrangement = Arrangement.spacedBy(6.dp)) {
+            Text(goal.sentence, color = colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
+            Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp), Alignment.CenterVertically) {
+                LinearProgressIndicator(
+                    { goal.progress.toFloat() },
+                    Modifier.weight(1f).height(6.dp).clearAndSetSemantics { },
+                    color = if (goal.status == GoalStatus.MET) RobotranColours.RUN_GREEN else colours.onPane,
+                    trackColor = colours.line,
+                    drawStopIndicator = { },
+                )
+                Text(word, color = if (goal.status == GoalStatus.FAILED) colours.mistake else colours.quiet, fontSize = 14.sp)
+            }
+            for (part in goal.parts) GoalRow(part)
+        }
+    }
+}
+
+private class GoalLook(val icon: RunIcon, val word: StringResource)
+
+private fun look(status: GoalStatus) = when (status) {
+    GoalStatus.MET -> GoalLook(RunIcon.DONE, Res.string.run_goal_met)
+    GoalStatus.FAILED -> GoalLook(RunIcon.CLOSE, Res.string.run_goal_lost)
+    GoalStatus.PENDING -> GoalLook(RunIcon.OPEN, Res.string.run_goal_pending)
+}

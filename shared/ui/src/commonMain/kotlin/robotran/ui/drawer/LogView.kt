@@ -1,0 +1,197 @@
+package robotran.ui.drawer
+
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.LazyListState
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.derivedStateOf
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.rom.RomGroup
+import robotran.rom.RomLogEntry
+import robotran.rom.RomLogFilter
+import robotran.rom.RomOutcome
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_log_copy
+import robotran.ui.resources.run_log_count
+import robotran.ui.resources.run_log_empty
+import robotran.ui.resources.run_log_firmware
+import robotran.ui.resources.run_log_group_buttons
+import robotran.ui.resources.run_log_group_display
+import robotran.ui.resources.run_log_group_infrared
+import robotran.ui.resources.run_log_group_motors
+import robotran.ui.resources.run_log_group_power
+import robotran.ui.resources.run_log_group_sensors
+import robotran.ui.resources.run_log_group_sound
+import robotran.ui.resources.run_log_group_timer
+import robotran.ui.resources.run_log_group_unknown
+import robotran.ui.resources.run_log_line
+import robotran.ui.resources.run_log_none
+import robotran.ui.resources.run_log_program
+import robotran.ui.resources.run_log_save
+import robotran.ui.resources.run_log_search
+import robotran.ui.resources.run_log_troubled
+import robotran.ui.runbar.Chip
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.codeStyle
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.LogState
+import robotran.ui.workshop.RunEvent
+
+/** Every ROM call up to now, the newest last, to be searched, filtered, copied and saved. */
+@Composable
+internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
+    if (state.total == 0L) return EmptyDrawer(Res.string.run_log_empty, modifier)
+    Column(modifier.padding(horizontal = 12.dp)) {
+        LogTools(state, onEvent)
+        if (state.entries.isEmpty() && state.isComplete) {
+            EmptyDrawer(Res.string.run_log_none, Modifier.fillMaxWidth())
+        } else {
+            LogEntries(state.entries, Modifier.weight(1f).fillMaxWidth())
+        }
+    }
+}
+
+@Composable
+private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
+    val filter = state.filter
+    val search = stringResource(Res.string.run_log_search)
+    Row(
+        Modifier.fillMaxWidth().horizontalScroll(rememberScrollState()).padding(vertical = 4.dp),
+        Arrangement.spacedBy(8.dp),
+        Alignment.CenterVertically,
+    ) {
+        OutlinedTextField(
+            filter.text,
+            { onEvent(RunEvent.LogFiltered(filter.copy(text = it))) },
+            Modifier.testTag("log-search").widthIn(min = 160.dp, max = 220.dp).semantics { contentDescription = search },
+            placeholder = { Text(search, maxLines = 1) },
+            singleLine = true,
+        )
+        Text(
+            stringResource(Res.string.run_log_count, state.entries.size, state.total.toInt()),
+            Modifier.testTag("log-count"),
+            color = LocalRobotranColours.current.quiet,
+            fontSize = 14.sp,
+            maxLines = 1,
+        )
+        ToolButton(Res.string.run_log_copy, "log-copy") { onEvent(RunEvent.LogCopied) }
+        ToolButton(Res.string.run_log_save, "log-save") { onEvent(RunEvent.LogSaved) }
+        Chip(stringResource(Res.string.run_log_program), filter.sourceLines != null, "log-program") {
+            onEvent(RunEvent.LogFiltered(filter.copy(sourceLines = if (filter.sourceLines == null) 1..Int.MAX_VALUE else null)))
+        }
+        Chip(stringResource(Res.string.run_log_troubled), filter.onlyReported, "log-troubled") {
+            onEvent(RunEvent.LogFiltered(filter.copy(onlyReported = !filter.onlyReported)))
+        }
+        for (group in RomGroup.entries) {
+            val only = filter.groups.size < RomGroup.entries.size && group in filter.groups
+            Chip(stringResource(group.word), only, "log-${group.name.lowercase()}") { onEvent(RunEvent.LogFiltered(filter.switched(group))) }
+        }
+    }
+}
+
+/** With all groups, [group] is the only one wanted from now on; otherwise it joins the others or leaves them. */
+private fun RomLogFilter.switched(group: RomGroup): RomLogFilter {
+    val all = RomGroup.entries.toSet()
+    val now = if (groups == all) emptySet() else groups
+    val next = if (group in now) now - group else now + group
+    return copy(groups = next.ifEmpty { all })
+}
+
+@Composable
+private fun ToolButton(name: StringResource, tag: String, onClick: () -> Unit) {
+    TextButton(onClick, Modifier.testTag(tag).focusRing()) {
+        Text(stringResource(name), color = LocalRobotranColours.current.onPane, fontSize = 15.sp, maxLines = 1)
+    }
+}
+
+@Composable
+private fun LogEntries(entries: List<RomLogEntry>, modifier: Modifier) {
+    val list = rememberLazyListState()
+    FollowEnd(list, entries.size)
+    BoxWithConstraints(modifier) {
+        val showsCode = maxWidth / LocalDensity.current.fontScale >= 560.dp
+        val style = codeStyle().copy(fontSize = 14.sp, lineHeight = 20.sp)
+        LazyColumn(Modifier.fillMaxSize().testTag("log"), list) {
+            items(entries.size) { LogRow(entries[it], showsCode, style) }
+        }
+    }
+}
+
+/** Shows what is new as long as somebody looks at the end. */
+@Composable
+private fun FollowEnd(list: LazyListState, size: Int) {
+    val isAtEnd by remember(list) { derivedStateOf { !list.canScrollForward } }
+    val wasAtEnd = isAtEnd
+    LaunchedEffect(size) { if (wasAtEnd && size > 0) list.scrollToItem(size - 1) }
+}
+
+@Composable
+private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
+    val colours = LocalRobotranColours.current
+    val troubled = entry.outcome != RomOutcome.DONE
+    Row(
+        Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {},
+        Arrangement.spacedBy(12.dp),
+    ) {
+        Text("${entry.milliseconds}", Modifier.width(64.dp), style = style.copy(color = colours.quiet, textAlign = TextAlign.End))
+        Text(
+            if (troubled) "! ${entry.meaning}" else entry.meaning,
+            Modifier.weight(1.4f),
+            style = if (troubled) style.copy(color = colours.mistake) else style,
+        )
+        if (showsCode) {
+            Text(callText(entry), Modifier.weight(1f), style = style.copy(color = colours.quiet), maxLines = 1, overflow = TextOverflow.Ellipsis)
+        }
+        Text(
+            if (entry.sourceLine == 0) stringResource(Res.string.run_log_firmware) else stringResource(Res.string.run_log_line, entry.sourceLine),
+            Modifier.width(84.dp),
+            style = style.copy(color = colours.quiet),
+            maxLines = 1,
+        )
+    }
+}
+
+/** The address and the arguments, as in a written log. */
+private fun callText(entry: RomLogEntry): String = entry.text.substringAfter(' ').substringBefore(" ; ")
+
+private val RomGroup.word: StringResource
+    get() = when (this) {
+        RomGroup.SENSORS -> Res.string.run_log_group_sensors
+        RomGroup.MOTORS -> Res.string.run_log_group_motors
+        RomGroup.BUTTONS -> Res.string.run_log_group_buttons
+        RomGroup.DISPLAY -> Res.string.run_log_group_display
+        RomGroup.SOUND -> Res.string.run_log_group_sound
+        RomGroup.POWER -> Res.string.run_log_group_power
+        RomGroup.INFRARED -> Res.string.run_log_group_infrared
+        RomGroup.TIMER -> Res.string.run_log_group_timer
+        RomGroup.UNKNOWN -> Res.string.run_log_group_unknown
+    }

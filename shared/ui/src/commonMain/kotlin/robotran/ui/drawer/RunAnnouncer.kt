@@ -1,0 +1,53 @@
+package robotran.ui.drawer
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.size
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.setValue
+import androidx.compose.runtime.snapshotFlow
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.conflate
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_said_place
+import robotran.ui.runbar.oneDecimal
+import robotran.ui.workshop.Pace
+import robotran.ui.workshop.RunPaneState
+import kotlin.math.roundToInt
+
+/** Tells those who cannot see it where the robot has come to a stop; never more often than a voice can follow. */
+@Composable
+internal fun RunAnnouncer(state: RunPaneState, modifier: Modifier = Modifier) {
+    val robot = state.session.robots[state.watched]
+    val pose = robot.robot.pose
+    val place = stringResource(Res.string.run_said_place, oneDecimal(pose.x), oneDecimal(pose.y), pose.heading.roundToInt())
+    val stands = !state.untouched && state.pace != Pace.SEEKING && (!state.running || state.pace == Pace.PAUSED)
+    val text by rememberUpdatedState(if (stands) place else "")
+    var said by remember { mutableStateOf("") }
+    LaunchedEffect(Unit) {
+        snapshotFlow { text }.conflate().collect {
+            said = it
+            delay(PAUSE_MILLISECONDS)
+        }
+    }
+    Box(
+        modifier.size(1.dp).testTag("announcer").semantics {
+            liveRegion = LiveRegionMode.Polite
+            contentDescription = said
+        },
+    )
+}
+
+private const val PAUSE_MILLISECONDS = 2_500L

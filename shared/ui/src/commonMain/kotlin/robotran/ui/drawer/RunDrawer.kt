@@ -1,0 +1,150 @@
+package robotran.ui.drawer
+
+import androidx.compose.animation.animateContentSize
+import androidx.compose.animation.core.snap
+import androidx.compose.animation.core.tween
+import androidx.compose.foundation.background
+import androidx.compose.foundation.focusable
+import androidx.compose.foundation.gestures.Orientation
+import androidx.compose.foundation.gestures.draggable
+import androidx.compose.foundation.gestures.rememberDraggableState
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableFloatStateOf
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.saveable.rememberSaveable
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.geometry.CornerRadius
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.ProgressBarRangeInfo
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.progressBarRangeInfo
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.setProgress
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_drawer_height
+import robotran.ui.theme.LocalLessMotion
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.DrawerTab
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.RunPaneState
+
+/**
+ * The drawer under the world: its names are always seen; one that is touched slides up what it holds, which can be made higher or lower.
+ *
+ * @param most how high it may become.
+ */
+@Composable
+internal fun RunDrawer(
+    state: RunPaneState,
+    onEvent: (RunEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    most: Dp = 560.dp,
+) {
+    val colours = LocalRobotranColours.current
+    var height by rememberSaveable { mutableFloatStateOf(USUAL_HEIGHT) }
+    Column(
+        modifier
+            .testTag("drawer")
+            .fillMaxWidth()
+            .background(colours.pane)
+            .animateContentSize(if (LocalLessMotion.current) snap() else tween(MOTION_MILLISECONDS)),
+    ) {
+        val tab = state.drawer.tab
+        if (tab != null) DrawerGrip(height, most.value, { height = it })
+        DrawerTabs(tab, { onEvent(RunEvent.DrawerChosen(it)) })
+        if (tab != null) {
+            HorizontalDivider(color = colours.line)
+            DrawerContent(tab, state, onEvent, Modifier.fillMaxWidth().height(height.coerceIn(LEAST_HEIGHT, maxOf(LEAST_HEIGHT, most.value)).dp))
+        }
+        HorizontalDivider(color = colours.line)
+    }
+}
+
+/** The same over a whole pane, where there is little room; nothing while it is closed. */
+@Composable
+internal fun DrawerPage(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
+    val tab = state.drawer.tab ?: return
+    val colours = LocalRobotranColours.current
+    Column(modifier.testTag("drawer").fillMaxSize().background(colours.pane)) {
+        DrawerTabs(tab, { onEvent(RunEvent.DrawerChosen(it)) })
+        HorizontalDivider(color = colours.line)
+        DrawerContent(tab, state, onEvent, Modifier.weight(1f).fillMaxWidth())
+    }
+}
+
+@Composable
+private fun DrawerContent(tab: DrawerTab, state: RunPaneState, onEvent: (RunEvent) -> Unit, modifier: Modifier) {
+    when (tab) {
+        DrawerTab.VARIABLES -> VariablesView(state.drawer.variables, onEvent, modifier)
+        DrawerTab.LOG -> LogView(state.drawer.log, onEvent, modifier)
+        DrawerTab.CHART -> ChartView(state, onEvent, modifier)
+        DrawerTab.GOALS -> GoalsView(state.session.goals, modifier)
+        DrawerTab.WHY -> WhyView(state, modifier)
+    }
+}
+
+/** Makes the drawer higher or lower: dragged, or with the arrow keys. */
+@Composable
+private fun DrawerGrip(height: Float, most: Float, onHeight: (Float) -> Unit) {
+    val colours = LocalRobotranColours.current
+    val description = stringResource(Res.string.run_drawer_height)
+    val now by rememberUpdatedState(height)
+    val range = LEAST_HEIGHT..maxOf(LEAST_HEIGHT + 1, most)
+    val density = LocalDensity.current.density
+    val move = { change: Float -> onHeight((now + change).coerceIn(range)) }
+    val drag = rememberDraggableState { move(-it / density) }
+    Box(
+        Modifier
+            .testTag("drawer-grip")
+            .fillMaxWidth()
+            .height(24.dp)
+            .focusRing(12.dp)
+            .onKeyEvent { event ->
+                val step = STEPS[event.key] ?: return@onKeyEvent false
+                if (event.type == KeyEventType.KeyDown) move(step)
+                true
+            }
+            .draggable(drag, Orientation.Vertical)
+            .focusable()
+            .semantics {
+                contentDescription = description
+                progressBarRangeInfo = ProgressBarRangeInfo(now.coerceIn(range), range)
+                setProgress {
+                    onHeight(it.coerceIn(range))
+                    true
+                }
+            }
+            .drawBehind {
+                drawLine(colours.line, Offset(0f, 0f), Offset(size.width, 0f), 1.dp.toPx())
+                val width = 40.dp.toPx()
+                val thick = 6.dp.toPx()
+                drawRoundRect(colours.quiet, Offset((size.width - width) / 2, (size.height - thick) / 2), Size(width, thick), CornerRadius(thick / 2))
+            },
+    )
+}
+
+private const val USUAL_HEIGHT = 240f
+private const val LEAST_HEIGHT = 120f
+private const val MOTION_MILLISECONDS = 150
+private val STEPS = mapOf(Key.DirectionUp to 24f, Key.DirectionDown to -24f)

@@ -1,0 +1,186 @@
+package robotran.ui.drawer
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Text
+import androidx.compose.material3.VerticalDivider
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.rom.CallFrame
+import robotran.rom.ThreadActivity
+import robotran.rom.ThreadView
+import robotran.running.ShownScope
+import robotran.running.ShownVariable
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_calls
+import robotran.ui.resources.run_frame
+import robotran.ui.resources.run_thread
+import robotran.ui.resources.run_thread_asleep
+import robotran.ui.resources.run_thread_running
+import robotran.ui.resources.run_thread_waits
+import robotran.ui.resources.run_threads
+import robotran.ui.resources.run_variable_changed
+import robotran.ui.resources.run_variables_empty
+import robotran.ui.resources.run_variables_none
+import robotran.ui.runbar.Chip
+import robotran.ui.runbar.SectionName
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.codeStyle
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.VariablesState
+
+/** The threads and the call stack of the program, and the variables known at the place that is chosen; what has changed since the last stop is lit. */
+@Composable
+internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
+    if (state.threads.isEmpty()) return EmptyDrawer(Res.string.run_variables_empty, modifier)
+    BoxWithConstraints(modifier) {
+        val width = maxWidth
+        if (width >= WIDE) {
+            Row {
+                Calls(state, onEvent, Modifier.width(width * CALLS_SHARE).fillMaxHeight().verticalScroll(rememberScrollState()))
+                VerticalDivider(color = LocalRobotranColours.current.line)
+                Scopes(state.scopes, Modifier.weight(1f).fillMaxHeight().verticalScroll(rememberScrollState()))
+            }
+        } else {
+            Column(Modifier.verticalScroll(rememberScrollState())) {
+                Scopes(state.scopes, Modifier.fillMaxWidth())
+                Calls(state, onEvent, Modifier.fillMaxWidth())
+            }
+        }
+    }
+}
+
+@Composable
+private fun Calls(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: Modifier) {
+    Column(modifier.padding(12.dp)) {
+        if (state.threads.size > 1) {
+            SectionName(stringResource(Res.string.run_threads))
+            for (thread in state.threads) {
+                Chip(threadText(thread), thread.number == state.thread, "thread-${thread.number}") { onEvent(RunEvent.FrameChosen(thread.number, 0)) }
+            }
+        }
+        SectionName(stringResource(Res.string.run_calls))
+        state.threads.find { it.number == state.thread }?.callStack.orEmpty().forEachIndexed { place, frame ->
+            Frame(frame, place == state.frame, place) { onEvent(RunEvent.FrameChosen(state.thread, place)) }
+        }
+    }
+}
+
+@Composable
+private fun Frame(frame: CallFrame, selected: Boolean, place: Int, onClick: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    Row(
+        Modifier
+            .testTag("frame-$place")
+            .focusRing(8.dp)
+            .clip(RoundedCornerShape(8.dp))
+            .background(if (selected) colours.runningLine else colours.pane)
+            .selectable(selected, role = Role.RadioButton, onClick = onClick)
+            .fillMaxWidth()
+            .defaultMinSize(minHeight = Measures.TARGET)
+            .padding(horizontal = 12.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text(
+            stringResource(Res.string.run_frame, frame.name, frame.sourceLine),
+            color = colours.onPane,
+            fontSize = 15.sp,
+            fontWeight = if (selected) FontWeight.SemiBold else FontWeight.Normal,
+        )
+    }
+}
+
+@Composable
+private fun Scopes(scopes: List<ShownScope>, modifier: Modifier) {
+    Column(modifier.padding(12.dp), Arrangement.spacedBy(12.dp)) {
+        for (scope in scopes) Scope(scope)
+        if (scopes.all { it.variables.isEmpty() }) {
+            Text(
+                stringResource(Res.string.run_variables_none),
+                color = LocalRobotranColours.current.quiet,
+                fontSize = 15.sp,
+                lineHeight = 20.sp,
+            )
+        }
+    }
+}
+
+@Composable
+private fun Scope(scope: ShownScope) {
+    if (scope.variables.isEmpty()) return
+    Column {
+        Text(
+            scope.name,
+            Modifier.padding(bottom = 4.dp).semantics { heading() },
+            color = LocalRobotranColours.current.quiet,
+            fontSize = 14.sp,
+            fontWeight = FontWeight.Medium,
+        )
+        for (variable in scope.variables) Variable(variable)
+    }
+}
+
+@Composable
+private fun Variable(variable: ShownVariable) {
+    val colours = LocalRobotranColours.current
+    val changed = stringResource(Res.string.run_variable_changed)
+    Row(
+        Modifier
+            .testTag("variable-${variable.name}")
+            .semantics(mergeDescendants = true) { if (variable.changed) stateDescription = changed }
+            .fillMaxWidth()
+            .clip(RoundedCornerShape(6.dp))
+            .background(if (variable.changed) colours.runningLine else colours.pane)
+            .padding(horizontal = 8.dp, vertical = 4.dp),
+        horizontalArrangement = Arrangement.spacedBy(12.dp),
+    ) {
+        Text(variable.name, Modifier.weight(1f), style = codeStyle(colours.quiet))
+        Text(
+            // Lit by a sign besides the colour.
+            if (variable.changed) "• ${variable.value}" else variable.value,
+            Modifier.weight(2f),
+            style = codeStyle().copy(fontWeight = if (variable.changed) FontWeight.Bold else FontWeight.Normal),
+        )
+    }
+}
+
+@Composable
+private fun threadText(thread: ThreadView): String =
+    stringResource(Res.string.run_thread, thread.name, stringResource(thread.activity.words))
+
+private val ThreadActivity.words: StringResource
+    get() = when (this) {
+        ThreadActivity.RUNNABLE -> Res.string.run_thread_running
+        ThreadActivity.SLEEPING -> Res.string.run_thread_asleep
+        ThreadActivity.WAITING_FOR_MONITOR, ThreadActivity.WAITING_FOR_NOTIFICATION -> Res.string.run_thread_waits
+    }
+
+/** From this width on calls and variables lie side by side. */
+private val WIDE = 520.dp
+private const val CALLS_SHARE = 0.4f

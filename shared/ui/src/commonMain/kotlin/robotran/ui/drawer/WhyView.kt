@@ -1,0 +1,49 @@
+package robotran.ui.drawer
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_why_empty
+import robotran.ui.resources.run_why_exact
+import robotran.ui.resources.run_why_influences
+import robotran.ui.resources.run_why_line
+import robotran.ui.resources.run_why_remarks
+import robotran.ui.runbar.SectionName
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.RunPaneState
+
+/** What made the robot stray, and what there is to learn from the run. */
+@Composable
+internal fun WhyView(state: RunPaneState, modifier: Modifier = Modifier) {
+    val why = state.drawer.why
+    if (why.influences.isEmpty() && why.remarks.isEmpty()) return EmptyDrawer(emptyWords(state), modifier)
+    val several = state.world.robots.size > 1
+    Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(12.dp)) {
+        if (why.influences.isNotEmpty()) SectionName(stringResource(Res.string.run_why_influences))
+        for (influence in why.influences) Sentence(if (several) "${influence.robot}: ${influence.sentence}" else influence.sentence, "influence")
+        if (why.remarks.isNotEmpty()) SectionName(stringResource(Res.string.run_why_remarks))
+        for (remark in why.remarks) {
+            val text = if (remark.sourceLine == 0) remark.message else stringResource(Res.string.run_why_line, remark.sourceLine, remark.message)
+            Sentence(text, "why-remark")
+        }
+    }
+}
+
+private fun emptyWords(state: RunPaneState): StringResource =
+    if (state.world.realism == 0.0) Res.string.run_why_exact else Res.string.run_why_empty
+
+@Composable
+private fun Sentence(text: String, tag: String) {
+    Text(text, Modifier.testTag(tag), color = LocalRobotranColours.current.onPane, fontSize = 16.sp, lineHeight = 22.sp)
+}

@@ -1,0 +1,139 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.background
+import androidx.compose.foundation.focusable
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.Surface
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.paneTitle
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.learning.WordHelp
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.resources.Res
+import robotran.ui.resources.learning_help
+import robotran.ui.resources.learning_help_all
+import robotran.ui.resources.learning_help_choose
+import robotran.ui.resources.learning_help_close
+import robotran.ui.resources.learning_help_example
+import robotran.ui.resources.learning_help_forms
+import robotran.ui.resources.learning_help_in_english
+import robotran.ui.resources.learning_help_none
+import robotran.ui.resources.learning_help_try
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.codeStyle
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningState
+
+/** The help on one word, or the list of all words, over the lower part of the program; Escape closes it. */
+@Composable
+internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, modifier: Modifier = Modifier) {
+    val colours = LocalRobotranColours.current
+    val title = stringResource(Res.string.learning_help)
+    val focus = remember { FocusRequester() }
+    LaunchedEffect(Unit) { focus.requestFocus() }
+    Surface(
+        modifier
+            .testTag("help")
+            .semantics { paneTitle = title }
+            .onKeyEvent { event ->
+                if (event.key != Key.Escape) return@onKeyEvent false
+                if (event.type == KeyEventType.KeyDown) onEvent(LearningEvent.PageLeft)
+                true
+            }
+            .focusRequester(focus)
+            .focusable(),
+        shape = RoundedCornerShape(16.dp),
+        color = colours.pane,
+        shadowElevation = 6.dp,
+        border = BorderStroke(1.dp, colours.quiet),
+    ) {
+        Column {
+            Row(Modifier.fillMaxWidth().padding(start = 20.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+                Text(
+                    state.help.found?.word ?: title,
+                    Modifier.weight(1f).testTag("help-title").semantics { heading() },
+                    style = if (state.help.found == null) codeStyle().copy(fontFamily = null) else codeStyle(),
+                    fontSize = 20.sp,
+                    fontWeight = FontWeight.SemiBold,
+                )
+                IconTouch(Icon.CLOSE, stringResource(Res.string.learning_help_close), "help-close", { onEvent(LearningEvent.PageLeft) })
+            }
+            HorizontalDivider(color = colours.line)
+            state.help.found?.let { HelpOnWord(it, state, onEvent) } ?: NoHelp(state, onEvent)
+        }
+    }
+}
+
+@Composable
+private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningEvent) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Column(Modifier.verticalScroll(rememberScrollState()).padding(20.dp), Arrangement.spacedBy(12.dp)) {
+        Text(help.sentence, Modifier.testTag("help-sentence"), color = colours.onPane, fontSize = 16.sp, lineHeight = 24.sp)
+        if (help.sentenceLanguage != state.language) {
+            Text(stringResource(Res.string.learning_help_in_english), color = colours.quiet, fontSize = 15.sp)
+        }
+        Label(stringResource(Res.string.learning_help_forms))
+        Column { for (form in help.forms) Text(form, style = codeStyle()) }
+        help.example?.let { example ->
+            Label(stringResource(Res.string.learning_help_example))
+            Box(Modifier.fillMaxWidth().background(colours.desk, RoundedCornerShape(8.dp)).horizontalScroll(rememberScrollState()).padding(12.dp)) {
+                Text(example.trimEnd(), Modifier.testTag("help-example"), style = codeStyle(), softWrap = false)
+            }
+        }
+        Row(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
+            if (help.example != null) {
+                PrimaryButton(stringResource(Res.string.learning_help_try), "help-try", { onEvent(LearningEvent.ExampleTried) })
+            }
+            QuietButton(stringResource(Res.string.learning_help_all), "help-all", { onEvent(LearningEvent.WordChosen(null)) })
+        }
+    }
+}
+
+/** There is no help on the word, or none was asked for: the words to choose from. */
+@Composable
+private fun NoHelp(state: LearningState, onEvent: (LearningEvent) -> Unit) {
+    val word = state.help.word
+    val text = if (word == null) stringResource(Res.string.learning_help_choose) else stringResource(Res.string.learning_help_none, word)
+    Text(
+        text,
+        Modifier.padding(start = 20.dp, end = 20.dp, top = 16.dp).testTag("help-none"),
+        color = LocalRobotranColours.current.onPane,
+        fontSize = 16.sp,
+        lineHeight = 24.sp,
+    )
+    WordList(state, onEvent)
+}
+
+@Composable
+private fun Label(text: String) =
+    Text(text, Modifier.semantics { heading() }, color = LocalRobotranColours.current.quiet, fontSize = 15.sp, fontWeight = FontWeight.SemiBold)

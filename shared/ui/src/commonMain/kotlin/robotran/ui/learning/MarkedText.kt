@@ -1,0 +1,28 @@
+package robotran.ui.learning
+
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.text.AnnotatedString
+import androidx.compose.ui.text.SpanStyle
+import androidx.compose.ui.text.buildAnnotatedString
+import androidx.compose.ui.text.withStyle
+import androidx.compose.ui.unit.sp
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.codeStyle
+
+/** A paragraph whose program text stands between backticks, see [robotran.learning.TutorialText]. */
+@Composable
+internal fun MarkedText(text: String, modifier: Modifier = Modifier, colour: Color = LocalRobotranColours.current.onPane) {
+    val code = codeStyle().run { SpanStyle(color = colour, fontFamily = fontFamily, fontFeatureSettings = fontFeatureSettings) }
+    val background = LocalRobotranColours.current.desk
+    Text(marked(text, code.copy(background = background)), modifier, color = colour, fontSize = 16.sp, lineHeight = 24.sp)
+}
+
+private fun marked(text: String, code: SpanStyle): AnnotatedString = buildAnnotatedString {
+    text.split('`').forEachIndexed { place, part ->
+        // A thin space on either side keeps the ground of the code from touching the words.
+        if (place % 2 == 1) withStyle(code) { append("\u2009${part.replace(' ', '\u00A0')}\u2009") } else append(part)
+    }
+}

@@ -1,0 +1,15 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.layout.size
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import robotran.ui.parts.Icon
+
+/** An icon that only stands beside words which say the same. */
+@Composable
+internal fun SmallIcon(icon: Icon, colour: Color, modifier: Modifier = Modifier, size: Dp = 20.dp) =
+    Canvas(modifier.size(size)) { with(icon) { draw(colour) } }

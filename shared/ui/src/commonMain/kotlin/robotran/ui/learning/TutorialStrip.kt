@@ -1,0 +1,127 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.material3.DropdownMenu
+import androidx.compose.material3.DropdownMenuItem
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.learning.Tutorial
+import robotran.ui.parts.IconTouch
+import robotran.ui.resources.Res
+import robotran.ui.resources.learning_fold
+import robotran.ui.resources.learning_step_named_done
+import robotran.ui.resources.learning_step_of
+import robotran.ui.resources.learning_steps_done
+import robotran.ui.resources.learning_unfold
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningState
+
+/** Which step it is and which are done, with the list of all steps behind it; all that is to be seen of a tutorial that is folded away. */
+@Composable
+internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifier: Modifier = Modifier) {
+    val tutorial = state.tutorial ?: return
+    val colours = LocalRobotranColours.current
+    var choosing by remember { mutableStateOf(false) }
+    Row(modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp), verticalAlignment = Alignment.CenterVertically) {
+        Box(Modifier.weight(1f)) {
+            Column(
+                Modifier
+                    .testTag("steps")
+                    .fillMaxWidth()
+                    .defaultMinSize(minHeight = Measures.TARGET)
+                    .focusRing()
+                    .clickable(role = Role.DropdownList) { choosing = true }
+                    .padding(horizontal = 12.dp, vertical = 6.dp),
+            ) {
+                val name = stringResource(Res.string.learning_step_of, tutorial.step + 1, Tutorial.steps.size)
+                val title = if (tutorial.isFolded) ": ${tutorial.current.text(state.language).title}" else ""
+                Text("$name$title", color = colours.onPane, fontSize = 16.sp, fontWeight = FontWeight.Medium)
+                StepDots(state, Modifier.padding(top = 4.dp))
+            }
+            StepList(state, choosing, { choosing = false }, onEvent)
+        }
+        val folded = tutorial.isFolded
+        IconTouch(
+            if (folded) UNFOLD_ICON else FOLD_ICON,
+            stringResource(if (folded) Res.string.learning_unfold else Res.string.learning_fold),
+            "fold-tutorial",
+            { onEvent(LearningEvent.TutorialFolded(!folded)) },
+        )
+    }
+}
+
+@Composable
+private fun StepList(state: LearningState, shown: Boolean, onClose: () -> Unit, onEvent: (LearningEvent) -> Unit) {
+    val colours = LocalRobotranColours.current
+    DropdownMenu(shown, onClose, Modifier.heightIn(max = MOST_HEIGHT), containerColor = colours.pane) {
+        Tutorial.steps.forEachIndexed { place, step ->
+            val done = step.name in state.stepsDone
+            val title = step.text(state.language).title
+            val named = if (done) stringResource(Res.string.learning_step_named_done, place + 1, title) else "${place + 1} $title"
+            DropdownMenuItem(
+                text = { Text(named, color = colours.onPane, fontSize = 16.sp) },
+                onClick = {
+                    onClose()
+                    onEvent(LearningEvent.StepChosen(place))
+                },
+                modifier = Modifier.testTag("step-${place + 1}").heightIn(min = Measures.TARGET),
+                trailingIcon = if (done) ({ SmallIcon(DONE_ICON, colours.onPane) }) else null,
+            )
+        }
+    }
+}
+
+/** One dot a step: full if its task is done, with a ring around the one that is shown. */
+@Composable
+private fun StepDots(state: LearningState, modifier: Modifier = Modifier) {
+    val colours = LocalRobotranColours.current
+    val done = Tutorial.steps.map { it.name in state.stepsDone }
+    val description = stringResource(Res.string.learning_steps_done, done.count { it }, done.size)
+    Canvas(modifier.testTag("step-dots").width(DOT_STEP * done.size).height(DOT_STEP).semantics { contentDescription = description }) {
+        done.forEachIndexed { place, isDone -> drawDot(place, isDone, place == state.tutorial?.step, colours.onPane) }
+    }
+}
+
+private fun DrawScope.drawDot(place: Int, isDone: Boolean, isShown: Boolean, colour: Color) {
+    val middle = Offset((place + 0.5f) * DOT_STEP.toPx(), size.height / 2)
+    val radius = DOT_RADIUS.toPx()
+    val line = Stroke(1.5.dp.toPx())
+    if (isDone) drawCircle(colour, radius, middle) else drawCircle(colour, radius - line.width / 2, middle, style = line)
+    if (isShown) drawCircle(colour, radius + 3.dp.toPx(), middle, style = line)
+}
+
+private val DOT_STEP = 18.dp
+private val DOT_RADIUS = 4.dp
+private val MOST_HEIGHT = 560.dp

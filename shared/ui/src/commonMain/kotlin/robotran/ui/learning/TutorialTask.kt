@@ -1,0 +1,92 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.geometry.CornerRadius
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.learning_back_to_mine
+import robotran.ui.resources.learning_hint
+import robotran.ui.resources.learning_hint_hide
+import robotran.ui.resources.learning_show_me
+import robotran.ui.resources.learning_solution_note
+import robotran.ui.resources.learning_task
+import robotran.ui.resources.learning_task_done
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningState
+import robotran.ui.workshop.TutorialState
+
+/** What is to be done in a step, whether it is done, and help with it. A bar on its left says where it begins and ends. */
+@Composable
+internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
+    val colours = LocalRobotranColours.current
+    val text = tutorial.current.text(state.language)
+    val bar = if (state.isStepDone) RobotranColours.RUN_GREEN else RobotranColours.YELLOW
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .testTag("task")
+            .drawBehind { drawRoundRect(bar, size = Size(BAR.toPx(), size.height), cornerRadius = CornerRadius(BAR.toPx() / 2)) }
+            .padding(start = 16.dp),
+        Arrangement.spacedBy(8.dp),
+    ) {
+        Row(
+            Modifier.testTag("task-status").semantics(mergeDescendants = true) {
+                heading()
+                liveRegion = LiveRegionMode.Polite
+            },
+            Arrangement.spacedBy(8.dp),
+            Alignment.CenterVertically,
+        ) {
+            if (state.isStepDone) SmallIcon(DONE_ICON, colours.onPane)
+            val title = if (state.isStepDone) Res.string.learning_task_done else Res.string.learning_task
+            Text(stringResource(title), color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
+        }
+        MarkedText(text.task)
+        if (tutorial.hintShown) MarkedText(text.hint, Modifier.testTag("hint"), colours.quiet)
+        if (tutorial.solutionShown) {
+            Text(
+                stringResource(Res.string.learning_solution_note),
+                Modifier.testTag("solution-note").semantics { liveRegion = LiveRegionMode.Polite },
+                color = colours.quiet,
+                fontSize = 16.sp,
+                lineHeight = 24.sp,
+            )
+        }
+        Helps(tutorial, onEvent)
+    }
+}
+
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun Helps(tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
+    FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
+        val hint = if (tutorial.hintShown) Res.string.learning_hint_hide else Res.string.learning_hint
+        SecondButton(stringResource(hint), "hint-wanted", { onEvent(LearningEvent.HintWanted(!tutorial.hintShown)) })
+        val solution = if (tutorial.solutionShown) Res.string.learning_back_to_mine else Res.string.learning_show_me
+        SecondButton(stringResource(solution), "solution-wanted", { onEvent(LearningEvent.SolutionWanted(!tutorial.solutionShown)) })
+    }
+}
+
+private val BAR = 6.dp

@@ -1,0 +1,98 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.selection.selectableGroup
+import androidx.compose.material3.RadioButton
+import androidx.compose.material3.RadioButtonDefaults
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.learning.WordHelp
+import robotran.ui.resources.Res
+import robotran.ui.resources.learning_help_java
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.codeStyle
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningState
+import robotran.ui.workshop.ProgramLanguage
+import robotran.ui.workshop.asCode
+
+/** All words of one of the two languages with their sentences, to choose one from. */
+@Composable
+internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
+    val code = state.help.code
+    val words = remember(code, state.language) {
+        WordHelp.words(code.asCode()).mapNotNull { WordHelp.of(state.language, code.asCode(), it) }
+    }
+    LazyColumn(Modifier.testTag("help-words")) {
+        item(key = "languages") { Languages(code) { onEvent(LearningEvent.WordsWanted(it)) } }
+        items(words, key = { it.word }) { help -> Word(help) { onEvent(LearningEvent.WordChosen(help.word)) } }
+    }
+}
+
+@Composable
+private fun Languages(chosen: ProgramLanguage, onChoose: (ProgramLanguage) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Row(Modifier.padding(horizontal = 8.dp).selectableGroup(), Arrangement.spacedBy(8.dp)) {
+        for (language in ProgramLanguage.entries) {
+            val selected = language == chosen
+            Row(
+                Modifier
+                    .testTag("help-${language.name.lowercase()}")
+                    .defaultMinSize(minHeight = Measures.TARGET)
+                    .focusRing()
+                    .selectable(selected, role = Role.RadioButton) { onChoose(language) }
+                    .padding(end = 12.dp),
+                verticalAlignment = Alignment.CenterVertically,
+            ) {
+                RadioButton(
+                    selected,
+                    onClick = null,
+                    Modifier.padding(12.dp),
+                    colors = RadioButtonDefaults.colors(selectedColor = colours.focus, unselectedColor = colours.quiet),
+                )
+                val name = if (language == ProgramLanguage.JAVA) stringResource(Res.string.learning_help_java) else ROBOLANG
+                Text(name, color = colours.onPane, fontSize = 16.sp)
+            }
+        }
+    }
+}
+
+@Composable
+private fun Word(help: WordHelp, onClick: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .testTag("word-${help.word}")
+            .defaultMinSize(minHeight = Measures.TARGET)
+            .focusRing()
+            .clickable(role = Role.Button, onClick = onClick)
+            .padding(horizontal = 20.dp, vertical = 6.dp),
+    ) {
+        Text(help.word, style = codeStyle(), fontWeight = FontWeight.SemiBold)
+        Text(help.sentence, color = colours.quiet, fontSize = 15.sp, lineHeight = 21.sp)
+    }
+}
+
+/** A name, the same in every language. */
+private const val ROBOLANG = "Robolang"

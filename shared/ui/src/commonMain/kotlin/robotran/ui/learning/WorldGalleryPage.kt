@@ -1,0 +1,107 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.PaddingValues
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.lazy.grid.GridCells
+import androidx.compose.foundation.lazy.grid.GridItemSpan
+import androidx.compose.foundation.lazy.grid.LazyVerticalGrid
+import androidx.compose.foundation.lazy.grid.items
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.OutlinedTextFieldDefaults
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.learning.WorldGallery
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.parts.Page
+import robotran.ui.resources.Res
+import robotran.ui.resources.learning_worlds
+import robotran.ui.resources.learning_worlds_clear
+import robotran.ui.resources.learning_worlds_kept
+import robotran.ui.resources.learning_worlds_none
+import robotran.ui.resources.learning_worlds_search
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningState
+
+/** All worlds that come with the app, to choose one from. */
+@Composable
+internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> Unit) {
+    val colours = LocalRobotranColours.current
+    val found = remember(state.asked, state.language) { WorldGallery.search(state.asked, state.language) }
+    Page(stringResource(Res.string.learning_worlds), "worlds-page", { onEvent(LearningEvent.PageLeft) }, mostWidth = 1280.dp) {
+        LazyVerticalGrid(
+            columns = GridCells.Adaptive(CARD_WIDTH * LocalDensity.current.fontScale.coerceAtMost(MOST_SCALE)),
+            modifier = Modifier.fillMaxSize().testTag("world-cards"),
+            contentPadding = PaddingValues(20.dp),
+            horizontalArrangement = Arrangement.spacedBy(16.dp),
+            verticalArrangement = Arrangement.spacedBy(16.dp),
+        ) {
+            item(span = { GridItemSpan(maxLineSpan) }, key = "kept") {
+                Text(stringResource(Res.string.learning_worlds_kept), color = colours.quiet, fontSize = 16.sp)
+            }
+            item(span = { GridItemSpan(maxLineSpan) }, key = "search") { Search(state.asked) { onEvent(LearningEvent.WorldsAsked(it)) } }
+            items(found, key = { it.name }) { world ->
+                WorldCard(world, state.language, world.name in state.worldsDone) { onEvent(LearningEvent.WorldChosen(world.name)) }
+            }
+            if (found.isEmpty()) item(span = { GridItemSpan(maxLineSpan) }, key = "none") { NothingFound() }
+        }
+    }
+}
+
+@Composable
+private fun Search(asked: String, onAsk: (String) -> Unit) {
+    val colours = LocalRobotranColours.current
+    OutlinedTextField(
+        value = asked,
+        onValueChange = onAsk,
+        modifier = Modifier.fillMaxWidth().widthIn(max = 480.dp).testTag("world-search"),
+        textStyle = TextStyle(fontSize = 16.sp),
+        label = { Text(stringResource(Res.string.learning_worlds_search)) },
+        singleLine = true,
+        trailingIcon = if (asked.isEmpty()) {
+            null
+        } else {
+            { IconTouch(Icon.CLOSE, stringResource(Res.string.learning_worlds_clear), "world-search-clear", { onAsk("") }) }
+        },
+        shape = RoundedCornerShape(12.dp),
+        colors = OutlinedTextFieldDefaults.colors(
+            focusedTextColor = colours.onPane,
+            unfocusedTextColor = colours.onPane,
+            focusedBorderColor = colours.focus,
+            unfocusedBorderColor = colours.quiet,
+            focusedLabelColor = colours.focus,
+            unfocusedLabelColor = colours.quiet,
+            cursorColor = colours.focus,
+        ),
+    )
+}
+
+@Composable
+private fun NothingFound() = Text(
+    stringResource(Res.string.learning_worlds_none),
+    Modifier.padding(vertical = 24.dp).testTag("worlds-none").semantics { liveRegion = LiveRegionMode.Polite },
+    color = LocalRobotranColours.current.onPane,
+    fontSize = 16.sp,
+)
+
+private val CARD_WIDTH = 264.dp
+
+/** Beyond this, text of the cards only breaks more often; on a phone there is one in a row then. */
+private const val MOST_SCALE = 1.4f

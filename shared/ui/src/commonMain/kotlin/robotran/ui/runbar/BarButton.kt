@@ -1,0 +1,88 @@
+package robotran.ui.runbar
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.layout.PaddingValues
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.ButtonDefaults
+import androidx.compose.material3.IconButton
+import androidx.compose.material3.IconButtonDefaults
+import androidx.compose.material3.OutlinedButton
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.onClick
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+
+/**
+ * A button of the run bar that is not the primary one.
+ *
+ * @param word what it does, in a word; read out and not shown where there is no [room].
+ * @param help the same in a sentence, for those who cannot see it.
+ */
+@Composable
+internal fun BarButton(
+    icon: RunIcon,
+    word: String,
+    help: String,
+    tag: String,
+    onClick: () -> Unit,
+    modifier: Modifier = Modifier,
+    enabled: Boolean = true,
+    room: Boolean = true,
+) {
+    val colours = LocalRobotranColours.current
+    OutlinedButton(
+        onClick = onClick,
+        enabled = enabled,
+        modifier = modifier
+            .testTag(tag)
+            .semantics {
+                onClick(label = help, action = null)
+                if (!room) contentDescription = word
+            }
+            .focusRing(BAR_CORNER)
+            .defaultMinSize(minWidth = if (room) 0.dp else BAR_HEIGHT, minHeight = BAR_HEIGHT),
+        shape = RoundedCornerShape(BAR_CORNER),
+        colors = ButtonDefaults.outlinedButtonColors(
+            contentColor = colours.onPane,
+            disabledContentColor = colours.quiet.copy(alpha = 0.6f),
+        ),
+        border = BorderStroke(if (enabled) 2.dp else 1.dp, if (enabled) colours.onPane else colours.line),
+        contentPadding = if (room) BAR_PADDING else PaddingValues(0.dp),
+    ) {
+        RunIconView(icon, side = 18.dp)
+        if (room) Text(word, Modifier.padding(start = 8.dp), fontSize = 18.sp, fontWeight = FontWeight.SemiBold, maxLines = 1)
+    }
+}
+
+/** A sign without a frame that can be touched; [name] says what it does. */
+@Composable
+internal fun QuietButton(icon: RunIcon, name: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier, enabled: Boolean = true) {
+    val colours = LocalRobotranColours.current
+    IconButton(
+        onClick = onClick,
+        enabled = enabled,
+        modifier = modifier.testTag(tag).semantics { contentDescription = name }.focusRing().size(Measures.TARGET),
+        colors = IconButtonDefaults.iconButtonColors(
+            contentColor = colours.onPane,
+            disabledContentColor = colours.quiet.copy(alpha = 0.5f),
+        ),
+    ) {
+        RunIconView(icon)
+    }
+}
+
+internal val BAR_CORNER = 16.dp
+internal val BAR_HEIGHT = 56.dp
+internal val BAR_PADDING = PaddingValues(horizontal = 16.dp)

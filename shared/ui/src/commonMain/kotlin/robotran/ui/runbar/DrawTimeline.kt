@@ -1,0 +1,105 @@
+package robotran.ui.runbar
+
+import androidx.compose.ui.geometry.CornerRadius
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.unit.dp
+import robotran.running.MarkKind
+import robotran.running.TimelineMark
+import robotran.ui.theme.RobotranColours
+import robotran.ui.workshop.RunPaneState
+import kotlin.math.roundToLong
+
+/** Where times are on a timeline, in pixels from its left. */
+internal class TimelinePlan {
+    /** Whether a finger moves along it. */
+    var isDragged = false
+
+    /** Pixels at both ends, so that the handle is never cut off. */
+    var margin = 0f
+        private set
+
+    /** Pixels around a mark that count as touching it. */
+    val grip: Float get() = margin * 0.8f
+
+    fun fit(scope: DrawScope) {
+        margin = with(scope) { MARGIN.toPx() }
+    }
+
+    fun placeOf(time: Long, width: Float, length: Long): Float =
+        margin + (width - 2 * margin) * (if (length <= 0) 0f else time.toFloat() / length).coerceIn(0f, 1f)
+
+    fun timeAt(x: Float, width: Float, length: Long): Long =
+        (((x - margin) / (width - 2 * margin)).coerceIn(0f, 1f).toDouble() * length).roundToLong()
+
+    private companion object {
+        val MARGIN = 12.dp
+    }
+}
+
+internal fun DrawScope.drawTimeline(state: RunPaneState, plan: TimelinePlan, colours: RobotranColours) {
+    plan.fit(this)
+    val middle = size.height * LINE_SHARE
+    val handle = plan.placeOf(state.time, size.width, state.length)
+    drawLine(colours.line, Offset(plan.margin, middle), Offset(size.width - plan.margin, middle), 4.dp.toPx(), StrokeCap.Round)
+    drawLine(colours.onPane, Offset(plan.margin, middle), Offset(handle, middle), 4.dp.toPx(), StrokeCap.Round)
+    var last = Float.NEGATIVE_INFINITY
+    for (mark in state.marks) {
+        val x = plan.placeOf(mark.milliseconds, size.width, state.length)
+        // Of many that would lie on one another only the first is drawn, unless it counts.
+        if (mark.kind.isRare || x - last >= 3.dp.toPx()) drawMark(mark, Offset(x, middle - 12.dp.toPx()), colours)
+        last = x
+    }
+    drawRoundRect(
+        colours.pane,
+        Offset(handle - 5.dp.toPx(), middle - 12.dp.toPx()),
+        Size(10.dp.toPx(), 24.dp.toPx()),
+        CornerRadius(5.dp.toPx()),
+    )
+    drawRoundRect(
+        colours.onPane,
+        Offset(handle - 3.dp.toPx(), middle - 10.dp.toPx()),
+        Size(6.dp.toPx(), 20.dp.toPx()),
+        CornerRadius(3.dp.toPx()),
+    )
+}
+
+/** Each kind has a shape of its own besides its colour. */
+private fun DrawScope.drawMark(mark: TimelineMark, place: Offset, colours: RobotranColours) {
+    val unit = 5.dp.toPx()
+    when (mark.kind) {
+        MarkKind.START -> drawPath(shape(place, unit, -0.6f, -1f, 1f, 0f, -0.6f, 1f), RobotranColours.RUN_GREEN)
+        MarkKind.END -> drawRect(colours.quiet, place - Offset(unit * 0.7f, unit * 0.7f), Size(unit * 1.4f, unit * 1.4f))
+        MarkKind.FAILURE -> drawCross(place, unit, colours.mistake)
+        MarkKind.GOAL -> drawPath(star(place, unit * 1.5f), colours.onPane)
+        MarkKind.GOAL_LOST -> drawCross(place, unit * 0.8f, colours.quiet)
+        MarkKind.REMARK -> drawPath(shape(place, unit, 0f, -1f, 1f, 0f, 0f, 1f, -1f, 0f), colours.focus)
+        MarkKind.BUMP -> drawPath(shape(place, unit, -1f, 1f, 0f, -1f, 1f, 1f), colours.mistake)
+        MarkKind.BEEP -> drawCircle(colours.quiet, unit * 0.6f, place)
+        MarkKind.MESSAGE -> drawRect(colours.focus, place - Offset(unit * 0.3f, unit), Size(unit * 0.6f, unit * 2))
+    }
+}
+
+private fun DrawScope.drawCross(place: Offset, half: Float, colour: Color) {
+    val width = 2.5.dp.toPx()
+    drawLine(colour, place - Offset(half, half), place + Offset(half, half), width, StrokeCap.Round)
+    drawLine(colour, place + Offset(-half, half), place + Offset(half, -half), width, StrokeCap.Round)
+}
+
+private fun shape(place: Offset, unit: Float, vararg corners: Float): Path = Path().apply {
+    moveTo(place.x + corners[0] * unit, place.y + corners[1] * unit)
+    for (corner in 2..<corners.size step 2) lineTo(place.x + corners[corner] * unit, place.y + corners[corner + 1] * unit)
+    close()
+}
+
+private fun star(place: Offset, unit: Float): Path = shape(
+    place, unit,
+    0f, -1f, 0.24f, -0.32f, 0.95f, -0.31f, 0.38f, 0.12f, 0.59f, 0.81f, 0f, 0.4f, -0.59f, 0.81f, -0.38f, 0.12f, -0.95f, -0.31f, -0.24f, -0.32f,
+)
+
+/** How far down the line is; the marks stand above it. */
+private const val LINE_SHARE = 0.66f

@@ -1,0 +1,166 @@
+package robotran.ui.runbar
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.FilterChip
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import androidx.compose.ui.window.Dialog
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.rom.StepKind
+import robotran.running.RunSpeed
+import robotran.ui.drawer.word
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_close
+import robotran.ui.resources.run_look
+import robotran.ui.resources.run_more
+import robotran.ui.resources.run_play_recording
+import robotran.ui.resources.run_play_recording_help
+import robotran.ui.resources.run_robot
+import robotran.ui.resources.run_speed
+import robotran.ui.resources.run_start_over
+import robotran.ui.resources.run_start_over_help
+import robotran.ui.resources.run_step_out
+import robotran.ui.resources.run_step_out_help
+import robotran.ui.resources.run_step_over
+import robotran.ui.resources.run_step_over_help
+import robotran.ui.resources.run_steps
+import robotran.ui.resources.run_to_line
+import robotran.ui.resources.run_to_line_help
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.DrawerTab
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.RunPaneState
+import robotran.world.Breakpoint
+
+/** All about how the run goes that is not in the bar, or not on a small screen; over everything else until it is closed. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEvent) -> Unit, onClose: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    fun andClose(event: RunEvent) {
+        onEvent(event)
+        onClose()
+    }
+    Dialog(onDismissRequest = onClose) {
+        Column(
+            Modifier
+                .testTag("run-panel")
+                .widthIn(max = 560.dp)
+                .fillMaxWidth()
+                .clip(RoundedCornerShape(20.dp))
+                .background(colours.pane)
+                .verticalScroll(rememberScrollState())
+                .padding(20.dp),
+            Arrangement.spacedBy(20.dp),
+        ) {
+            Row(verticalAlignment = Alignment.CenterVertically) {
+                Text(
+                    stringResource(Res.string.run_more),
+                    Modifier.weight(1f).semantics { heading() },
+                    color = colours.onPane,
+                    fontSize = 20.sp,
+                    fontWeight = FontWeight.SemiBold,
+                )
+                QuietButton(RunIcon.CLOSE, stringResource(Res.string.run_close), "run-panel-close", onClose)
+            }
+            Section(Res.string.run_speed) {
+                for (speed in RunSpeed.entries) {
+                    Chip(stringResource(speed.word), speed == state.speed, "panel-speed-${speed.name.lowercase()}") { onEvent(RunEvent.SpeedChosen(speed)) }
+                }
+            }
+            if (state.world.robots.size > 1) {
+                Section(Res.string.run_robot) {
+                    state.world.robots.forEachIndexed { number, robot ->
+                        Chip(robot.name, number == state.watched, "robot-$number") { onEvent(RunEvent.RobotWatched(number)) }
+                    }
+                }
+            }
+            Section(Res.string.run_look) {
+                for (tab in DrawerTab.entries) {
+                    Chip(stringResource(tab.word), tab == state.drawer.tab, "panel-${tab.name.lowercase()}") { andClose(RunEvent.DrawerChosen(tab)) }
+                }
+            }
+            Section(Res.string.run_steps) {
+                PanelAction(Res.string.run_step_over, Res.string.run_step_over_help, "panel-step-over") { andClose(RunEvent.StepPressed(StepKind.OVER)) }
+                PanelAction(Res.string.run_step_out, Res.string.run_step_out_help, "panel-step-out") { andClose(RunEvent.StepPressed(StepKind.OUT)) }
+                PanelAction(Res.string.run_to_line, Res.string.run_to_line_help, "panel-to-line") { andClose(RunEvent.RunToLine(cursor)) }
+                PanelAction(Res.string.run_start_over, Res.string.run_start_over_help, "start-over") { andClose(RunEvent.StartedOver) }
+                if (state.hasRecording) {
+                    PanelAction(Res.string.run_play_recording, Res.string.run_play_recording_help, "play-recording") {
+                        andClose(RunEvent.RecordingPlayed)
+                    }
+                }
+            }
+            RunSettings(state, onEvent)
+        }
+    }
+}
+
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun Section(name: StringResource, content: @Composable () -> Unit) {
+    Column {
+        SectionName(stringResource(name))
+        FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) { content() }
+    }
+}
+
+@Composable
+internal fun SectionName(name: String) {
+    Text(
+        name,
+        Modifier.padding(bottom = 4.dp).semantics { heading() },
+        color = LocalRobotranColours.current.quiet,
+        fontSize = 14.sp,
+        fontWeight = FontWeight.Medium,
+    )
+}
+
+/** One of several that can be chosen; the chosen one has a tick. */
+@Composable
+internal fun Chip(name: String, selected: Boolean, tag: String, onClick: () -> Unit) {
+    FilterChip(
+        selected = selected,
+        onClick = onClick,
+        label = { Text(name, fontSize = 16.sp) },
+        leadingIcon = if (selected) ({ RunIconView(RunIcon.DONE, side = 16.dp) }) else null,
+        modifier = Modifier.testTag(tag).focusRing().defaultMinSize(minHeight = Measures.TARGET),
+    )
+}
+
+@Composable
+private fun PanelAction(name: StringResource, help: StringResource, tag: String, onClick: () -> Unit) {
+    TextButton(
+        onClick,
+        Modifier.testTag(tag).focusRing().fillMaxWidth(),
+        shape = RoundedCornerShape(12.dp),
+    ) {
+        Box(Modifier.fillMaxWidth()) { Choice(stringResource(name), stringResource(help)) }
+    }
+}

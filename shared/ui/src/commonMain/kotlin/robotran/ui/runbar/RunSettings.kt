@@ -1,0 +1,152 @@
+package robotran.ui.runbar
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.selection.toggleable
+import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Slider
+import androidx.compose.material3.Switch
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableFloatStateOf
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.text.input.KeyboardType
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.projects.ProjectSettings
+import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.TinyVmSpeed
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_java
+import robotran.ui.resources.run_java_fast
+import robotran.ui.resources.run_java_fast_help
+import robotran.ui.resources.run_java_forgiving
+import robotran.ui.resources.run_java_forgiving_help
+import robotran.ui.resources.run_realism
+import robotran.ui.resources.run_realism_help
+import robotran.ui.resources.run_realism_value
+import robotran.ui.resources.run_seed
+import robotran.ui.resources.run_seed_help
+import robotran.ui.resources.run_seed_next
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.RunPaneState
+import kotlin.math.roundToInt
+
+/** How exact the robot is, what chance is drawn from, and how Java runs; whatever is changed begins the run afresh. */
+@Composable
+internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
+    val settings = state.settings
+    fun change(to: ProjectSettings) = onEvent(RunEvent.RunSettingsChanged(to))
+    Column(verticalArrangement = Arrangement.spacedBy(20.dp)) {
+        Realism(state.world.realism) { change(settings.copy(realism = it)) }
+        Seed(state.world.seed) { change(settings.copy(seed = it)) }
+        Column {
+            SectionName(stringResource(Res.string.run_java))
+            Setting(Res.string.run_java_forgiving, Res.string.run_java_forgiving_help, "java-forgiving", settings.java.mode == TinyVmMode.FORGIVING) {
+                change(settings.copy(java = settings.java.copy(mode = if (it) TinyVmMode.FORGIVING else TinyVmMode.BRICK)))
+            }
+            Setting(Res.string.run_java_fast, Res.string.run_java_fast_help, "java-fast", settings.java.speed == TinyVmSpeed.UNLIMITED) {
+                change(settings.copy(java = settings.java.copy(speed = if (it) TinyVmSpeed.UNLIMITED else TinyVmSpeed.BRICK)))
+            }
+        }
+    }
+}
+
+@Composable
+private fun Realism(realism: Double, onRealism: (Double) -> Unit) {
+    var wanted by remember(realism) { mutableFloatStateOf(realism.toFloat()) }
+    val name = stringResource(Res.string.run_realism)
+    val value = stringResource(Res.string.run_realism_value, (wanted * PER_CENT).roundToInt())
+    Column {
+        SectionName("$name: $value")
+        Slider(
+            wanted,
+            { wanted = it },
+            Modifier.testTag("realism").focusRing().semantics {
+                contentDescription = name
+                stateDescription = value
+            },
+            steps = REALISM_STEPS - 1,
+            onValueChangeFinished = { onRealism((wanted * REALISM_STEPS).roundToInt() / REALISM_STEPS.toDouble()) },
+        )
+        Help(Res.string.run_realism_help)
+    }
+}
+
+@Composable
+private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
+    var written by remember(seed) { mutableStateOf(seed.toString()) }
+    val name = stringResource(Res.string.run_seed)
+    Column {
+        SectionName(name)
+        Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
+            OutlinedTextField(
+                written,
+                { text ->
+                    written = text.filter { it in '0'..'9' }.take(MOST_DIGITS)
+                    written.toIntOrNull()?.takeIf { it != seed }?.let(onSeed)
+                },
+                Modifier.width(160.dp).testTag("seed").semantics { contentDescription = name },
+                singleLine = true,
+                keyboardOptions = KeyboardOptions(keyboardType = KeyboardType.Number),
+            )
+            QuietButton(RunIcon.NEXT, stringResource(Res.string.run_seed_next), "seed-next", { onSeed(if (seed == Int.MAX_VALUE) 1 else seed + 1) })
+        }
+        Help(Res.string.run_seed_help)
+    }
+}
+
+@Composable
+private fun Setting(name: StringResource, help: StringResource, tag: String, on: Boolean, onSwitch: (Boolean) -> Unit) {
+    Row(
+        Modifier
+            .testTag(tag)
+            .focusRing()
+            .toggleable(on, role = Role.Switch, onValueChange = onSwitch)
+            .fillMaxWidth()
+            .defaultMinSize(minHeight = Measures.TARGET),
+        horizontalArrangement = Arrangement.spacedBy(12.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Column(Modifier.weight(1f)) { Choice(stringResource(name), stringResource(help)) }
+        Switch(on, onCheckedChange = null)
+    }
+}
+
+@Composable
+private fun Help(text: StringResource) {
+    Text(
+        stringResource(text),
+        Modifier.padding(top = 4.dp),
+        color = LocalRobotranColours.current.quiet,
+        fontSize = 14.sp,
+        lineHeight = 18.sp,
+    )
+}
+
+private const val REALISM_STEPS = 10
+private const val PER_CENT = 100
+
+/** So that every number fits a seed. */
+private const val MOST_DIGITS = 9

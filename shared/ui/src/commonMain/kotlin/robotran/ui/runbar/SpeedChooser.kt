@@ -1,0 +1,100 @@
+package robotran.ui.runbar
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.DropdownMenu
+import androidx.compose.material3.DropdownMenuItem
+import androidx.compose.material3.RadioButton
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.selected
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.running.RunSpeed
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_speed
+import robotran.ui.resources.run_speed_double
+import robotran.ui.resources.run_speed_fastest
+import robotran.ui.resources.run_speed_fivefold
+import robotran.ui.resources.run_speed_half
+import robotran.ui.resources.run_speed_quarter
+import robotran.ui.resources.run_speed_real
+import robotran.ui.resources.run_speed_tenfold
+import robotran.ui.resources.run_speed_tenth
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+
+/** Says how fast time passes, and lets it pass faster or more slowly. */
+@Composable
+internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier: Modifier = Modifier) {
+    var open by remember { mutableStateOf(false) }
+    val name = stringResource(Res.string.run_speed)
+    val word = stringResource(speed.word)
+    Box(modifier) {
+        TextButton(
+            { open = true },
+            Modifier
+                .testTag("speed")
+                .focusRing()
+                .defaultMinSize(minHeight = Measures.TARGET)
+                .semantics {
+                    contentDescription = name
+                    stateDescription = word
+                },
+            shape = RoundedCornerShape(12.dp),
+        ) {
+            Text(word, color = LocalRobotranColours.current.onPane, fontSize = 16.sp, maxLines = 1)
+            RunIconView(RunIcon.UP, Modifier.padding(start = 4.dp), 16.dp, LocalRobotranColours.current.onPane)
+        }
+        DropdownMenu(open, { open = false }) {
+            SpeedChoices(speed) {
+                open = false
+                onSpeed(it)
+            }
+        }
+    }
+}
+
+/** All speeds, the slowest first. */
+@Composable
+internal fun SpeedChoices(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit) {
+    for (choice in RunSpeed.entries) {
+        DropdownMenuItem(
+            text = { Text(stringResource(choice.word), fontSize = 16.sp) },
+            onClick = { onSpeed(choice) },
+            modifier = Modifier
+                .testTag("speed-${choice.name.lowercase()}")
+                .defaultMinSize(minHeight = Measures.TARGET)
+                .semantics { selected = choice == speed },
+            leadingIcon = { RadioButton(choice == speed, onClick = null) },
+        )
+    }
+}
+
+/** The speed in a word or two. */
+internal val RunSpeed.word: StringResource
+    get() = when (this) {
+        RunSpeed.TENTH -> Res.string.run_speed_tenth
+        RunSpeed.QUARTER -> Res.string.run_speed_quarter
+        RunSpeed.HALF -> Res.string.run_speed_half
+        RunSpeed.REAL_TIME -> Res.string.run_speed_real
+        RunSpeed.DOUBLE -> Res.string.run_speed_double
+        RunSpeed.FIVEFOLD -> Res.string.run_speed_fivefold
+        RunSpeed.TENFOLD -> Res.string.run_speed_tenfold
+        RunSpeed.FASTEST -> Res.string.run_speed_fastest
+    }

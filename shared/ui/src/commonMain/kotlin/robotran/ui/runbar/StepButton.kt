@@ -1,0 +1,99 @@
+package robotran.ui.runbar
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.DropdownMenu
+import androidx.compose.material3.DropdownMenuItem
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.rom.StepKind
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_step
+import robotran.ui.resources.run_step_help
+import robotran.ui.resources.run_step_into
+import robotran.ui.resources.run_step_into_help
+import robotran.ui.resources.run_step_out
+import robotran.ui.resources.run_step_out_help
+import robotran.ui.resources.run_step_over
+import robotran.ui.resources.run_step_over_help
+import robotran.ui.resources.run_steps
+import robotran.ui.resources.run_to_line
+import robotran.ui.resources.run_to_line_help
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.workshop.RunEvent
+import robotran.world.Breakpoint
+
+/** One step of the program, and beside it a menu with other steps. */
+@Composable
+internal fun StepButton(cursor: Breakpoint, onEvent: (RunEvent) -> Unit, room: Boolean, menu: Boolean, modifier: Modifier = Modifier) {
+    Row(modifier, verticalAlignment = Alignment.CenterVertically) {
+        BarButton(
+            RunIcon.STEP,
+            stringResource(Res.string.run_step),
+            stringResource(Res.string.run_step_help),
+            "step",
+            { onEvent(RunEvent.StepPressed(StepKind.INTO)) },
+            room = room,
+        )
+        if (menu) StepMenu(cursor, onEvent)
+    }
+}
+
+@Composable
+private fun StepMenu(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
+    var open by remember { mutableStateOf(false) }
+    Box {
+        QuietButton(RunIcon.DOWN, stringResource(Res.string.run_steps), "steps", { open = true })
+        DropdownMenu(open, { open = false }) {
+            StepChoices(cursor) {
+                open = false
+                onEvent(it)
+            }
+        }
+    }
+}
+
+/** All kinds of steps with what each does. */
+@Composable
+internal fun StepChoices(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
+    val choices = listOf(
+        StepChoice("step-into", Res.string.run_step_into, Res.string.run_step_into_help, RunEvent.StepPressed(StepKind.INTO)),
+        StepChoice("step-over", Res.string.run_step_over, Res.string.run_step_over_help, RunEvent.StepPressed(StepKind.OVER)),
+        StepChoice("step-out", Res.string.run_step_out, Res.string.run_step_out_help, RunEvent.StepPressed(StepKind.OUT)),
+        StepChoice("step-to-line", Res.string.run_to_line, Res.string.run_to_line_help, RunEvent.RunToLine(cursor)),
+    )
+    for (choice in choices) {
+        DropdownMenuItem(
+            text = { Choice(stringResource(choice.name), stringResource(choice.help)) },
+            onClick = { onEvent(choice.event) },
+            modifier = Modifier.testTag(choice.tag).defaultMinSize(minHeight = Measures.TARGET),
+        )
+    }
+}
+
+/** A choice of a menu with one line that says what it does. */
+@Composable
+internal fun Choice(name: String, help: String) {
+    val colours = LocalRobotranColours.current
+    Column(Modifier.padding(vertical = 8.dp)) {
+        Text(name, color = colours.onPane, fontSize = 16.sp)
+        Text(help, color = colours.quiet, fontSize = 14.sp, lineHeight = 18.sp)
+    }
+}
+
+private class StepChoice(val tag: String, val name: StringResource, val help: StringResource, val event: RunEvent)

@@ -1,0 +1,137 @@
+package robotran.ui.runbar
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.focusable
+import androidx.compose.foundation.gestures.awaitEachGesture
+import androidx.compose.foundation.gestures.awaitFirstDown
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.height
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.ProgressBarRangeInfo
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.progressBarRangeInfo
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.setProgress
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.running.TimelineMark
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_mark_next
+import robotran.ui.resources.run_mark_previous
+import robotran.ui.resources.run_timeline
+import robotran.ui.resources.run_timeline_place
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.RunPaneState
+import kotlin.math.abs
+import kotlin.math.roundToLong
+
+/** The whole run from left to right, with what has happened in it; wherever it is touched, the run goes to. */
+@Composable
+internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifier = Modifier) {
+    Row(modifier, verticalAlignment = Alignment.CenterVertically) {
+        val previous = state.marks.lastOrNull { it.milliseconds < state.time }?.milliseconds ?: 0L.takeIf { state.time > 0 }
+        QuietButton(
+            RunIcon.PREVIOUS, stringResource(Res.string.run_mark_previous), "mark-previous",
+            { previous?.let(onScrub) }, enabled = previous != null,
+        )
+        Track(state, onScrub, Modifier.weight(1f))
+        val next = state.marks.firstOrNull { it.milliseconds > state.time }?.milliseconds ?: state.length.takeIf { state.inPast }
+        QuietButton(
+            RunIcon.NEXT, stringResource(Res.string.run_mark_next), "mark-next",
+            { next?.let(onScrub) }, enabled = next != null,
+        )
+    }
+}
+
+@Composable
+private fun Track(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifier) {
+    val colours = LocalRobotranColours.current
+    val name = stringResource(Res.string.run_timeline)
+    val place = stringResource(Res.string.run_timeline_place, seconds(state.time), seconds(state.length))
+    val here = markAt(state.marks, state.time)?.let { markText(it) }
+    val now by rememberUpdatedState(state)
+    val scrub by rememberUpdatedState(onScrub)
+    val plan = remember { TimelinePlan() }
+    Canvas(
+        modifier
+            .height(Measures.TARGET)
+            .testTag("timeline")
+            .focusRing()
+            .onKeyEvent { event ->
+                val step = STEPS[event.key] ?: return@onKeyEvent false
+                if (event.type == KeyEventType.KeyDown) scrub((now.time + step).coerceIn(0, now.length))
+                true
+            }
+            .focusable()
+            .semantics {
+                contentDescription = name
+                stateDescription = listOfNotNull(place, here).joinToString(". ")
+                progressBarRangeInfo = ProgressBarRangeInfo(state.time.toFloat(), 0f..maxOf(1f, state.length.toFloat()))
+                setProgress {
+                    scrub(it.roundToLong())
+                    true
+                }
+            }
+            .pointerInput(plan) {
+                awaitEachGesture {
+                    val down = awaitFirstDown().also { it.consume() }
+                    fun timeAt(x: Float) = plan.timeAt(x, size.width.toFloat(), now.length)
+                    scrub(nearMark(plan, now, down.position.x, size.width.toFloat()) ?: timeAt(down.position.x))
+                    do {
+                        val event = awaitPointerEvent()
+                        val change = event.changes.firstOrNull { it.id == down.id } ?: break
+                        val moved = abs(change.position.x - down.position.x) > viewConfiguration.touchSlop
+                        if (change.pressed && (moved || change.previousPosition != change.position && plan.isDragged)) {
+                            plan.isDragged = true
+                            scrub(timeAt(change.position.x))
+                        }
+                        change.consume()
+                    } while (change.pressed)
+                    plan.isDragged = false
+                }
+            },
+    ) { drawTimeline(state, plan, colours) }
+}
+
+/** The time of the mark under a finger at [x], null if none is. */
+private fun nearMark(plan: TimelinePlan, state: RunPaneState, x: Float, width: Float): Long? =
+    state.marks.minByOrNull { abs(plan.placeOf(it.milliseconds, width, state.length) - x) }
+        ?.takeIf { abs(plan.placeOf(it.milliseconds, width, state.length) - x) <= plan.grip }
+        ?.milliseconds
+
+/** What has happened at [time], if anything; the rarest if there is more. */
+internal fun markAt(marks: List<TimelineMark>, time: Long): TimelineMark? =
+    marks.filter { abs(it.milliseconds - time) <= NEAR_MILLISECONDS }.minByOrNull { it.kind }
+
+/** What the arrow keys change, in milliseconds. */
+private val STEPS = mapOf(
+    Key.DirectionLeft to -100L,
+    Key.DirectionRight to 100L,
+    Key.PageDown to -1_000L,
+    Key.PageUp to 1_000L,
+    Key.MoveHome to -Long.MAX_VALUE / 2,
+    Key.MoveEnd to Long.MAX_VALUE / 2,
+)
+
+/** How near a mark has to be to be spoken of. */
+private const val NEAR_MILLISECONDS = 10L
+
+/** [milliseconds] as seconds with one decimal. */
+internal fun seconds(milliseconds: Long): String = oneDecimal(milliseconds / MILLISECONDS_PER_SECOND)
+
+private const val MILLISECONDS_PER_SECOND = 1000.0

@@ -1,0 +1,87 @@
+package robotran.ui.sheet.svg
+
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.toArgb
+import robotran.world.Point
+import kotlin.math.abs
+import kotlin.math.floor
+
+/** Writes elements of an SVG picture one below the other. Numbers come out the same on every platform. */
+internal class SvgWriter {
+    private val text = StringBuilder()
+    private var depth = 0
+
+    /** An element with [attributes] as `name` to `value`, those without a value left out, around what [content] writes. */
+    fun element(name: String, vararg attributes: Pair<String, Any?>, content: (() -> Unit)? = null) {
+        begin(name, attributes)
+        if (content == null) {
+            text.append("/>\n")
+            return
+        }
+        text.append(">\n")
+        depth++
+        content()
+        depth--
+        text.append("  ".repeat(depth)).append("</").append(name).append(">\n")
+    }
+
+    /** An element that holds words. */
+    fun words(name: String, words: String, vararg attributes: Pair<String, Any?>) {
+        begin(name, attributes)
+        text.append('>').append(escaped(words)).append("</").append(name).append(">\n")
+    }
+
+    private fun begin(name: String, attributes: Array<out Pair<String, Any?>>) {
+        text.append("  ".repeat(depth)).append('<').append(name)
+        for ((attribute, value) in attributes) {
+            if (value != null) text.append(' ').append(attribute).append("=\"").append(escaped(written(value))).append('"')
+        }
+    }
+
+    private fun written(value: Any): String = when (value) {
+        is Double -> figure(value)
+        is Float -> figure(value.toDouble())
+        else -> value.toString()
+    }
+
+    override fun toString() = text.toString()
+}
+
+/** Such as `12`, `-0.5` or `3.125`: to a thousandth, which is a hundredth of a millimetre. */
+internal fun figure(number: Double): String {
+    val count = floor(number * THOUSAND + HALF).toLong()
+    val size = abs(count)
+    val decimals = (size % THOUSAND.toLong()).toString().padStart(DECIMALS, '0').trimEnd('0')
+    return (if (count < 0) "-" else "") + size / THOUSAND.toLong() + if (decimals.isEmpty()) "" else ".$decimals"
+}
+
+/** As in `points`. */
+internal fun figures(points: List<Point>): String = points.joinToString(" ") { "${figure(it.x)},${figure(it.y)}" }
+
+/** Such as `#16307a`; how far one can see through it has to be said apart from that. */
+internal fun hex(colour: Color): String = "#" + (colour.toArgb() and RGB).toString(HEXADECIMAL).padStart(RGB_DIGITS, '0')
+
+/** What XML can hold of [words]: no control characters, no halves of characters. */
+private fun escaped(words: String): String = buildString {
+    for ((place, letter) in words.withIndex()) {
+        when {
+            letter == '&' -> append("&amp;")
+            letter == '<' -> append("&lt;")
+            letter == '>' -> append("&gt;")
+            letter == '"' -> append("&quot;")
+            letter.isHighSurrogate() -> append(if (words.getOrNull(place + 1)?.isLowSurrogate() == true) letter else MISSING)
+            letter.isLowSurrogate() -> append(if (words.getOrNull(place - 1)?.isHighSurrogate() == true) letter else MISSING)
+            letter < ' ' && letter != '\n' && letter != '\t' -> append(' ')
+            letter == '\uFFFE' || letter == '\uFFFF' -> append(MISSING)
+            else -> append(letter)
+        }
+    }
+}
+
+private const val THOUSAND = 1000.0
+private const val HALF = 0.5
+private const val DECIMALS = 3
+private const val RGB = 0xFFFFFF
+private const val RGB_DIGITS = 6
+private const val HEXADECIMAL = 16
+private const val MISSING = '\uFFFD'

@@ -1,0 +1,60 @@
+package robotran.ui.workshop
+
+import robotran.rom.RomLogFilter
+import robotran.running.ChartLane
+import robotran.running.FilteredRomCalls
+import robotran.running.RunPlayer
+import robotran.running.VariableWatch
+
+/** Fills the drawer with what its open tab shows of a run. */
+internal class DrawerFilling {
+    val variables = VariableWatch()
+    private var calls = FilteredRomCalls(RomLogFilter())
+
+    /** The thread and the place in its call stack that somebody has chosen; null for where the program is. */
+    private var chosen: Pair<Int, Int>? = null
+
+    /** Whether there is more to come although time stands still. */
+    val isBusy: Boolean get() = !calls.isComplete
+
+    fun filter(filter: RomLogFilter) {
+        calls = FilteredRomCalls(filter)
+    }
+
+    fun choose(thread: Int, frame: Int) {
+        chosen = thread to frame
+    }
+
+    /** The program goes on: what was chosen is not there any more. */
+    fun goesOn() {
+        chosen = null
+    }
+
+    /** Another run has begun. */
+    fun beginAfresh() {
+        chosen = null
+        variables.forget()
+    }
+
+    /** [drawer] with what there is to see of [player] now. */
+    fun fill(drawer: DrawerState, player: RunPlayer): DrawerState = when (drawer.tab) {
+        DrawerTab.VARIABLES -> drawer.copy(variables = lookAtVariables(player))
+        DrawerTab.LOG -> drawer.copy(log = lookAtLog(player))
+        DrawerTab.CHART -> drawer.copy(chart = drawer.chart.copy(lines = ChartLane.entries.map(player::chart)))
+        DrawerTab.WHY -> drawer.copy(why = WhyState(player.session.explain(), player.state.robots[player.watched].remarks))
+        DrawerTab.GOALS, null -> drawer
+    }
+
+    private fun lookAtVariables(player: RunPlayer): VariablesState {
+        val threads = player.session.threads
+        val current = threads.find { it.isCurrent } ?: threads.firstOrNull() ?: return VariablesState()
+        val thread = threads.find { it.number == chosen?.first } ?: current
+        val frame = chosen?.second?.takeIf { thread.number == chosen?.first && it in thread.callStack.indices } ?: 0
+        return VariablesState(threads, thread.number, frame, variables.look(player.session, thread.number, frame))
+    }
+
+    private fun lookAtLog(player: RunPlayer): LogState {
+        val now = player.romCalls
+        return LogState(calls.find(now), calls.filter, now.count, calls.isComplete)
+    }
+}

@@ -1,0 +1,77 @@
+package robotran.ui.workshop
+
+import androidx.compose.runtime.Immutable
+import robotran.rom.ProgramRemark
+import robotran.rom.RomLogEntry
+import robotran.rom.RomLogFilter
+import robotran.rom.ThreadView
+import robotran.running.ChartLane
+import robotran.running.ChartLine
+import robotran.running.ShownScope
+import robotran.world.explain.Influence
+
+/** What the drawer under the world can show of the run. */
+enum class DrawerTab { VARIABLES, LOG, CHART, GOALS, WHY }
+
+/**
+ * The drawer with what can be known of the run; only what [tab] shows is kept up to date.
+ *
+ * @property tab null while it is closed.
+ */
+@Immutable
+data class DrawerState(
+    val tab: DrawerTab? = null,
+    val variables: VariablesState = VariablesState(),
+    val log: LogState = LogState(),
+    val chart: ChartState = ChartState(),
+    val why: WhyState = WhyState(),
+)
+
+/**
+ * What the running program is in the middle of.
+ *
+ * @property threads none if no program runs that can be looked into.
+ * @property thread the number of the one that is looked into.
+ * @property frame the place in its call stack that is looked into, 0 for the innermost.
+ * @property scopes the variables known there.
+ */
+@Immutable
+data class VariablesState(
+    val threads: List<ThreadView> = emptyList(),
+    val thread: Int = 0,
+    val frame: Int = 0,
+    val scopes: List<ShownScope> = emptyList(),
+)
+
+/**
+ * The ROM calls up to now.
+ *
+ * @property entries those that [filter] lets through, the oldest first.
+ * @property total how many there have been.
+ * @property isComplete whether all of them were looked at yet.
+ */
+@Immutable
+data class LogState(
+    val entries: List<RomLogEntry> = emptyList(),
+    val filter: RomLogFilter = RomLogFilter(),
+    val total: Long = 0,
+    val isComplete: Boolean = true,
+)
+
+/**
+ * Sensors and motors over time.
+ *
+ * @property hidden what is not to be seen.
+ */
+@Immutable
+data class ChartState(
+    val lines: List<ChartLine> = emptyList(),
+    val hidden: Set<ChartLane> = emptySet(),
+)
+
+/** What made the robots stray so far, and what there is to learn from the run. */
+@Immutable
+data class WhyState(
+    val influences: List<Influence> = emptyList(),
+    val remarks: List<ProgramRemark> = emptyList(),
+)

@@ -1,0 +1,55 @@
+package robotran.ui.workshop
+
+import robotran.language.Language
+import robotran.learning.WordHelp
+import robotran.learning.helpOn
+import robotran.learning.javaToTry
+import robotran.learning.wordAt
+import robotran.projects.ProgramLanguage as CodeLanguage
+import robotran.rom.Brick
+import robotran.ui.resources.Res
+import robotran.ui.resources.learning_help_no_room
+
+/** Finds the help on words, and lets their examples be tried. */
+internal class HelpFinder(private val bench: Bench, private val language: () -> Language) {
+    /** What the programs on the desk are written in, going by the first. */
+    fun shownCode(): ProgramLanguage = pupilProgramsOf(bench.project).firstOrNull()?.language ?: ProgramLanguage.ROBOLANG
+
+    /** The help on the word at [offset] of the program [text]. */
+    fun at(text: String, offset: Int): HelpState {
+        val code = if (JAVA_CLASS.containsMatchIn(text)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
+        return HelpState(code, wordAt(text, offset), helpOn(language(), code.asCode(), text, offset))
+    }
+
+    /** The help on [word]; the list of all words without one. */
+    fun on(code: ProgramLanguage, word: String?): HelpState =
+        HelpState(code, word, word?.let { WordHelp.of(language(), code.asCode(), it) })
+
+    /** Puts the example of [help] into a tab and runs nothing; false if there is no example, or no room for it, which is then said. */
+    fun tryExample(help: HelpState): Boolean {
+        val example = help.found?.example ?: return false
+        val program = when (help.code) {
+            ProgramLanguage.ROBOLANG -> PupilProgram("try.robo", example)
+            ProgramLanguage.JAVA -> PupilProgram("Try.java", javaToTry(example))
+        }
+        val programs = pupilProgramsOf(bench.project)
+        if (programs.size >= Brick.MOST_PROGRAMS && programs.none { it.name == program.name }) {
+            bench.say(Notice(Res.string.learning_help_no_room))
+            return false
+        }
+        bench.addProgram(program, replacing = true)
+        bench.show(Pane.PROGRAM)
+        return true
+    }
+
+    private companion object {
+        /** Only Java has it; Robolang has no such brackets. */
+        val JAVA_CLASS = Regex("\\b(class|interface)\\s+\\w+[^\\n]*\\{")
+    }
+}
+
+/** The same language as the projects name it. */
+internal fun ProgramLanguage.asCode(): CodeLanguage = when (this) {
+    ProgramLanguage.ROBOLANG -> CodeLanguage.ROBOLANG
+    ProgramLanguage.JAVA -> CodeLanguage.JAVA
+}

@@ -1,0 +1,90 @@
+package robotran.ui.documents
+
+import kotlinx.coroutines.runBlocking
+import robotran.documents.StoreResult
+import robotran.programs.SourceFile
+import robotran.projects.ProgramLanguage
+import robotran.projects.Project
+import robotran.projects.ProjectProgram
+import robotran.projects.ProjectRobot
+import robotran.projects.writeProject
+import robotran.ui.openWorkshop
+import robotran.ui.platform.Arrival
+import robotran.ui.platform.Arrivals
+import robotran.ui.platform.FileDesk
+import robotran.ui.platform.FileKind
+import robotran.ui.platform.MemoryPlatform
+import robotran.ui.platform.MemoryStore
+import robotran.ui.platform.OpenedFile
+import robotran.ui.platform.Saving
+import robotran.ui.platform.Sharing
+import robotran.ui.platform.StandingClock
+import robotran.ui.platform.WorkStore
+import robotran.ui.sound.NoLoudSpeaker
+import robotran.ui.workshop.Workshop
+import robotran.world.BuiltInWorlds
+
+/** Files in memory: [chosen] is what a person would choose to open, [place] where they would save to, null if they changed their mind. */
+internal class MemoryFileDesk : FileDesk {
+    val disk = mutableMapOf<String, ByteArray>()
+    var chosen: List<OpenedFile> = emptyList()
+    var place: String? = null
+    var full = false
+    var suggestion = ""
+        private set
+
+    override suspend fun open(kinds: List<FileKind>): List<OpenedFile> = chosen
+
+    override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving {
+        suggestion = name
+        val place = place ?: return Saving.GivenUp
+        return write(place, place.substringAfterLast('/'), bytes)
+    }
+
+    override suspend fun write(place: String, name: String, bytes: ByteArray): Saving {
+        if (full) return Saving.Failed("", isFull = true)
+        disk[place] = bytes
+        return Saving.Saved(name, place)
+    }
+
+    override suspend fun read(place: String): ByteArray? = disk[place]
+}
+
+/** A store that can be full. */
+internal class FillingStore(private val disk: MemoryStore = MemoryStore()) : WorkStore by disk {
+    var full = false
+
+    override suspend fun write(name: String, text: String): StoreResult = if (full) StoreResult.Full else disk.write(name, text)
+}
+
+internal class RememberingClipboard : Sharing {
+    var text: String? = null
+
+    override suspend fun share(text: String): Boolean {
+        this.text = text
+        return true
+    }
+}
+
+/** A machine with files, a store and a clipboard, on which windows are opened and closed. */
+internal class Machine {
+    val files = MemoryFileDesk()
+    val store = FillingStore()
+    val clipboard = RememberingClipboard()
+    val clock = StandingClock(now = 1_000_000)
+
+    fun window(vararg arrivals: Arrival): Workshop {
+        val waiting = Arrivals().also { arrivals.forEach(it::bring) }
+        return runBlocking { openWorkshop(platform = MemoryPlatform(NoLoudSpeaker, store, files, clipboard, clock, waiting)) }
+    }
+}
+
+/** Lets a moment pass in which nobody does anything. */
+internal fun Workshop.keep() = runBlocking { keepDocumentNow() }
+
+internal fun projectFile(text: String, name: String = "maze.robotran"): OpenedFile {
+    val world = BuiltInWorlds.plain.copy(title = "Maze")
+    val program = ProjectProgram("maze.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("maze.robo", text)))
+    val project = Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program))))
+    return OpenedFile(name, writeProject(project).encodeToByteArray(), "/home/$name")
+}

@@ -1,0 +1,85 @@
+package robotran.ui.documents
+
+import androidx.compose.ui.ImageComposeScene
+import androidx.compose.ui.unit.Density
+import org.jetbrains.skia.EncodedImageFormat
+import robotran.language.Language
+import robotran.ui.RobotranApp
+import robotran.ui.platform.Arrival
+import robotran.ui.workshop.DocumentEvent
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.Workshop
+import java.io.File
+import kotlin.test.Test
+import kotlin.test.assertTrue
+
+/** Writes pictures of the dialogs about the work into build/pictures, to be looked at. */
+class DocumentPictures {
+    private val folder = File(System.getProperty("robotran.pictures")).apply { mkdirs() }
+
+    @Test
+    fun `all dialogs about the work can be photographed`() {
+        for ((name, width, height) in SCREENS) {
+            for (dark in listOf(false, true)) {
+                val picture = { what: String, workshop: Workshop -> photograph(workshop, width, height, dark, "documents-$name-${theme(dark)}-$what") }
+                val machine = Machine()
+                val workshop = machine.window(Arrival.OfFiles(listOf(projectFile("forward 20\nbeep\n"))))
+                workshop.handle(DocumentEvent.Renamed("The maze behind the house"))
+                workshop.handle(ProgramEvent.ProgramEdited("forward 21\nbeep\n"))
+                workshop.keep()
+                picture("unsaved", workshop)
+                workshop.handle(DocumentEvent.NewWanted)
+                workshop.handle(DocumentEvent.Renamed("Line follower"))
+                workshop.handle(ProgramEvent.ProgramEdited("forward 22\n"))
+                workshop.handle(DocumentEvent.WorksWanted)
+                picture("works", workshop)
+                workshop.handle(DocumentEvent.LinkWanted)
+                picture("link", workshop)
+                workshop.handle(DocumentEvent.RenameWanted)
+                picture("rename", workshop)
+                workshop.handle(DocumentEvent.DialogClosed)
+                machine.store.full = true
+                workshop.handle(ProgramEvent.ProgramEdited("forward 23\n"))
+                workshop.keep()
+                picture("full", workshop)
+                workshop.handle(DocumentEvent.NewWanted)
+                picture("loss", workshop)
+                workshop.close()
+            }
+        }
+    }
+
+    @Test
+    fun `dialogs keep their words when text is twice as large, and in German`() {
+        val machine = Machine()
+        val workshop = machine.window()
+        val settings = workshop.state.settings
+        workshop.handle(SettingsEvent.SettingsChanged(settings.copy(language = Language.GERMAN, textScale = 2f)))
+        workshop.handle(DocumentEvent.LinkWanted)
+        photograph(workshop, width = 411, height = 891, dark = false, "documents-phone-german-200-link")
+        workshop.handle(DocumentEvent.WorksWanted)
+        photograph(workshop, width = 1280, height = 800, dark = false, "documents-tablet-german-200-works")
+        workshop.handle(SettingsEvent.SettingsChanged(settings))
+        photograph(workshop, width = 411, height = 891, dark = false, "documents-phone-usual-again")
+        workshop.close()
+    }
+
+    private fun photograph(workshop: Workshop, width: Int, height: Int, dark: Boolean, name: String) {
+        val scene = ImageComposeScene(width, height, Density(1f)) { RobotranApp(workshop, dark) }
+        try {
+            scene.render()
+            val bytes = checkNotNull(scene.render(nanoTime = 1_000_000_000).encodeToData(EncodedImageFormat.PNG)).bytes
+            File(folder, "$name.png").writeBytes(bytes)
+            assertTrue(bytes.size > 1000, "$name is empty")
+        } finally {
+            scene.close()
+        }
+    }
+
+    private fun theme(dark: Boolean) = if (dark) "dark" else "light"
+
+    private companion object {
+        val SCREENS = listOf(Triple("phone", 411, 891), Triple("tablet", 1280, 800))
+    }
+}

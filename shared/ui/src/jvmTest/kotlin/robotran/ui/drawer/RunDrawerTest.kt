@@ -1,0 +1,167 @@
+package robotran.ui.drawer
+
+import androidx.compose.ui.semantics.SemanticsActions
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertContentDescriptionContains
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.onAllNodesWithTag
+import androidx.compose.ui.test.onFirst
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performSemanticsAction
+import androidx.compose.ui.test.performTextInput
+import robotran.projects.Project
+import robotran.projects.ProjectRobot
+import robotran.rom.RomGroup
+import robotran.running.ChartLane
+import robotran.ui.screen.onPhone
+import robotran.ui.screen.onTablet
+import robotran.ui.screen.pass
+import robotran.ui.workshop.DrawerTab
+import robotran.ui.workshop.PupilProgram
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.Workshop
+import robotran.ui.workshop.asProject
+import robotran.world.BuiltInWorlds
+import robotran.world.Goal
+import robotran.world.PortSensor
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+@OptIn(ExperimentalTestApi::class)
+class RunDrawerTest {
+    private fun Workshop.with(source: String, goals: List<Goal> = emptyList()) {
+        val world = BuiltInWorlds.plain.copy(goals = goals)
+        openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(PupilProgram("a.robo", source).asProject())))))
+    }
+
+    @Test
+    fun `the drawer is closed, and a touch on a name opens it and another closes it`() = onTablet { workshop ->
+        assertEquals(0, onAllNodesWithTag("drawer-grip").fetchSemanticsNodes().size)
+        for (tab in DrawerTab.entries) {
+            onNodeWithTag("drawer-${tab.name.lowercase()}").performClick()
+            pass(400)
+            assertEquals(tab, workshop.state.run.drawer.tab)
+            onNodeWithTag("drawer-empty").assertIsDisplayed()
+        }
+        onNodeWithTag("drawer-close").performClick()
+        pass(400)
+        assertEquals(null, workshop.state.run.drawer.tab)
+    }
+
+    @Test
+    fun `it can be made higher`() = onTablet { workshop ->
+        workshop.handle(RunEvent.DrawerChosen(DrawerTab.GOALS))
+        pass(400)
+        val before = onNodeWithTag("drawer").fetchSemanticsNode().size.height
+        onNodeWithTag("drawer-grip").performSemanticsAction(SemanticsActions.SetProgress) { it(330f) }
+        pass(400)
+        assertTrue(onNodeWithTag("drawer").fetchSemanticsNode().size.height > before)
+    }
+
+    @Test
+    fun `variables and calls of a paused program are shown, and a frame can be chosen`() = onTablet { workshop ->
+        workshop.with("procedure go(n)\n  var half = n / 2\n  beep\n  beep\nend\nvar way = 7\ngo(way)")
+        workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
+        repeat(5) {
+            onNodeWithTag("step").performClick()
+            pass(200)
+        }
+        onNodeWithTag("frame-1").assertIsDisplayed()
+        onNodeWithTag("variable-n").assertIsDisplayed()
+        onNodeWithTag("frame-1").performClick()
+        pass(200)
+        assertEquals(0, onAllNodesWithTag("variable-n").fetchSemanticsNodes().size)
+        onNodeWithTag("variable-way").assertTextContains("7", substring = true)
+    }
+
+    @Test
+    fun `the ROM log follows the run and finds what is searched`() = onTablet { workshop ->
+        workshop.with("forward 5\nbeep\nforward 5")
+        workshop.handle(RunEvent.DrawerChosen(DrawerTab.LOG))
+        workshop.handle(RunEvent.RunPressed)
+        pass(3_000)
+        onNodeWithTag("log").assertIsDisplayed()
+        val all = workshop.state.run.drawer.log.entries.size
+        onNodeWithTag("log-search").performTextInput("motor A")
+        pass(300)
+        val found = workshop.state.run.drawer.log.entries
+        assertTrue(found.isNotEmpty() && found.size < all)
+        onNodeWithTag("log-count").assertTextContains("${found.size} of", substring = true)
+        workshop.handle(RunEvent.LogFiltered(workshop.state.run.drawer.log.filter.copy(groups = setOf(RomGroup.INFRARED))))
+        pass(300)
+        onNodeWithTag("drawer-empty").assertIsDisplayed()
+    }
+
+    @Test
+    fun `the chart shows the power of a motor, and its lanes can be hidden`() = onTablet { workshop ->
+        workshop.with("forward 20")
+        workshop.handle(RunEvent.DrawerChosen(DrawerTab.CHART))
+        workshop.handle(RunEvent.RunPressed)
+        pass(1_000)
+        onNodeWithTag("lane-sensor_1").performClick()
+        onNodeWithTag("lane-sensor_2").performClick()
+        onNodeWithTag("lane-sensor_3").performClick()
+        pass(300)
+        assertEquals(setOf(ChartLane.SENSOR_1, ChartLane.SENSOR_2, ChartLane.SENSOR_3), workshop.state.run.drawer.chart.hidden)
+        assertEquals(0, onAllNodesWithTag("chart-sensor_1").fetchSemanticsNodes().size)
+        onNodeWithTag("value-motor_a", useUnmergedTree = true).assertTextContains("+4")
+        onNodeWithTag("chart-finer").performClick()
+        pass(200)
+        onNodeWithTag("chart-motor_a").assertIsDisplayed()
+    }
+
+    @Test
+    fun `goals are counted beside the world and told in the drawer`() = onTablet { workshop ->
+        workshop.with("pen down\nforward 10", listOf(Goal.InkLength(5.0, null), Goal.InkLength(500.0, null)))
+        pass(300)
+        onNodeWithTag("goal-chip").assertTextContains("0 of 2 goals")
+        onNodeWithTag("goal-chip").performClick()
+        workshop.handle(RunEvent.RunPressed)
+        pass(6_000)
+        onNodeWithTag("goal-chip").assertTextContains("1 of 2 goals")
+        onAllNodesWithTag("goal").onFirst().assertIsDisplayed()
+    }
+
+    @Test
+    fun `when all goals are reached a kind sentence says so`() = onPhone { workshop ->
+        workshop.with("pen down\nforward 10", listOf(Goal.InkLength(5.0, null)))
+        workshop.handle(RunEvent.RunPressed)
+        pass(6_000)
+        onNodeWithTag("goal-chip").assertTextContains("All goals reached. Well done.")
+    }
+
+    @Test
+    fun `on a phone the drawer has the whole pane`() = onPhone { workshop ->
+        workshop.handle(RunEvent.DrawerChosen(DrawerTab.CHART))
+        pass(400)
+        onNodeWithTag("drawer").assertIsDisplayed()
+        assertEquals(0, onAllNodesWithTag("world").fetchSemanticsNodes().size)
+        onNodeWithTag("drawer-close").performClick()
+        pass(400)
+        onNodeWithTag("world").assertIsDisplayed()
+    }
+
+    @Test
+    fun `a robot that has come to a stop is announced`() = onTablet { workshop ->
+        workshop.with("forward 5")
+        workshop.handle(RunEvent.RunPressed)
+        pass(6_000)
+        onNodeWithTag("announcer").assertContentDescriptionContains("Robot at", substring = true)
+    }
+
+    @Test
+    fun `a touch sensor that only a finger presses is pressed on the brick`() = onTablet { workshop ->
+        val world = BuiltInWorlds.plain.let { it.copy(robots = listOf(it.robots.first().copy(ports = listOf(listOf(PortSensor.TOUCH))))) }
+        workshop.openProject(Project(world))
+        pass(300)
+        onNodeWithTag("port-1").performSemanticsAction(SemanticsActions.OnClick)
+        pass(300)
+        assertTrue(workshop.state.session.brick.sensors[0].boolean)
+        onNodeWithTag("port-1").performSemanticsAction(SemanticsActions.OnClick)
+        pass(300)
+        assertTrue(!workshop.state.session.brick.sensors[0].boolean)
+    }
+}

@@ -1,0 +1,90 @@
+package robotran.ui.drawer
+
+import androidx.compose.ui.ImageComposeScene
+import androidx.compose.ui.unit.Density
+import kotlinx.coroutines.runBlocking
+import org.jetbrains.skia.EncodedImageFormat
+import robotran.projects.Project
+import robotran.projects.ProjectRobot
+import robotran.rom.StepKind
+import robotran.ui.RobotranApp
+import robotran.ui.openWorkshop
+import robotran.ui.workshop.AppLanguage
+import robotran.ui.workshop.DrawerTab
+import robotran.ui.workshop.PupilProgram
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.Settings
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.Workshop
+import robotran.ui.workshop.asProject
+import robotran.world.BuiltInWorlds
+import robotran.world.Goal
+import java.io.File
+import kotlin.test.Test
+import kotlin.test.assertTrue
+
+/** Writes pictures of the run bar and the drawer into build/pictures, to be looked at. */
+class RunPictures {
+    private val folder = File(System.getProperty("robotran.pictures"), "run").apply { mkdirs() }
+
+    @Test
+    fun `every tab of the drawer can be photographed`() {
+        for (tab in DrawerTab.entries) {
+            paused(tab).use("tablet-${tab.name.lowercase()}", 1280, 800)
+            paused(tab).use("phone-${tab.name.lowercase()}", 411, 891)
+        }
+        paused(DrawerTab.CHART).use("laptop-dark-chart", 1440, 900, dark = true)
+        paused(DrawerTab.VARIABLES, Settings(language = AppLanguage.GERMAN)).use("tablet-german-variables", 1280, 800)
+        paused(DrawerTab.LOG, Settings(textScale = 2f)).use("tablet-large-log", 1280, 800)
+        paused(null, Settings(language = AppLanguage.GERMAN, textScale = 2f)).use("phone-large", 411, 891)
+        paused(null).use("phone", 411, 891)
+        paused(null).use("laptop", 1440, 900)
+    }
+
+    private fun paused(tab: DrawerTab?, settings: Settings = Settings()): Workshop = runBlocking { openWorkshop() }.apply {
+        val goals = listOf(Goal.InkLength(40.0, null), Goal.NeverTouch(), Goal.InkLength(400.0, null))
+        val world = BuiltInWorlds.plain.copy(goals = goals, realism = 0.6)
+        openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(PupilProgram("rounds.robo", SOURCE).asProject())))))
+        handle(SettingsEvent.SettingsChanged(settings))
+        handle(RunEvent.RunPressed)
+        advance(14_000)
+        handle(RunEvent.DrawerChosen(tab))
+        handle(RunEvent.Scrubbed(9_300))
+        repeat(30) { frame(it * 16_000_000L) }
+        repeat(2) { handle(RunEvent.StepPressed(StepKind.INTO)).also { repeat(60) { frame(1_000_000_000L + it * 16_000_000L) } } }
+    }
+
+    private fun Workshop.use(name: String, width: Int, height: Int, dark: Boolean = false) {
+        val scene = ImageComposeScene(width, height, Density(1f)) { RobotranApp(this, dark) }
+        try {
+            scene.render()
+            scene.render(nanoTime = 500_000_000)
+            val image = scene.render(nanoTime = 1_000_000_000)
+            val bytes = checkNotNull(image.encodeToData(EncodedImageFormat.PNG)).bytes
+            File(folder, "$name.png").writeBytes(bytes)
+            assertTrue(bytes.size > 1000, "$name is empty")
+        } finally {
+            scene.close()
+            close()
+        }
+    }
+
+    private companion object {
+        const val SOURCE = """procedure side(length)
+  pen down
+  forward length
+  pen up
+end
+
+var rounds = 0
+var sizes = [10, 20, 30]
+repeat 30 times
+  rounds = rounds + 1
+  side(sizes[rounds % 3])
+  beep
+  turn left 90
+end
+show rounds
+"""
+    }
+}

@@ -1,0 +1,196 @@
+package robotran.ui.runbar
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.semantics.SemanticsActions
+import androidx.compose.ui.semantics.SemanticsProperties
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertIsEnabled
+import androidx.compose.ui.test.assertIsNotEnabled
+import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.assertTextEquals
+import androidx.compose.ui.test.onAllNodesWithTag
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onRoot
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performSemanticsAction
+import androidx.compose.ui.test.performTouchInput
+import androidx.compose.ui.test.pressKey
+import androidx.compose.ui.test.requestFocus
+import robotran.running.RunSpeed
+import robotran.ui.screen.onPhone
+import robotran.ui.screen.onTablet
+import robotran.ui.screen.pass
+import robotran.ui.workshop.Pace
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.Settings
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.WorkshopEvent
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+@OptIn(ExperimentalTestApi::class)
+class RunBarTest {
+    @Test
+    fun `Pause lets the robot stand still and becomes Go on`() = onTablet { workshop ->
+        onNodeWithTag("pause").assertIsNotEnabled()
+        onNodeWithTag("run").performClick()
+        pass(500)
+        onNodeWithTag("pause").assertIsEnabled().performClick()
+        pass(100)
+        val time = workshop.state.run.time
+        pass(500)
+        assertEquals(time, workshop.state.run.time)
+        onNodeWithTag("status").assertTextContains("Paused at line", substring = true)
+        onNodeWithTag("pause").performClick()
+        pass(500)
+        assertTrue(workshop.state.run.time > time)
+    }
+
+    @Test
+    fun `Step goes through the program line by line`() = onTablet { workshop ->
+        onNodeWithTag("step").performClick()
+        pass(100)
+        val first = workshop.state.runningLine
+        onNodeWithTag("step").performClick()
+        pass(2_000)
+        assertTrue(workshop.state.runningLine > first)
+        assertEquals(Pace.PAUSED, workshop.state.run.pace)
+    }
+
+    @Test
+    fun `other steps are in a menu beside it`() = onTablet { workshop ->
+        onNodeWithTag("step").performClick()
+        pass(100)
+        onNodeWithTag("steps").performClick()
+        pass(500)
+        for (tag in listOf("step-into", "step-over", "step-out", "step-to-line")) onNodeWithTag(tag).assertIsDisplayed()
+        onNodeWithTag("step-over").performClick()
+        pass(2_000)
+        assertEquals(Pace.PAUSED, workshop.state.run.pace)
+        assertEquals(0, onAllNodesWithTag("step-over").fetchSemanticsNodes().size)
+    }
+
+    @Test
+    fun `the speed is chosen by its name`() = onTablet { workshop ->
+        onNodeWithTag("speed").performClick()
+        pass(500)
+        onNodeWithTag("speed-fivefold").performClick()
+        pass(300)
+        assertEquals(RunSpeed.FIVEFOLD, workshop.state.run.speed)
+    }
+
+    @Test
+    fun `a touch on the timeline goes there, and the arrow keys go on from there`() = onTablet { workshop ->
+        onNodeWithTag("run").performClick()
+        pass(9_000)
+        val length = workshop.state.run.length
+        onNodeWithTag("timeline").performTouchInput { click(Offset(width * 0.5f, height * 0.6f)) }
+        pass(1_000)
+        val time = workshop.state.run.time
+        assertTrue(time in length / 3..length * 2 / 3, "at $time of $length")
+        assertEquals(time, workshop.state.session.milliseconds)
+        onNodeWithTag("timeline").requestFocus()
+        onNodeWithTag("timeline").performKeyInput { pressKey(Key.DirectionLeft) }
+        pass(500)
+        assertEquals(time - 100, workshop.state.session.milliseconds)
+        onNodeWithTag("timeline").performKeyInput { pressKey(Key.MoveHome) }
+        pass(500)
+        assertEquals(0, workshop.state.session.milliseconds)
+        onNodeWithTag("clock").assertTextEquals("0.0 s of ${seconds(length)} s")
+    }
+
+    @Test
+    fun `a drag along the timeline takes the robot with it`() = onTablet { workshop ->
+        onNodeWithTag("run").performClick()
+        pass(9_000)
+        val length = workshop.state.run.length
+        onNodeWithTag("timeline").performTouchInput {
+            down(Offset(width * 0.9f, height * 0.6f))
+            for (step in 1..8) moveTo(Offset(width * (0.9f - step * 0.1f), height * 0.6f))
+            up()
+        }
+        pass(1_000)
+        assertTrue(workshop.state.run.time < length / 4)
+        assertEquals(workshop.state.run.time, workshop.state.session.milliseconds)
+    }
+
+    @Test
+    fun `what has happened can be gone to, one after the other`() = onTablet { workshop ->
+        onNodeWithTag("run").performClick()
+        pass(9_000)
+        onNodeWithTag("mark-previous").performClick()
+        pass(500)
+        val mark = workshop.state.run.marks.last { it.milliseconds < workshop.state.run.length }
+        assertEquals(mark.milliseconds, workshop.state.run.time)
+        onNodeWithTag("mark-next").performClick()
+        pass(500)
+        assertTrue(workshop.state.run.time > mark.milliseconds)
+    }
+
+    @Test
+    fun `a screen reader hears where the timeline is and can set it`() = onTablet { workshop ->
+        onNodeWithTag("run").performClick()
+        pass(3_000)
+        val config = onNodeWithTag("timeline").fetchSemanticsNode().config
+        assertTrue("seconds" in config[SemanticsProperties.StateDescription])
+        onNodeWithTag("timeline").performSemanticsAction(SemanticsActions.SetProgress) { it(1_000f) }
+        pass(500)
+        assertEquals(1_000, workshop.state.session.milliseconds)
+    }
+
+    @Test
+    fun `a phone keeps Run, Pause, Step and Stop, and has the rest behind one button`() = onPhone { workshop ->
+        checkTargets("run", "pause", "step", "stop", "run-more")
+        onNodeWithTag("run-more").performClick()
+        pass(500)
+        onNodeWithTag("run-panel").assertIsDisplayed()
+        onNodeWithTag("panel-speed-double").performClick()
+        pass(200)
+        assertEquals(RunSpeed.DOUBLE, workshop.state.run.speed)
+        onNodeWithTag("run-panel-close").performClick()
+        pass(500)
+        assertEquals(0, onAllNodesWithTag("run-panel").fetchSemanticsNodes().size)
+    }
+
+    @Test
+    fun `with text of twice the size nothing of the bar is lost`() {
+        onPhone { workshop -> largeText(workshop::handle) }
+        onTablet { workshop -> largeText(workshop::handle) }
+    }
+
+    private fun ComposeUiTest.largeText(handle: (WorkshopEvent) -> Unit) {
+        handle(SettingsEvent.SettingsChanged(Settings(textScale = 2f)))
+        handle(RunEvent.RunPressed)
+        pass(500)
+        checkTargets("run", "pause", "step", "stop", "run-more", "timeline", "mark-previous", "mark-next")
+    }
+
+    @Test
+    fun `realism and chance are in the panel`() = onTablet { workshop ->
+        workshop.handle(ProgramEvent.ProgramEdited("beep"))
+        onNodeWithTag("run-more").performClick()
+        pass(500)
+        onNodeWithTag("realism").performSemanticsAction(SemanticsActions.SetProgress) { it(0.5f) }
+        pass(200)
+        assertEquals(0.5, workshop.state.world.realism)
+        val seed = workshop.state.world.seed
+        workshop.handle(RunEvent.RunSettingsChanged(workshop.state.run.settings.copy(seed = seed + 1)))
+        pass(200)
+        assertEquals(seed + 1, workshop.state.world.seed)
+    }
+
+    private fun ComposeUiTest.checkTargets(vararg tags: String) {
+        val screen = onRoot().fetchSemanticsNode().boundsInRoot
+        for (tag in tags) {
+            val place = onNodeWithTag(tag).fetchSemanticsNode().touchBoundsInRoot
+            assertTrue(place.width >= 48f && place.height >= 48f, "$tag is only ${place.size}")
+            assertTrue(place.left >= 0f && place.right <= screen.right + 0.5f && place.bottom <= screen.bottom + 0.5f, "$tag is at $place of $screen")
+        }
+    }
+}

@@ -1,0 +1,58 @@
+package robotran.ui.workshop
+
+import kotlinx.coroutines.runBlocking
+import robotran.language.Language
+import robotran.projects.Project
+import robotran.ui.openWorkshop
+import robotran.world.BuiltInWorlds
+import robotran.world.Goal
+import kotlin.test.AfterTest
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+class WorkshopLanguageTest {
+    private val workshop = runBlocking { openWorkshop() }
+
+    @AfterTest
+    fun close() = workshop.close()
+
+    private fun speak(language: Language) =
+        workshop.handle(SettingsEvent.SettingsChanged(workshop.settings.copy(language = language)))
+
+    private val mistake: String get() = workshop.state.programs.mistakes.single().message
+
+    @Test
+    fun `mistakes are told in the language that is chosen, at once`() {
+        speak(Language.ENGLISH)
+        workshop.handle(ProgramEvent.ProgramEdited("foward 20"))
+        assertEquals("There is no command \"foward\". Did you mean \"forward\"?", mistake)
+        speak(Language.GERMAN)
+        assertEquals("Es gibt keinen Befehl \"foward\". Meinst du \"forward\"?", mistake)
+        speak(Language.SPANISH)
+        assertEquals("No existe la orden \"foward\". ¿Querías decir \"forward\"?", mistake)
+        assertEquals("foward 20", workshop.state.programText)
+    }
+
+    @Test
+    fun `the goals of a world that nobody has run in yet are told anew`() {
+        val world = BuiltInWorlds.plain.copy(goals = listOf(Goal.InkLength(atLeast = 10.5, atMost = null)))
+        speak(Language.ENGLISH)
+        workshop.openProject(Project(world))
+        assertEquals("Draw 10.5 cm or more.", workshop.state.session.goals.single().sentence)
+        speak(Language.GERMAN)
+        assertEquals("Zeichne 10,5 cm oder mehr.", workshop.state.session.goals.single().sentence)
+    }
+
+    @Test
+    fun `a run that goes on is not disturbed by another language`() {
+        speak(Language.ENGLISH)
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(500)
+        val before = workshop.state.session.robot.pose
+        speak(Language.SPANISH)
+        assertEquals(before, workshop.state.session.robot.pose)
+        workshop.advance(20_000)
+        workshop.handle(ProgramEvent.ProgramEdited("show 1 / 0"))
+        assertEquals("Nada se puede dividir entre 0.", mistake)
+    }
+}

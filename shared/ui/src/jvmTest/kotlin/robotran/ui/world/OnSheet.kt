@@ -1,0 +1,75 @@
+package robotran.ui.world
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.SemanticsNodeInteraction
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.runDesktopComposeUiTest
+import kotlinx.coroutines.runBlocking
+import robotran.projects.Project
+import robotran.ui.RobotranApp
+import robotran.ui.screen.pass
+import robotran.ui.sheet.SheetCamera
+import robotran.ui.sheet.SheetTransform
+import robotran.ui.workshop.Workshop
+import robotran.world.Barrier
+import robotran.world.Block
+import robotran.world.Goal
+import robotran.world.Lamp
+import robotran.world.Paper
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.PortSensor
+import robotran.world.RobotColour
+import robotran.world.RobotPlace
+import robotran.world.Shape
+import robotran.world.World
+import robotran.world.physics.loadPhysicsEngine
+
+/** A world with one of everything that a hand can reach. */
+internal val handyWorld = World(
+    title = "Handy",
+    paper = Paper(100.0, 80.0),
+    robots = listOf(
+        RobotPlace(Pose(30.0, 40.0, 0.0), ports = listOf(listOf(PortSensor.LEFT_BUMPER), listOf(PortSensor.LIGHT), listOf(PortSensor.TEMPERATURE))),
+        RobotPlace(Pose(80.0, 60.0, 90.0), "red", RobotColour.RED),
+    ),
+    barriers = listOf(Barrier(Shape.Rectangle(Point(60.0, 10.0), 10.0, 4.0))),
+    blocks = listOf(Block(Shape.Rectangle(Point(60.0, 30.0), 6.0, 6.0))),
+    lamps = listOf(Lamp(Point(20.0, 70.0))),
+    goals = listOf(Goal.Reach(Shape.Circle(Point(90.0, 20.0), 6.0))),
+)
+
+/** The world of a tablet, whose pane is what is looked at. */
+@OptIn(ExperimentalTestApi::class)
+internal fun onSheet(world: World = handyWorld, width: Int = 1280, height: Int = 800, check: SheetOnScreen.() -> Unit) {
+    val workshop = runBlocking { Workshop(Project(world), loadPhysicsEngine()) }
+    runDesktopComposeUiTest(width, height) {
+        mainClock.autoAdvance = false
+        setContent { RobotranApp(workshop, dark = false) }
+        pass(300)
+        SheetOnScreen(this, workshop).check()
+    }
+    workshop.close()
+}
+
+@OptIn(ExperimentalTestApi::class)
+internal class SheetOnScreen(private val test: ComposeUiTest, val workshop: Workshop) : ComposeUiTest by test {
+    val sheet: SemanticsNodeInteraction get() = onNodeWithTag("world")
+    val camera: SheetCamera get() = workshop.state.sheet.camera
+
+    /** Where the sheet is now, in pixels of its pane. */
+    val view: SheetTransform
+        get() {
+            val size = sheet.fetchSemanticsNode().size
+            val upright = size.width.toFloat() / size.height > workshop.state.world.paper.run { width / height }
+            val window = if (upright) Rect(64f, 0f, size.width.toFloat(), size.height.toFloat()) else Rect(0f, 0f, size.width.toFloat(), size.height - 64f)
+            return camera.transform(workshop.state.world.paper, window)
+        }
+
+    fun at(x: Double, y: Double): Offset = view.toPixels(x, y)
+
+    fun settle() = pass(300)
+}

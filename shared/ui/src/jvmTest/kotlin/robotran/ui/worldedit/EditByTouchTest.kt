@@ -1,0 +1,202 @@
+package robotran.ui.worldedit
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performTouchInput
+import robotran.ui.screen.onTablet
+import robotran.ui.screen.pass
+import robotran.ui.workshop.WorldEditEvent
+import robotran.world.BuiltInWorlds
+import robotran.world.MarkFigure
+import robotran.world.Point
+import robotran.world.Pose
+import robotran.world.Shape
+import robotran.worldediting.Edit
+import robotran.worldediting.Grip
+import robotran.worldediting.PaletteItem
+import robotran.worldediting.Thing
+import robotran.worldediting.ThingKind
+import robotran.worldediting.Tool
+import robotran.worldediting.handlesOf
+import robotran.worldediting.things
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertNotEquals
+import kotlin.test.assertTrue
+
+@OptIn(ExperimentalTestApi::class)
+class EditByTouchTest {
+    @Test
+    fun `the editor opens from the strip and Done puts the robots into the new world`() = onTablet { workshop ->
+        val editor = EditorTest(this, workshop)
+        editor.tap("edit-world")
+        editor.tap("palette-lamp")
+        editor.tap("edit-done")
+        assertEquals(null, workshop.state.worldEdit)
+        assertEquals(1, workshop.state.world.lamps.size)
+        assertEquals(1, workshop.project.world.lamps.size)
+    }
+
+    @Test
+    fun `a tap on the palette puts each thing into the middle of what is seen`() = onEditor {
+        for (item in PaletteItem.entries.take(6)) {
+            val before = editing.world.things().size
+            tap("palette-${item.name.lowercase()}")
+            assertEquals(before + 1, editing.world.things().size, "$item is not put")
+            assertEquals(1, editing.selection.size)
+        }
+    }
+
+    @Test
+    fun `a thing can be dragged from the palette to its place`() = onEditor {
+        val sheet = screen.onNodeWithTag("edit-sheet").fetchSemanticsNode().boundsInRoot
+        val strip = screen.onNodeWithTag("palette-lamp").fetchSemanticsNode().boundsInRoot
+        val to = sheet.topLeft + place(80.0, 60.0) - strip.topLeft
+        screen.onNodeWithTag("palette-lamp").performTouchInput {
+            down(center)
+            for (step in 1..10) moveTo(center + (to - center) * (step / 10f))
+            up()
+        }
+        screen.pass(200)
+        assertEquals(1, world.lamps.size)
+        assertTrue(world.lamps[0].place.let { it.x in 78.0..82.0 && it.y in 58.0..62.0 }, "it is at ${world.lamps[0].place}")
+    }
+
+    @Test
+    fun `a finger chooses, moves, resizes and turns`() = onEditor {
+        put(PaletteItem.BOX, 75.0, 60.0)
+        make(Edit.Choose(null))
+        tapAt(75.0, 60.0)
+        assertEquals(Thing(ThingKind.BARRIER, 0), editing.only)
+        drag(place(75.0, 60.0), place(65.0, 50.0))
+        assertEquals(Point(65.0, 50.0), rectangle().centre)
+        val right = place(73.0, 50.0) + Offset(12f, 0f)
+        drag(right, right + (place(83.0, 50.0) - place(73.0, 50.0)))
+        assertEquals(26.0, rectangle().width)
+        val top = world.handlesOf(editing.selection).first { it.grip == Grip.Turn }.place
+        val handle = place(top.x, top.y) - Offset(0f, 40f)
+        drag(handle, place(70.0, 50.0) + Offset(-200f, 0f))
+        assertEquals(90.0, rectangle().angle)
+        tap("edit-undo")
+        assertEquals(0.0, rectangle().angle)
+        tap("edit-redo")
+        assertEquals(90.0, rectangle().angle)
+    }
+
+    @Test
+    fun `a thing that was not chosen is chosen and moved in one go`() = onEditor {
+        drag(place(40.0, 30.0), place(50.0, 40.0))
+        assertEquals(Pose(50.0, 40.0, 0.0), world.start)
+        assertEquals(Thing(ThingKind.ROBOT, 0), editing.only)
+    }
+
+    @Test
+    fun `with Several switched on a box chooses all in it, which are grouped, moved and deleted together`() = onEditor {
+        put(PaletteItem.DOT, 70.0, 60.0)
+        put(PaletteItem.DOT, 86.0, 60.0)
+        make(Edit.Choose(null))
+        tap("edit-several")
+        drag(place(60.0, 70.0), place(95.0, 50.0))
+        assertEquals(setOf(Thing(ThingKind.MARK, 0), Thing(ThingKind.MARK, 1)), editing.selection)
+        tap("group")
+        tap("edit-several")
+        make(Edit.Choose(null))
+        drag(place(70.0, 60.0), place(70.0, 55.0))
+        assertEquals(listOf(55.0, 55.0), world.marks.map { ((it.figure as MarkFigure.Area).shape as Shape.Circle).centre.y })
+        tap("duplicate")
+        assertEquals(4, world.marks.size)
+        tap("delete")
+        assertEquals(2, world.marks.size)
+    }
+
+    @Test
+    fun `a finger on empty paper moves the sheet and changes nothing, and two fingers zoom`() = onEditor {
+        val before = world
+        drag(place(80.0, 60.0), place(60.0, 60.0))
+        assertEquals(before, world)
+        val from = place(60.0, 60.0)
+        screen.onNodeWithTag("edit-sheet").performTouchInput {
+            down(0, from)
+            down(1, from + Offset(40f, 0f))
+            for (step in 1..5) {
+                moveTo(0, from - Offset(20f * step, 0f))
+                moveTo(1, from + Offset(40f + 20f * step, 0f))
+            }
+            up(0)
+            up(1)
+        }
+        screen.pass(100)
+        assertEquals(before, world)
+        assertEquals(emptySet(), editing.selection)
+    }
+
+    @Test
+    fun `a line to be traced is drawn by finger`() = onEditor {
+        make(Edit.ChooseTool(Tool.DRAW_TEMPLATE))
+        drag(place(20.0, 70.0), place(80.0, 70.0))
+        val stroke = checkNotNull(world.template).strokes.single()
+        assertTrue(stroke.first().x < 22 && stroke.last().x > 78 && stroke.size <= 3, "$stroke")
+    }
+
+    @Test
+    fun `what has to be mended is told and Done waits for it`() = onEditor {
+        put(PaletteItem.WALL, 80.0, 60.0)
+        make(Edit.Nudge(-40.0, -30.0))
+        assertTrue(isThere("edit-hints"))
+        tap("edit-done")
+        assertNotEquals(null, workshop.state.worldEdit)
+        assertTrue(checkNotNull(workshop.state.worldEdit).mendFirst)
+        assertEquals(Thing(ThingKind.ROBOT, 0), editing.only)
+        assertTrue(isThere("chosen-trouble"))
+        make(Edit.Nudge(0.0, 20.0))
+        assertFalse(isThere("edit-hints"))
+        tap("edit-done")
+        assertEquals(null, workshop.state.worldEdit)
+    }
+
+    @Test
+    fun `what can be kept is kept at once, and discarding brings the old world back`() = onEditor {
+        put(PaletteItem.LAMP, 80.0, 60.0)
+        assertEquals(1, workshop.project.world.lamps.size)
+        make(Edit.Undo)
+        put(PaletteItem.LAMP, 70.0, 60.0)
+        tap("edit-menu")
+        tap("menu-discard")
+        assertEquals(null, workshop.state.worldEdit)
+        assertEquals(BuiltInWorlds.plain, workshop.project.world)
+    }
+
+    @Test
+    fun `Try it closes the editor and the program runs in the new world`() = onEditor {
+        put(PaletteItem.DOT, 80.0, 60.0)
+        tap("edit-try")
+        screen.pass(1500)
+        assertEquals(null, workshop.state.worldEdit)
+        assertTrue(workshop.state.running)
+        assertEquals(1, workshop.state.world.marks.size)
+    }
+
+    @Test
+    fun `who comes back can still undo`() = onEditor {
+        put(PaletteItem.DOT, 80.0, 60.0)
+        tap("edit-done")
+        workshop.handle(WorldEditEvent.EditorOpened)
+        screen.pass(100)
+        tap("edit-undo")
+        assertEquals(0, world.marks.size)
+    }
+
+    @Test
+    fun `everything that can be pressed is large enough for a finger`() = onEditor {
+        put(PaletteItem.DOT, 80.0, 60.0)
+        val tags = listOf("edit-undo", "edit-redo", "edit-several", "edit-menu", "edit-try", "edit-done", "palette-wall", "delete", "duplicate", "shade-0")
+        for (tag in tags + listOf("tab-edit-chosen", "tab-edit-world")) {
+            val size = screen.onNodeWithTag(tag).fetchSemanticsNode().touchBoundsInRoot
+            assertTrue(size.width >= 48f && size.height >= 48f, "$tag is only ${size.size}")
+        }
+    }
+
+    private fun EditorTest.rectangle() = world.barriers.single().shape as Shape.Rectangle
+}

@@ -1,0 +1,164 @@
+package robotran.ui.worldedit
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performTextReplacement
+import robotran.ui.screen.pass
+import robotran.world.Goal
+import robotran.world.LightFacing
+import robotran.world.MarkFigure
+import robotran.world.Point
+import robotran.world.RobotColour
+import robotran.world.Shade
+import robotran.world.Shape
+import robotran.worldediting.Edit
+import robotran.worldediting.PaletteItem
+import robotran.worldediting.Thing
+import robotran.worldediting.ThingKind
+import robotran.worldediting.Tool
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+@OptIn(ExperimentalTestApi::class)
+class EditPanelTest {
+    @Test
+    fun `figures can be typed and stepped, and what cannot be is told and not taken`() = onEditor(1280, 2400) {
+        put(PaletteItem.BLOCK, 75.0, 60.0)
+        type("field-mass", "0,25")
+        assertEquals(0.25, world.blocks[0].mass)
+        type("field-x", "50")
+        type("field-width", "9")
+        tap("field-y-more")
+        val rectangle = world.blocks[0].shape as Shape.Rectangle
+        assertEquals(Point(50.0, 61.0), rectangle.centre)
+        assertEquals(9.0, rectangle.width)
+        type("field-friction", "11")
+        assertEquals(0.3, world.blocks[0].friction)
+        type("field-name", "crate")
+        assertEquals("crate", world.blocks[0].name)
+        type("field-name", "yellow")
+        assertEquals("crate", world.blocks[0].name)
+    }
+
+    @Test
+    fun `a robot gets a colour, a name, a light sensor that looks ahead, ports and a program`() = onEditor(1280, 2400) {
+        tap("palette-robot")
+        assertEquals(RobotColour.RED, world.robots[1].colour)
+        tap("robot-colour-3")
+        tap("facing-2")
+        tap("port-2-0")
+        tap("port-2-0-0")
+        tap("field-has-program")
+        type("field-beacon", "2")
+        val robot = world.robots[1]
+        assertEquals(RobotColour.GREEN, robot.colour)
+        assertEquals(LightFacing.FORWARD, robot.lightFacing)
+        assertEquals(emptyList(), robot.ports[1])
+        assertEquals(2.0, robot.beacon)
+        assertTrue(robot.program.orEmpty().contains("forward"))
+    }
+
+    @Test
+    fun `marks get swatches, greys and any colour, and their order`() = onEditor(1280, 2400) {
+        put(PaletteItem.AREA, 75.0, 60.0)
+        put(PaletteItem.LINE, 75.0, 60.0)
+        tap("shade-8")
+        assertEquals(Shade.Colour(17, 51, 170), world.marks[1].shade)
+        type("field-green", "99")
+        assertEquals(Shade.Colour(17, 99, 170), world.marks[1].shade)
+        tap("shade-1")
+        type("field-grey", "0.45")
+        assertEquals(Shade.Grey(0.45), world.marks[1].shade)
+        tap("field-closed")
+        type("field-thickness", "3")
+        assertEquals(3.0, (world.marks[1].figure as MarkFigure.Line).width)
+        assertTrue((world.marks[1].figure as MarkFigure.Line).closed)
+        tap("add-corner")
+        assertEquals(4, (world.marks[1].figure as MarkFigure.Line).points.size)
+        tap("to-back")
+        assertTrue(world.marks[0].figure is MarkFigure.Line)
+    }
+
+    @Test
+    fun `lamps get brightness, a cone and a direction and can be off`() = onEditor(1280, 2400) {
+        put(PaletteItem.LAMP, 75.0, 60.0)
+        tap("field-on")
+        type("field-brightness", "4")
+        type("field-cone", "60")
+        type("field-angle", "200")
+        val lamp = world.lamps[0]
+        assertEquals(listOf(4.0, 60.0, -160.0), listOf(lamp.brightness, lamp.cone, lamp.direction))
+        assertEquals(false, lamp.on)
+    }
+
+    @Test
+    fun `the world as a whole can be changed and begun anew`() = onEditor(1280, 2400) {
+        tap("tab-edit-world")
+        type("field-title", "A yard")
+        type("field-task", "Drive.")
+        type("field-paper-width", "150")
+        type("field-light", "0.1")
+        type("field-temperature", "-5")
+        type("field-time-limit", "30")
+        type("field-realism", "50")
+        type("field-seed", "7")
+        assertEquals(listOf<Any>("A yard", "Drive.", 150.0, 0.1, -5.0, 30, 0.5, 7), with(world) {
+            listOf(title, task, paper.width, ambientLight, temperature, timeLimit, realism, seed)
+        })
+        tap("new-world")
+        assertEquals("My world", world.title)
+        assertEquals(0, world.walls.size)
+    }
+
+    @Test
+    fun `goals of every kind are added from the list, put in groups and changed`() = onEditor(1280, 2400) {
+        put(PaletteItem.LINE, 75.0, 60.0)
+        make(Edit.ChooseTool(Tool.DRAW_TEMPLATE))
+        make(Edit.Draw(listOf(Point(10.0, 10.0), Point(30.0, 10.0))))
+        make(Edit.ChooseTool(Tool.CHOOSE))
+        tap("tab-edit-goals")
+        for (kind in 0..12) {
+            make(Edit.Choose(null))
+            tap("add-goal")
+            tap("add-goal-$kind")
+        }
+        assertEquals(13, world.goals.map { it::class }.toSet().size)
+        assertEquals(emptyList(), editing.troubles)
+        tap("thing-goal-0")
+        tap("goal-down")
+        assertTrue(world.goals[1] is Goal.Reach)
+        tap("goal-wrap")
+        tap("goal-wrap-0")
+        assertTrue(world.goals[1] is Goal.InOrder)
+        tap("goal-change")
+        tap("field-stays")
+        tap("field-within")
+        type("field-seconds", "12")
+        val reach = (world.goals[1] as Goal.InOrder).goals.single() as Goal.Reach
+        assertEquals(true to 12, reach.stays to reach.within)
+    }
+
+    @Test
+    fun `everything on the sheet is in the list of things by its name`() = onEditor(1280, 2400) {
+        tap("tab-edit-things")
+        tap("thing-wall-2")
+        assertEquals(Thing(ThingKind.WALL, 2), editing.only)
+        screen.onNodeWithTag("chosen-name").fetchSemanticsNode()
+    }
+
+    @Test
+    fun `on a phone the panel comes up under the sheet`() = onEditor(411, 891) {
+        tap("palette-wall")
+        tap("tab-edit-chosen")
+        assertTrue(isThere("edit-panel"))
+        tap("turn-left")
+        tap("tab-edit-chosen")
+        assertTrue(!isThere("edit-panel"))
+    }
+
+    private fun EditorTest.type(tag: String, text: String) {
+        screen.onNodeWithTag(tag).performTextReplacement(text)
+        screen.pass(60)
+    }
+}

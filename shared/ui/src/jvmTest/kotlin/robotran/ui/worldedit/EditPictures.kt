@@ -1,0 +1,78 @@
+package robotran.ui.worldedit
+
+import androidx.compose.ui.ImageComposeScene
+import androidx.compose.ui.unit.Density
+import kotlinx.coroutines.runBlocking
+import org.jetbrains.skia.EncodedImageFormat
+import robotran.language.Language
+import robotran.ui.RobotranApp
+import robotran.ui.openWorkshop
+import robotran.ui.workshop.AppTheme
+import robotran.ui.workshop.Settings
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.Workshop
+import robotran.ui.workshop.WorldEditEvent
+import robotran.world.Point
+import robotran.worldediting.Edit
+import robotran.worldediting.PaletteItem
+import robotran.worldediting.piece
+import java.io.File
+import kotlin.test.Test
+import kotlin.test.assertTrue
+
+/** Writes pictures of the world editor into build/pictures, to be looked at. */
+class EditPictures {
+    private val folder = File(System.getProperty("robotran.pictures")).apply { mkdirs() }
+
+    @Test
+    fun `the editor can be photographed in every size, by day and by night`() {
+        for ((name, width, height) in SCREENS) {
+            for (theme in listOf(AppTheme.LIGHT, AppTheme.DARK, AppTheme.HIGH_CONTRAST)) {
+                photograph(width, height, Settings(theme = theme), "edit-$name-${theme.name.lowercase()}")
+            }
+        }
+    }
+
+    @Test
+    fun `German and text at twice its size can be photographed`() {
+        for ((name, width, height) in SCREENS) {
+            photograph(width, height, Settings(language = Language.GERMAN), "edit-$name-german")
+            photograph(width, height, Settings(textScale = 2f), "edit-$name-large")
+        }
+    }
+
+    private fun photograph(width: Int, height: Int, settings: Settings, name: String) {
+        val workshop = runBlocking { openWorkshop() }
+        workshop.handle(SettingsEvent.SettingsChanged(settings))
+        workshop.handle(WorldEditEvent.EditorOpened)
+        build(workshop)
+        val scene = ImageComposeScene(width, height, Density(1f)) { RobotranApp(workshop, dark = false) }
+        try {
+            scene.render()
+            scene.render(nanoTime = 500_000_000)
+            val bytes = checkNotNull(scene.render(nanoTime = 1_000_000_000).encodeToData(EncodedImageFormat.PNG)).bytes
+            File(folder, "$name.png").writeBytes(bytes)
+            assertTrue(bytes.size > 1000, "$name is empty")
+        } finally {
+            scene.close()
+            workshop.close()
+        }
+    }
+
+    private fun build(workshop: Workshop) {
+        fun make(edit: Edit) = workshop.handle(WorldEditEvent.Edited(edit))
+
+        fun put(item: PaletteItem, x: Double, y: Double) = make(Edit.Put(item.piece(checkNotNull(workshop.state.worldEdit).world), Point(x, y)))
+        put(PaletteItem.LINE, 70.0, 20.0)
+        put(PaletteItem.GOAL_AREA, 85.0, 65.0)
+        put(PaletteItem.LAMP, 20.0, 60.0)
+        put(PaletteItem.BLOCK, 20.0, 15.0)
+        put(PaletteItem.ROBOT, 70.0, 35.0)
+        put(PaletteItem.BOX, 45.0, 62.0)
+        make(Edit.TurnBy(15.0))
+    }
+
+    private companion object {
+        val SCREENS = listOf(Triple("phone", 411, 891), Triple("tablet", 1280, 800), Triple("laptop", 1440, 900))
+    }
+}
