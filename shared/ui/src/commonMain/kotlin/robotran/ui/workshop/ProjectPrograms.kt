@@ -15,6 +15,6 @@ internal fun PupilProgram.asProject(): ProjectProgram {
 
 internal fun ProjectProgram.asPupil(): PupilProgram = PupilProgram(files.map { ProgramFile(it.name, it.text) })
 
-/** The programs that the first robot of [project] has been given; empty if it has been given none. */
-internal fun pupilProgramsOf(project: Project): List<PupilProgram> =
-    project.robots.firstOrNull { it.name == project.world.robots.first().name }?.programs.orEmpty().map { it.asPupil() }
+/** The programs that the first robot has been given. */
+internal val Project.pupilPrograms: List<PupilProgram>
+    get() = robots.firstOrNull { it.name == world.robots.first().name }?.programs.orEmpty().map { it.asPupil() }

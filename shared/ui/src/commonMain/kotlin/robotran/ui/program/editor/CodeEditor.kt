@@ -85,17 +85,17 @@ internal fun CodeEditor(
     control.clipboard = LocalClipboardManager.current
     val layouts = rememberLineLayouts(control.language, codeSize)
     val pieces = remember(draft.lines, control.language) { CodePieces(draft.lines, control.language) }
-    var hasFocus by remember { mutableStateOf(false) }
+    val hasFocus = control.hasFocus
     var composing by remember { mutableStateOf<TextSpan?>(null) }
     val shownNotes = notesBesideTyping(notes, draft, hasFocus && !pointedOut)
-    val paint = remember(draft, marks, hasFocus, composing) { EditorPaint(draft, marks.copy(composing = composing), hasFocus, hasBreakpoints = true) }
+    val paint = remember(draft, marks, hasFocus, composing) { EditorPaint(draft, marks.copy(composing = composing), hasFocus) }
     val touch = rememberTouch(control, view, layouts, pieces, draft, focus, onBreakpoint, onZoom)
     KeepInSight(view, draft, layouts, pieces, marks.runningLine, hasFocus)
     Box(modifier) {
         EditorField(
-            draft, pieces, control, view, layouts, { composing = it },
+            draft, control, view, layouts, { composing = it },
             Modifier.fillMaxSize().editorInput(control, focus, draft, onCommand, onBreakpoint) {
-                hasFocus = it
+                control.hasFocus = it
                 if (!it) {
                     control.isAtWork = false
                     control.closeOffered()
@@ -148,7 +148,12 @@ private fun Modifier.editorInput(
         .onPreviewKeyEvent { event -> handleKey(event, control, onCommand) { focusManager.moveFocus(it) } }
 }
 
-private fun handleKey(event: KeyEvent, control: EditorControl, onCommand: (EditorCommand) -> Unit, onLeave: (FocusDirection) -> Unit): Boolean {
+private fun handleKey(
+    event: KeyEvent,
+    control: EditorControl,
+    onCommand: (EditorCommand) -> Unit,
+    onLeave: (FocusDirection) -> Unit,
+): Boolean {
     val command = commandFor(event)
     val isEnter = event.key == Key.Enter || event.key == Key.NumPadEnter
     val isTab = event.key == Key.Tab
@@ -214,6 +219,7 @@ private fun rememberTouch(
                 }
                 focus.requestFocus()
                 if (byFinger) keyboard?.show()
+                control.isTouched = byFinger
                 val offset = offsetAt(position)
                 val isAgainAtCaret = byFinger && times == 1 && control.draft.selection == TextSelection(offset)
                 control.tapped(offset, times, selecting)
@@ -228,7 +234,8 @@ private fun rememberTouch(
 
             override fun draggedTo(position: Offset) {
                 val hadBar = control.showsSelectionBar
-                if (position.y < 0) view.scrollDown(position.y) else if (position.y > view.size.height) view.scrollDown(position.y - view.size.height)
+                val beyond = position.y - position.y.coerceIn(0f, view.size.height.toFloat())
+                if (beyond != 0f) view.scrollDown(beyond)
                 control.tapped(offsetAt(position), 1, selecting = true)
                 control.showsSelectionBar = hadBar
             }
@@ -260,7 +267,8 @@ private fun KeepInSight(view: EditorView, draft: Draft, layouts: LineLayouts, pi
 @Composable
 private fun Hint(hint: String, size: Float, view: EditorView) {
     val colour = LocalRobotranColours.current.quiet
-    Text(hint, Modifier.offset { IntOffset(view.gutter.toInt(), 0) }.clearAndSetSemantics { }, style = editorStyle(size).copy(color = colour))
+    val place = Modifier.offset { IntOffset(view.gutter.toInt(), 0) }.clearAndSetSemantics { }
+    Text(hint, place, style = editorStyle(size).copy(color = colour))
 }
 
 @Composable

@@ -45,7 +45,8 @@ internal fun CompletionPanel(list: CompletionList, chosen: Int, size: Float, car
     val scroll = rememberLazyListState()
     LaunchedEffect(chosen, list) {
         val seen = scroll.layoutInfo.visibleItemsInfo
-        if (seen.isNotEmpty() && (chosen <= seen.first().index || chosen >= seen.last().index)) scroll.scrollToItem((chosen - 1).coerceAtLeast(0))
+        val isAtEdge = seen.isNotEmpty() && (chosen <= seen.first().index || chosen >= seen.last().index)
+        if (isAtEdge) scroll.scrollToItem((chosen - 1).coerceAtLeast(0))
     }
     LazyColumn(
         Modifier
@@ -78,7 +79,9 @@ private fun CompletionRow(item: Completion, isChosen: Boolean, size: Float, onCh
         verticalArrangement = androidx.compose.foundation.layout.Arrangement.Center,
     ) {
         Text(item.label, style = editorStyle(size), maxLines = 1, overflow = TextOverflow.Ellipsis)
-        item.help?.let { Text(it, color = colours.quiet, fontSize = 13.sp, lineHeight = 17.sp, maxLines = 2, overflow = TextOverflow.Ellipsis) }
+        item.help?.let {
+            Text(it, color = colours.quiet, fontSize = 13.sp, lineHeight = 17.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
+        }
     }
 }
 

@@ -77,7 +77,11 @@ internal class ShownLine(line: String) {
     val text: String = if (columns == null) {
         line
     } else {
-        buildString { line.forEachIndexed { index, character -> if (character == '\t') repeat(columns[index + 1] - columns[index]) { append(' ') } else append(character) } }
+        buildString {
+            line.forEachIndexed { index, character ->
+                if (character == '\t') append(" ".repeat(columns[index + 1] - columns[index])) else append(character)
+            }
+        }
     }
 
     /** Where [column] of the line is in [text]. */
