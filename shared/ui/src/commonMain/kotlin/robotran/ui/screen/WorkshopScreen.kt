@@ -31,9 +31,15 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         val isWide = maxWidth >= Measures.WIDE_WIDTH * widthScale(scale) && maxHeight >= Measures.WIDE_HEIGHT
         Column(Modifier.fillMaxSize()) {
             KeepingBanner(state.document, onEvent)
-            Box(Modifier.weight(1f)) { if (isWide) WideScreen(state, onEvent) else NarrowScreen(state, onEvent) }
+            Box(Modifier.weight(1f)) {
+                val edit = state.worldEdit
+                when {
+                    edit != null -> WorldEditPane(edit, state.session, onEvent)
+                    isWide -> WideScreen(state, onEvent)
+                    else -> NarrowScreen(state, onEvent)
+                }
+            }
         }
-        state.worldEdit?.let { WorldEditPane(it, state.session, onEvent) }
         LearningPages(state.learning, onEvent)
         if (state.settingsShown) SettingsPage(state.settings, onEvent)
         DocumentDialogs(state.document, onEvent)

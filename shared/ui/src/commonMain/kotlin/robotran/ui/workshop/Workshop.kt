@@ -177,8 +177,10 @@ class Workshop(
     }
 
     private fun handleProgram(event: ProgramEvent) {
+        val before = programs.written
         programs.handle(event)
-        run.programsChanged()
+        // Whoever only looks around, or moves the caret, does not disturb a run.
+        if (programs.written != before || event is ProgramEvent.BreakpointToggled) run.programsChanged()
     }
 
     private fun handleSettings(event: SettingsEvent) {

@@ -43,16 +43,15 @@ internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () ->
 private class SheetFinger(
     private val view: EditView,
     private val making: Making,
-    private val scope: AwaitPointerEventScope,
+    scope: AwaitPointerEventScope,
     private val latest: () -> Making,
 ) {
     private val transform = view.transform(making.world.paper)
-    private val fingerReach = with(scope) { 12.dp.toPx() }
-    private val reach = transform.toCentimetres(fingerReach)
+    private val reach = transform.toCentimetres(with(scope) { 12.dp.toPx() })
 
     suspend fun AwaitPointerEventScope.follow(down: Offset, adding: Boolean) {
-        val handles = handlePlaces(making.editing, transform, scope.density)
-        val handle = handleAt(handles, down, with(scope) { 24.dp.toPx() })
+        val handles = handlePlaces(making.editing, transform, density)
+        val handle = handleAt(handles, down, 24.dp.toPx())
         val there = making.world.thingsAt(centimetres(down), reach)
         when {
             making.editing.tool != Tool.CHOOSE -> draw(down)

@@ -2,8 +2,6 @@ package robotran.ui.worldedit
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
-import androidx.compose.foundation.clickable
-import androidx.compose.foundation.interaction.MutableInteractionSource
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -50,7 +48,7 @@ import robotran.world.SessionState
 import robotran.worldediting.Thing
 import robotran.worldediting.ThingKind
 
-/** Where the world is built, over the whole screen: the palette, the sheet and what there is to say of the things on it. */
+/** Where the world is built, in place of the workshop: the palette, the sheet and what there is to say of the things on it. */
 @Composable
 internal fun WorldEditPane(state: WorldEditState, session: SessionState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val making = Making(state.editing, onEvent)
@@ -67,8 +65,6 @@ internal fun WorldEditPane(state: WorldEditState, session: SessionState, onEvent
             .semantics { paneTitle = title }
             .onGloballyPositioned { corner = it.positionInRoot() }
             .onKeyEvent { event -> editForCommand(event)?.let(making::make) != null }
-            // What lies under the editor is out of reach.
-            .clickable(remember { MutableInteractionSource() }, indication = null) { }
             .background(LocalRobotranColours.current.desk),
     ) {
         val scale = LocalDensity.current.fontScale
