@@ -25,7 +25,8 @@ internal class Rescue(
         while (times.size > MOST_TIMES) times.removeFirst()
         open.keepAfterTrouble()
         if (open.workshop == null || (times.size == MOST_TIMES && now - times.first() < SOON_NANOSECONDS)) {
-            JOptionPane.showMessageDialog(null, "Robotran cannot go on: $problem\nYour work is kept.", "Robotran", JOptionPane.ERROR_MESSAGE)
+            val words = "Robotran cannot go on: $problem\nYour work is kept."
+            JOptionPane.showMessageDialog(null, words, "Robotran", JOptionPane.ERROR_MESSAGE)
             return giveUp()
         }
         open.attempt++

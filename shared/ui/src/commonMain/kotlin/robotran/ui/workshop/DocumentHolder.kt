@@ -46,7 +46,9 @@ class DocumentHolder(private val bench: Bench) {
 
             is DocumentEvent.LinkOpened -> launch { files.openLink(event.link) }
 
-            is DocumentEvent.WorksWanted, is DocumentEvent.WorkOpened, is DocumentEvent.WorkDeletionWanted, is DocumentEvent.WorkDeletionAnswered ->
+            is DocumentEvent.WorksWanted, is DocumentEvent.WorkOpened,
+            is DocumentEvent.WorkDeletionWanted, is DocumentEvent.WorkDeletionAnswered,
+            ->
                 launch { handleWorks(event) }
 
             DocumentEvent.SaveWanted -> launch { files.save() }
