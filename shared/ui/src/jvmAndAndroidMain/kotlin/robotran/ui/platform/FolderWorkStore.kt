@@ -62,16 +62,16 @@ class FolderWorkStore(private val folder: Path, private val reading: CoroutineCo
 
     override suspend fun claim(name: String): WorkClaim? = withContext(reading) {
         val file = folder.resolve("claims").resolve("${checked(name)}.lock").toAbsolutePath()
-        if (CLAIMED.putIfAbsent(file, Unit) != null) return@withContext null
+        if (CLAIMED.putIfAbsent(file, NOTHING) != null) return@withContext null
         when (val lock = lock(file)) {
             Locking.Taken -> null.also { CLAIMED.remove(file) }
 
             // Where nothing can be locked, at least the windows of this process keep apart.
             Locking.Impossible -> WorkClaim { CLAIMED.remove(file) }
 
-            is Locking.Locked -> WorkClaim {
-                CLAIMED.remove(file)
-                runCatching { lock.channel.close() }
+            is Locking.Locked -> {
+                CLAIMED[file] = lock.channel
+                WorkClaim { CLAIMED.remove(file)?.close() }
             }
         }
     }
@@ -106,7 +106,11 @@ class FolderWorkStore(private val folder: Path, private val reading: CoroutineCo
         const val LONGEST_NAME = robotran.documents.WorkStore.MAXIMUM_NAME
         val NAME = Regex("[a-z][a-z0-9.-]{0,${LONGEST_NAME - 1}}")
 
-        /** A lock of the operating system is one of the whole process: what its windows have is told here. */
-        val CLAIMED = ConcurrentHashMap<Path, Unit>()
+        /**
+         * A lock of the operating system is one of the whole process: what its windows have is told here. It ends with its channel, so that is held here
+         * too: nobody else may hold on to a claim.
+         */
+        val CLAIMED = ConcurrentHashMap<Path, AutoCloseable>()
+        val NOTHING = AutoCloseable { }
     }
 }

@@ -27,9 +27,10 @@ internal class KeepingProcess private constructor(private val process: Process) 
         return told
     }
 
-    /** As `kill -9` does. */
+    /** As `kill -9` does. A process destroyed by itself would close the stream in which it told of its last copies. */
     fun kill() {
-        process.destroyForcibly().waitFor(WAIT_SECONDS, TimeUnit.SECONDS)
+        process.toHandle().destroyForcibly()
+        check(process.waitFor(WAIT_SECONDS, TimeUnit.SECONDS)) { "it lives on" }
         told += lines.readLines().count { it == TOLD }
     }
 
