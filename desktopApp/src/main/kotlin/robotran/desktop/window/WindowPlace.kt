@@ -49,13 +49,14 @@ internal fun windowStateFor(
     last: WindowPlace?,
     screens: List<Rectangle> = screens(),
 ): WindowState {
-    if (last == null || screens.none { it.intersection(Rectangle(last.left, last.top, last.width, TITLE_HEIGHT)).width >= GRIP }) {
+    val width = last?.width?.coerceAtLeast(LEAST_WIDTH) ?: 0
+    if (last == null || screens.none { it.intersection(Rectangle(last.left, last.top, width, TITLE_HEIGHT)).width >= GRIP }) {
         return WindowState(size = firstSize())
     }
     return WindowState(
         placement = if (last.isMaximised) WindowPlacement.Maximized else WindowPlacement.Floating,
         position = WindowPosition.Absolute(last.left.dp, last.top.dp),
-        size = DpSize(last.width.coerceAtLeast(LEAST_WIDTH).dp, last.height.coerceAtLeast(LEAST_HEIGHT).dp),
+        size = DpSize(width.dp, last.height.coerceAtLeast(LEAST_HEIGHT).dp),
     )
 }
 
