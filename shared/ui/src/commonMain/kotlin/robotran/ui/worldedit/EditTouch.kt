@@ -13,7 +13,6 @@ import androidx.compose.ui.input.pointer.PointerInputScope
 import androidx.compose.ui.input.pointer.changedToUp
 import androidx.compose.ui.input.pointer.isShiftPressed
 import androidx.compose.ui.input.pointer.positionChanged
-import androidx.compose.ui.unit.dp
 import robotran.world.Bounds
 import robotran.world.Point
 import robotran.worldediting.Edit
@@ -25,7 +24,8 @@ import robotran.worldediting.thingsAt
 internal suspend fun PointerInputScope.editByTouch(view: EditView, making: () -> Making, onTouched: () -> Unit) = awaitEachGesture {
     val down = awaitFirstDown()
     onTouched()
-    SheetFinger(view, making(), this, making).follow(down.position, currentEvent.keyboardModifiers.isShiftPressed)
+    val finger = SheetFinger(view, making(), density, making)
+    with(finger) { follow(down.position, currentEvent.keyboardModifiers.isShiftPressed) }
 }
 
 /** The wheel of a mouse zooms where the mouse is. */
@@ -43,16 +43,15 @@ internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () ->
 private class SheetFinger(
     private val view: EditView,
     private val making: Making,
-    private val scope: AwaitPointerEventScope,
+    private val density: Float,
     private val latest: () -> Making,
 ) {
     private val transform = view.transform(making.world.paper)
-    private val fingerReach = with(scope) { 12.dp.toPx() }
-    private val reach = transform.toCentimetres(fingerReach)
+    private val reach = transform.toCentimetres(FINGER * density)
 
-    suspend fun follow(down: Offset, adding: Boolean) {
-        val handles = handlePlaces(making.editing, transform, scope.density)
-        val handle = handleAt(handles, down, with(scope) { 24.dp.toPx() })
+    suspend fun AwaitPointerEventScope.follow(down: Offset, adding: Boolean) {
+        val handles = handlePlaces(making.editing, transform, density)
+        val handle = handleAt(handles, down, HANDLE * density)
         val there = making.world.thingsAt(centimetres(down), reach)
         when {
             making.editing.tool != Tool.CHOOSE -> draw(down)
@@ -69,7 +68,7 @@ private class SheetFinger(
         making.make(Edit.Grab(Grip.Body, centimetres(down)))
     }
 
-    private suspend fun drag(down: Offset, adding: Boolean, take: () -> Unit) {
+    private suspend fun AwaitPointerEventScope.drag(down: Offset, adding: Boolean, take: () -> Unit) {
         var held = false
         val end = moves(down) { place ->
             if (!held) take()
@@ -83,7 +82,7 @@ private class SheetFinger(
         }
     }
 
-    private suspend fun push(down: Offset) {
+    private suspend fun AwaitPointerEventScope.push(down: Offset) {
         var last = down
         var moved = false
         val end = moves(down) { place ->
@@ -94,7 +93,7 @@ private class SheetFinger(
         if (!moved && end == End.UP) making.make(Edit.TapAt(centimetres(down), reach))
     }
 
-    private suspend fun box(down: Offset, adding: Boolean) {
+    private suspend fun AwaitPointerEventScope.box(down: Offset, adding: Boolean) {
         val end = moves(down) { place ->
             view.box = Rect(minOf(down.x, place.x), minOf(down.y, place.y), maxOf(down.x, place.x), maxOf(down.y, place.y))
         }
@@ -107,7 +106,7 @@ private class SheetFinger(
         making.make(Edit.ChooseWithin(Bounds(low.x, low.y, high.x, high.y), adding = true))
     }
 
-    private suspend fun draw(down: Offset) {
+    private suspend fun AwaitPointerEventScope.draw(down: Offset) {
         view.line = listOf(down)
         val end = moves(down) { place -> view.line += place }
         val line = view.line
@@ -118,7 +117,7 @@ private class SheetFinger(
     private enum class End { UP, SECOND_FINGER }
 
     /** Tells [onMove] every place once the finger has really moved; a second finger pinches the sheet and ends all else. */
-    private suspend fun moves(down: Offset, onMove: (Offset) -> Unit): End = with(scope) {
+    private suspend fun AwaitPointerEventScope.moves(down: Offset, onMove: (Offset) -> Unit): End {
         var moving = false
         while (true) {
             val event = awaitPointerEvent()
@@ -136,8 +135,6 @@ private class SheetFinger(
             if (moving) onMove(change.position)
             change.consume()
         }
-        @Suppress("UNREACHABLE_CODE")
-        End.UP
     }
 
     private suspend fun AwaitPointerEventScope.pinch() {
@@ -157,3 +154,7 @@ private class SheetFinger(
 }
 
 private const val WHEEL_ZOOM = 1.2
+
+/** How inexact a finger is with things and with handles, in dp. */
+private const val FINGER = 12f
+private const val HANDLE = 24f

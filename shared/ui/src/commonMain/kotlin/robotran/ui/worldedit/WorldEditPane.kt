@@ -70,7 +70,7 @@ internal fun WorldEditPane(state: WorldEditState, session: SessionState, onEvent
         val scale = LocalDensity.current.fontScale
         val sheet: @Composable (Modifier) -> Unit = { EditSheet(making, view, session, focus, it) }
         Column(Modifier.fillMaxSize()) {
-            EditBar(making, view, withWords = maxWidth >= WORDS_WIDTH * scale)
+            EditBar(making, view, withWords = this@BoxWithConstraints.maxWidth >= WORDS_WIDTH * scale)
             HorizontalDivider(color = LocalRobotranColours.current.line)
             EditHints(state, making)
             val put = { focus.requestFocus() }
