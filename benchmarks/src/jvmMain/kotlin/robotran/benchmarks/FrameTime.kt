@@ -21,6 +21,7 @@ internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Figure> =
     mapOf(
         "frames-log" to { frameTime(DrawerTab.LOG) },
         "frames-chart" to { frameTime(DrawerTab.CHART) },
+        "keystroke" to ::keystrokeTime,
     )
 
 /**

@@ -3,7 +3,6 @@ package robotran.desktop.window
 import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.window.WindowExceptionHandler
 import androidx.compose.ui.window.WindowExceptionHandlerFactory
-import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
 import robotran.ui.documents.unexpectedNotice
 import javax.swing.JOptionPane
@@ -14,7 +13,6 @@ import javax.swing.JOptionPane
  */
 @OptIn(ExperimentalComposeUiApi::class)
 internal class Rescue(
-    private val scope: CoroutineScope,
     private val open: OpenWindow,
     private val giveUp: () -> Unit,
 ) : WindowExceptionHandlerFactory {
@@ -28,7 +26,7 @@ internal class Rescue(
         times.addLast(now)
         while (times.size > MOST_TIMES) times.removeFirst()
         val workshop = open.workshop
-        scope.launch { workshop?.restDocument() }
+        open.scope.launch { workshop?.restDocument() }
         if (workshop == null || (times.size == MOST_TIMES && now - times.first() < SOON_NANOSECONDS)) {
             JOptionPane.showMessageDialog(null, "Robotran cannot go on: $problem\nYour work is kept.", "Robotran", JOptionPane.ERROR_MESSAGE)
             return giveUp()

@@ -34,6 +34,15 @@ class RunCommandTest : CommandTest() {
     }
 
     @Test
+    fun `a picture whose name ends in svg holds the ink as lines`() {
+        val picture = folder.resolve("square.SVG")
+        assertEquals(0, run(square, "--picture", "$picture"))
+        val text = picture.toFile().readText()
+        assertTrue(text.startsWith("<svg xmlns=") && text.trimEnd().endsWith("</svg>"), text.take(100))
+        assertTrue("<polyline points=\"40,50 " in text, text)
+    }
+
+    @Test
     fun `the picture shows ink where the robot drew and none where it did not`() {
         val picture = folder.resolve("square.png")
         assertEquals(0, run(square, "--picture", "$picture"))

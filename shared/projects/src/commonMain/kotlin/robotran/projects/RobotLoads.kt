@@ -47,7 +47,8 @@ suspend fun readRobotLoads(world: World, reader: ProgramReader, given: Map<Strin
         val mistakes = results.filterIsInstance<ProgramResult.Mistaken>().flatMap { it.mistakes }
         if (mistakes.isNotEmpty()) return RobotLoads.Mistaken(robot.name, mistakes)
         val ready = results.filterIsInstance<ProgramResult.Ready>()
-        loads += RobotLoad(ready.map<ProgramResult.Ready, RcxProgram?> { it.program }, lightFacing = ready.firstOrNull()?.let { lightFacingOf(it.program) })
+        val facing = ready.firstOrNull()?.let { lightFacingOf(it.program) }
+        loads += RobotLoad(ready.map<ProgramResult.Ready, RcxProgram?> { it.program }, lightFacing = facing)
         if (sources.isNotEmpty()) warnings += ready.flatMap { it.warnings }
     }
     return RobotLoads.Ready(loads, warnings)

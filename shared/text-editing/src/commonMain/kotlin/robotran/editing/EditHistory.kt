@@ -57,7 +57,8 @@ class EditHistory private constructor(
         fun joinedWith(next: Step): Step? = when {
             kind != next.kind -> null
             kind == EditKind.TYPING && goesOnTyping(next.edit) -> joined(next, edit.copy(inserted = edit.inserted + next.edit.inserted))
-            kind == EditKind.ERASING && goesOnErasing(next.edit) -> joined(next, edit.copy(next.edit.start, next.edit.removed + edit.removed))
+            kind == EditKind.ERASING && goesOnErasing(next.edit) ->
+                joined(next, edit.copy(next.edit.start, next.edit.removed + edit.removed))
             else -> null
         }
 

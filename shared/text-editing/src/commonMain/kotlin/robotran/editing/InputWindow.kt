@@ -17,20 +17,27 @@ data class InputWindow(
 
     /** What is selected in the field. */
     fun selectionOf(draft: Draft): TextSelection =
-        if (holdsSelection) TextSelection(draft.selection.anchor - span.start, draft.selection.caret - span.start) else TextSelection(0, span.length)
+        if (holdsSelection) {
+            TextSelection(draft.selection.anchor - span.start, draft.selection.caret - span.start)
+        } else {
+            TextSelection(0, span.length)
+        }
 
     /** What [draft] becomes when the field comes to hold [text] with [selection]. */
     fun applied(draft: Draft, text: String, selection: TextSelection): Draft {
         if (holdsSelection) {
             val whole = draft.text.replaceRange(span.start, span.end, text)
-            return Draft(whole, TextSelection(span.start + selection.anchor, span.start + selection.caret).within(whole.length))
+            return Draft(whole, inWhole(selection, whole))
         }
         return when {
             text != textOf(draft) -> draft.replaced(text)
             selection == selectionOf(draft) -> draft
-            else -> draft.copy(selection = TextSelection(span.start + selection.anchor, span.start + selection.caret).within(draft.text.length))
+            else -> draft.copy(selection = inWhole(selection, draft.text))
         }
     }
+
+    private fun inWhole(selection: TextSelection, text: String) =
+        TextSelection(span.start + selection.anchor, span.start + selection.caret).within(text.length)
 
     /** This window after [edit], if it can stay where it is for [draft]; an input method does not like its text to move. */
     fun keptFor(draft: Draft, edit: TextEdit?): InputWindow? {
@@ -40,7 +47,8 @@ data class InputWindow(
         val selected = draft.selection
         val roomBefore = moved.start == 0 || selected.start - moved.start >= MARGIN
         val roomBehind = moved.end == draft.text.length || moved.end - selected.end >= MARGIN
-        return if (fits && selected.start >= moved.start && selected.end <= moved.end && roomBefore && roomBehind) copy(span = moved) else null
+        val isInside = selected.start >= moved.start && selected.end <= moved.end
+        return if (fits && isInside && roomBefore && roomBehind) copy(span = moved) else null
     }
 
     private fun movedWith(edit: TextEdit): TextSpan? = when {

@@ -6,7 +6,8 @@ import kotlin.test.assertEquals
 class CaretTest {
     private val draft = Draft("repeat 4 times\n  forward 20\nend", TextSelection(0))
 
-    private fun Draft.after(vararg moves: CaretMove, selecting: Boolean = false) = moves.fold(this) { now, move -> now.moved(move, selecting) }.selection
+    private fun Draft.after(vararg moves: CaretMove, selecting: Boolean = false) =
+        moves.fold(this) { now, move -> now.moved(move, selecting) }.selection
 
     @Test
     fun `arrows go a character, and over the line's end`() {

@@ -39,7 +39,8 @@ class SearchTest {
 
     @Test
     fun `all are replaced at once and the caret stays at its word`() {
-        val draft = Draft(text, TextSelection(text.length)).withAllReplaced(Search("side", wholeWords = true).matchesIn(text), "edge length")
+        val matches = Search("side", wholeWords = true).matchesIn(text)
+        val draft = Draft(text, TextSelection(text.length)).withAllReplaced(matches, "edge length")
         assertEquals("edge length = 2\nforward edge length\nsideways", draft.text)
         assertEquals(draft.text.length, draft.selection.caret)
     }

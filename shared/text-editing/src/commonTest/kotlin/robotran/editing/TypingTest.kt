@@ -29,7 +29,10 @@ class TypingTest {
 
     @Test
     fun `the end of an inner block finds its own beginning`() =
-        assertEquals("repeat forever\n  if left bumper\n    beep\n  end\nend|", typed("repeat forever|", "\nif left bumper\nbeep\nend\nend"))
+        assertEquals(
+            "repeat forever\n  if left bumper\n    beep\n  end\nend|",
+            typed("repeat forever|", "\nif left bumper\nbeep\nend\nend"),
+        )
 
     @Test
     fun `a curly bracket opens and closes a block of Java`() =

@@ -69,7 +69,8 @@ class EditingProperties : FunSpec({
             val held = window.textOf(draft)
             val selected = window.selectionOf(draft)
             window.applied(draft, held, selected) shouldBe draft
-            val after = window.applied(draft, held.replaceRange(selected.start, selected.end, typed), TextSelection(selected.start + typed.length))
+            val changed = held.replaceRange(selected.start, selected.end, typed)
+            val after = window.applied(draft, changed, TextSelection(selected.start + typed.length))
             if (window.holdsSelection || typed != held) after shouldBe draft.replaced(typed)
         }
     }
@@ -118,8 +119,8 @@ private class Action(val kind: EditKind, val change: (Draft) -> Draft)
 
 private val texts: Arb<String> = Arb.list(
     Arb.element(
-        "repeat 4 times", "end", "else", "if", " ", "  ", "\n", "\n", "{", "}", "(", ")", "\"", "'", "/*", "*/", "//", "x", "Motor.A.", "for", ";", ",", "\t",
-        "\uD83D\uDE00", "ß", "0", "[", "]", "* ", "else {",
+        "repeat 4 times", "end", "else", "if", " ", "  ", "\n", "\n", "{", "}", "(", ")", "\"", "'", "/*", "*/", "//", "x", "Motor.A.",
+        "for", ";", ",", "\t", "\uD83D\uDE00", "ß", "0", "[", "]", "* ", "else {",
     ),
     0..14,
 ).map { it.joinToString("") }
@@ -131,7 +132,8 @@ private val drafts: Arb<Draft> = arbitrary { random ->
 }
 
 private val actions: Arb<Action> = Arb.element(
-    listOf("a", " ", "\n", "end", "}", "{", "x y", "\uD83D\uDE00").map { typed -> Action(EditKind.TYPING) { it.typed(typed, CodeLanguage.ROBOLANG) } } +
+    listOf("a", " ", "\n", "end", "}", "{", "x y", "\uD83D\uDE00")
+        .map { typed -> Action(EditKind.TYPING) { it.typed(typed, CodeLanguage.ROBOLANG) } } +
         CaretMove.entries.map { move -> Action(EditKind.OTHER) { it.moved(move, selecting = move.ordinal % 2 == 0) } } +
         listOf(
             Action(EditKind.ERASING) { it.erasedBackwards(CodeLanguage.JAVA) },

@@ -94,7 +94,7 @@ private fun namesIn(draft: Draft, writing: Int): List<Completion> {
             val name = text.substring(piece.start, piece.end)
             val isCalled = inLine.getOrNull(place + 1)?.let { text[it.start] == '(' } == true
             found.getOrPut(name) {
-                if (isCalled) Completion("$name()", CompletionKind.METHOD, "$name()", name.length + 1) else Completion(name, CompletionKind.NAME)
+                if (isCalled) callOf(name, CompletionKind.METHOD) else Completion(name, CompletionKind.NAME)
             }
         }
     }

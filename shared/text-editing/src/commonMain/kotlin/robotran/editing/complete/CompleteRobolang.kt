@@ -27,7 +27,7 @@ internal fun completeRobolang(draft: Draft, help: WordHelp, isWanted: Boolean): 
         words(RobolangWords.commands, help) + blocks.map { it.copy(help = help.of(it.inserted.substringBefore(' '))) } + names
     } else {
         val expected = FOLLOWERS[before.takeLast(2).joinToString(" ")] ?: FOLLOWERS[before.last()]
-        if (expected != null) words(expected, help) else words(VALUE_WORDS, help) + names + functions(help) + words(RobolangWords.keywords, help)
+        expected?.let { words(it, help) } ?: (words(VALUE_WORDS, help) + names + functions(help) + words(RobolangWords.keywords, help))
     }
     if (!isWanted && candidates.any { it.inserted.equals(typed, ignoreCase = true) }) return null
     val items = matching(typed, candidates.distinctBy { it.label }).filter { it.inserted != typed }
@@ -50,11 +50,12 @@ private fun namesIn(draft: Draft, writing: Int): List<Completion> {
         val inLine = pieces.of(line)
         inLine.forEachIndexed { place, piece ->
             val before = inLine.getOrNull(place - 1)?.let { text.substring(it.start, it.end).lowercase() }
-            if (piece.kind != PieceKind.NAME || before !in DECLARING || draft.lines.start(line) + piece.start == writing) return@forEachIndexed
+            val isBeingWritten = draft.lines.start(line) + piece.start == writing
+            if (piece.kind != PieceKind.NAME || before !in DECLARING || isBeingWritten) return@forEachIndexed
             val name = text.substring(piece.start, piece.end)
             val isRoutine = before == "procedure" || before == "function"
             found.getOrPut(name.lowercase()) {
-                if (isRoutine) Completion("$name()", CompletionKind.FUNCTION, "$name()", name.length + 1) else Completion(name, CompletionKind.NAME)
+                if (isRoutine) callOf(name, CompletionKind.FUNCTION) else Completion(name, CompletionKind.NAME)
             }
         }
     }
@@ -79,7 +80,8 @@ private val FOLLOWERS = mapOf(
     "right" to listOf("bumper"),
 )
 
-private val VALUE_WORDS = listOf("left", "right", "light", "sensor", "button", "timer", "battery", "true", "false", "and", "or", "not", "mod")
+private val VALUE_WORDS =
+    listOf("left", "right", "light", "sensor", "button", "timer", "battery", "true", "false", "and", "or", "not", "mod")
 
 private fun block(first: String, caret: Int, label: String = "$first … end") =
     Completion(label, CompletionKind.BLOCK, "$first\n  \nend", caret)

@@ -19,6 +19,9 @@ data class Completion(
     val help: String? = null,
 )
 
+/** A call of [name], with the caret between its brackets. */
+internal fun callOf(name: String, kind: CompletionKind): Completion = Completion("$name()", kind, "$name()", name.length + 1)
+
 /** What can be offered. */
 enum class CompletionKind { WORD, BLOCK, NAME, FUNCTION, METHOD, FIELD, CLASS }
 

@@ -93,7 +93,9 @@ private fun Examples(
         trailingIcon = { SignPicture(if (open) Signs.UP else Signs.DOWN, LocalRobotranColours.current.quiet, 12.dp) },
     )
     if (open) {
-        for ((name, text) in examples) Choice(name, "example-$name", aboutExample(text)) { onEvent(ProgramEvent.ProgramAdded(PupilProgram(name, text))) }
+        for ((name, text) in examples) {
+            Choice(name, "example-$name", aboutExample(text)) { onEvent(ProgramEvent.ProgramAdded(PupilProgram(name, text))) }
+        }
     }
 }
 
@@ -111,7 +113,7 @@ private fun Choice(text: String, tag: String, about: String? = null, onClick: ()
     text = {
         Column(Modifier.padding(vertical = 4.dp)) {
             Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp)
-            if (about != null) Text(about, Modifier.widthIn(max = 300.dp), LocalRobotranColours.current.quiet, fontSize = 13.sp, lineHeight = 17.sp)
+            about?.let { Text(it, Modifier.widthIn(max = 300.dp), LocalRobotranColours.current.quiet, fontSize = 13.sp, lineHeight = 17.sp) }
         }
     },
     onClick = onClick,

@@ -110,11 +110,19 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
     val colours = LocalRobotranColours.current
     val first = remember { FocusRequester() }
     LaunchedEffect(state.asked) { first.requestFocus() }
-    Column(Modifier.fillMaxWidth().testTag("find-bar").background(colours.desk.copy(alpha = SHADE)).padding(horizontal = 8.dp, vertical = 4.dp)) {
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .testTag("find-bar")
+            .background(colours.desk.copy(alpha = SHADE))
+            .padding(horizontal = 8.dp, vertical = 4.dp),
+    ) {
         Row(verticalAlignment = Alignment.CenterVertically) {
             val words = stringResource(Res.string.editor_find)
-            LineField(state.search.text, words, "find", { state.search = state.search.copy(text = it) }, actions, Modifier.weight(1f).focusRequester(first), actions::next)
-            RoundButton(Signs.UP, stringResource(Res.string.editor_find_previous), "find-previous", enabled = count > 0, onClick = actions::previous)
+            val change = { typed: String -> state.search = state.search.copy(text = typed) }
+            LineField(state.search.text, words, "find", change, actions, Modifier.weight(1f).focusRequester(first), actions::next)
+            val before = stringResource(Res.string.editor_find_previous)
+            RoundButton(Signs.UP, before, "find-previous", enabled = count > 0, onClick = actions::previous)
             RoundButton(Signs.DOWN, stringResource(Res.string.editor_find_next), "find-next", enabled = count > 0, onClick = actions::next)
             RoundButton(Cross, stringResource(Res.string.editor_find_close), "find-close", onClick = actions::close)
         }
@@ -154,7 +162,8 @@ private fun FindButton(words: String, tag: String, enabled: Boolean, onClick: ()
 
 @Composable
 private fun Switch(words: String, tag: String, on: Boolean, onClick: () -> Unit) {
-    FilterChip(on, onClick, { Text(words, fontSize = 14.sp) }, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag(tag).focusRing(8.dp))
+    val modifier = Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag(tag).focusRing(8.dp)
+    FilterChip(on, onClick, { Text(words, fontSize = 14.sp) }, modifier)
 }
 
 @Composable

@@ -61,7 +61,8 @@ internal fun MistakeStrip(
                     fontWeight = if (pointedOut) FontWeight.Bold else FontWeight.Normal,
                 )
                 TextButton(onNext, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("next-mistake").focusRing()) {
-                    Text(stringResource(Res.string.editor_next_mistake), color = colours.focus, fontSize = 15.sp, fontWeight = FontWeight.SemiBold)
+                    val words = stringResource(Res.string.editor_next_mistake)
+                    Text(words, color = colours.focus, fontSize = 15.sp, fontWeight = FontWeight.SemiBold)
                 }
             }
         }

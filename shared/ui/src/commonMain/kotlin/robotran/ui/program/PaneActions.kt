@@ -107,8 +107,8 @@ internal class PaneActions(
     private fun caretLine(): Int = control.draft.lines.lineOf(control.draft.selection.caret) + 1
 
     private fun fixHere() {
-        val note = state().notes.firstOrNull { it.line == caretLine() && it.mistake.file == state().file.name && it.mistake.fix != null } ?: return
-        onEvent(ProgramEvent.FixApplied(note.mistake))
+        val here = state().notes.filter { it.line == caretLine() && it.mistake.file == state().file.name }
+        here.firstOrNull { it.mistake.fix != null }?.let { onEvent(ProgramEvent.FixApplied(it.mistake)) }
     }
 
     private fun resize(size: Float) = onEvent(SettingsEvent.SettingsChanged(settings().copy(codeSize = size.coerceIn(SIZES))))

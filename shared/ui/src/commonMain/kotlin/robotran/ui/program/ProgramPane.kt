@@ -25,6 +25,7 @@ import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
 import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorView
+import robotran.ui.program.editor.KeyRow
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_hint_java
@@ -90,7 +91,9 @@ private fun ShownFile(
     // A file has its own place on the screen and its own keyboard; another of the same name begins afresh.
     val key = listOf(state.shownRobot, state.shownProgram, state.shownFile, state.programs.size, state.program.language)
     val view = remember(key) { EditorView() }
-    val control = remember(key) { EditorControl(state.program.language.code, view) { draft, kind -> event(ProgramEvent.Written(draft, kind)) } }
+    val control = remember(key) {
+        EditorControl(state.program.language.code, view) { draft, kind -> event(ProgramEvent.Written(draft, kind)) }
+    }
     control.help = rememberWordHelp(state.program.language)
     val actions = remember(control) { PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() }) }
     val matches = remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
@@ -138,11 +141,14 @@ private fun ShownFile(
                     codeSize = settings.codeSize,
                     onLine = { javaLine -> lit?.lineMap?.robolangLineOf(javaLine)?.let(actions::goToLine) },
                     onZoom = actions::zoom,
-                    onKeep = lit?.takeIf { state.hasRoom }?.let { { onEvent(ProgramEvent.ProgramAdded(PupilProgram(it.fileName, it.java))) } },
+                    onKeep = lit?.takeIf { state.hasRoom }?.let { java ->
+                        { onEvent(ProgramEvent.ProgramAdded(PupilProgram(java.fileName, java.java))) }
+                    },
                     modifier = part,
                 )
             },
         )
+        if (control.hasFocus && control.isTouched) KeyRow(control)
         if (state.mistakes.isNotEmpty()) {
             MistakeStrip(state.mistakes, state.file.name, mostMistakes, state.mistakePointedOut, actions::goToNextNote, {
                 onEvent(ProgramEvent.FixApplied(it))
@@ -153,7 +159,12 @@ private fun ShownFile(
 
 /** [second] beside [first] where there is room, otherwise below it. */
 @Composable
-private fun BesideOrBelow(both: Boolean, modifier: Modifier, first: @Composable (Modifier) -> Unit, second: @Composable (Modifier) -> Unit) {
+private fun BesideOrBelow(
+    both: Boolean,
+    modifier: Modifier,
+    first: @Composable (Modifier) -> Unit,
+    second: @Composable (Modifier) -> Unit,
+) {
     BoxWithConstraints(modifier) {
         val colour = LocalRobotranColours.current.line
         if (both && maxWidth >= LEAST_FOR_TWO) {

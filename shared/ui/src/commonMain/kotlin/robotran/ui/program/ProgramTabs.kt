@@ -43,7 +43,8 @@ internal fun ProgramTabs(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit,
                 val shown = slot == state.shownProgram
                 val title = if (several) stringResource(Res.string.program_tab, slot, program.name) else program.name
                 Row(Modifier.keptInSight(shown, state.programs.size)) {
-                    FileTab(title, shown, "program-$slot", { onEvent(ProgramEvent.ProgramChosen(slot)) }, onRename.takeIf { shown && state.shownFile == 0 })
+                    val rename = onRename.takeIf { shown && state.shownFile == 0 }
+                    FileTab(title, shown, "program-$slot", { onEvent(ProgramEvent.ProgramChosen(slot)) }, rename)
                     if (several && shown) {
                         val close = stringResource(Res.string.program_close, program.name)
                         RoundButton(Cross, close, "close-program") { onEvent(ProgramEvent.ProgramClosed(slot)) }

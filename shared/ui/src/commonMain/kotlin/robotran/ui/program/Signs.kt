@@ -19,7 +19,8 @@ internal object Signs {
     /** Goes back to the left in a bow. */
     private fun arrow(mirrored: Boolean): Sign {
         val points = listOf(
-            Offset(0.02f, 0.36f), Offset(0.6f, 0.36f), Offset(0.79f, 0.42f), Offset(0.93f, 0.55f), Offset(0.96f, 0.72f), Offset(0.88f, 0.88f),
+            Offset(0.02f, 0.36f), Offset(0.6f, 0.36f), Offset(0.79f, 0.42f),
+            Offset(0.93f, 0.55f), Offset(0.96f, 0.72f), Offset(0.88f, 0.88f),
         )
         val bow = points.zipWithNext()
         val head = listOf(Offset(0.02f, 0.36f) to Offset(0.3f, 0.1f), Offset(0.02f, 0.36f) to Offset(0.3f, 0.62f))

@@ -76,7 +76,11 @@ internal fun TranslationPane(
     val colours = LocalRobotranColours.current
     Column(modifier.background(colours.pane).testTag("translation")) {
         Row(
-            Modifier.fillMaxWidth().heightIn(min = Measures.TARGET).background(colours.desk.copy(alpha = SHADE)).padding(start = 16.dp, end = 8.dp),
+            Modifier
+                .fillMaxWidth()
+                .heightIn(min = Measures.TARGET)
+                .background(colours.desk.copy(alpha = SHADE))
+                .padding(start = 16.dp, end = 8.dp),
             verticalAlignment = Alignment.CenterVertically,
         ) {
             val title = when {
@@ -92,7 +96,8 @@ internal fun TranslationPane(
             }
         }
         Box(Modifier.weight(1f).fillMaxWidth()) {
-            if (translation != null) TranslatedText(translation, if (isNow) lit else emptySet(), codeSize, onLine, onZoom, Modifier.alpha(if (isNow) 1f else OLD))
+            val look = Modifier.alpha(if (isNow) 1f else OLD)
+            if (translation != null) TranslatedText(translation, if (isNow) lit else emptySet(), codeSize, onLine, onZoom, look)
         }
     }
 }
@@ -111,7 +116,7 @@ private fun TranslatedText(
     val layouts = rememberLineLayouts(CodeLanguage.JAVA, codeSize)
     val draft = remember(translation.java) { Draft(translation.java.trimEnd('\n')) }
     val pieces = remember(draft) { CodePieces(draft.lines, CodeLanguage.JAVA) }
-    val paint = remember(draft, lit) { EditorPaint(draft, EditorMarks(partners = lit), hasFocus = false, hasBreakpoints = false) }
+    val paint = remember(draft, lit) { EditorPaint(draft, EditorMarks(partners = lit), hasFocus = false) }
     val line by rememberUpdatedState(onLine)
     val zoom by rememberUpdatedState(onZoom)
     val touch = remember(view) {

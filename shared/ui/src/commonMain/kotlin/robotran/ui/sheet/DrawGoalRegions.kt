@@ -19,28 +19,13 @@ internal class RegionDrawing(val region: GoalRegion, transform: SheetTransform) 
     val path = pathOf(polygon?.let { Shape.Polygon(it.corners) } ?: region.shape, transform)
 
     /** Its edge, without what is no edge to the eye. */
-    val outline: Path = if (polygon == null || polygon.seams.isEmpty()) path else outlineOf(polygon, transform)
+    val outline: Path = polygon?.outline?.let { pieces ->
+        Path().apply { for (piece in pieces) addLine(piece.map(transform::toPixels)) }
+    } ?: path
 
     /** Where its flag is put, with so much room around it. */
     val flag: Rect = roomiestPlace(region.shape).let { (place, room) ->
         Rect(transform.toPixels(place.x, place.y), (room * transform.pixelsPerCentimetre).toFloat())
-    }
-
-    private fun outlineOf(polygon: SeamlessPolygon, transform: SheetTransform) = Path().apply {
-        val corners = polygon.corners.map(transform::toPixels)
-        val first = polygon.seams.first()
-        var isDown = false
-        // From a seam on, so that no piece is begun in its middle.
-        for (edge in corners.indices.map { (first + it) % corners.size }) {
-            val to = corners[(edge + 1) % corners.size]
-            if (edge in polygon.seams) {
-                isDown = false
-            } else {
-                if (!isDown) corners[edge].let { moveTo(it.x, it.y) }
-                lineTo(to.x, to.y)
-                isDown = true
-            }
-        }
     }
 }
 

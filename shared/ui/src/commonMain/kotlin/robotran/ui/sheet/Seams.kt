@@ -10,6 +10,25 @@ import robotran.world.Shape
  * @property seams the numbers of the edges that are lips of a slit; an edge goes from the corner with its number to the next.
  */
 internal class SeamlessPolygon(val corners: List<Point>, val seams: Set<Int>) {
+    /** Its edge in pieces, without the seams; null if it has none. */
+    val outline: List<List<Point>>? = if (seams.isEmpty()) null else pieces()
+
+    /** From a seam on, so that no piece is begun in its middle. */
+    private fun pieces(): List<List<Point>> = buildList {
+        var piece = mutableListOf<Point>()
+        for (edge in corners.indices.map { (seams.first() + it) % corners.size }) {
+            if (edge in seams) {
+                piece = mutableListOf()
+            } else {
+                if (piece.isEmpty()) {
+                    piece += corners[edge]
+                    add(piece)
+                }
+                piece += corners[(edge + 1) % corners.size]
+            }
+        }
+    }
+
     companion object {
         fun of(shape: Shape.Polygon): SeamlessPolygon {
             val corners = shape.corners

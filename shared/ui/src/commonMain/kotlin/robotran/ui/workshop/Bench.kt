@@ -33,6 +33,17 @@ interface Bench {
     /** Puts [project] on the desk in place of all that is there; programs and run begin afresh. */
     fun openProject(project: Project)
 
+    /**
+     * Puts [project] on the desk as a work of its own, if nothing is lost by it; what was open is kept.
+     *
+     * @param into the id of the kept work whose place it takes; if there is none, a new one called [name] begins.
+     * @param onBegun is told the ids of the work that was left, null if nothing was changed in it, and of the one begun.
+     */
+    fun beginWork(name: String, project: Project, into: String?, onBegun: (left: String?, begun: String?) -> Unit)
+
+    /** Puts the kept work [id] on the desk, if nothing is lost by it, or a new empty one if that is gone or null; then does [next]. */
+    fun takeUpWork(id: String?, next: () -> Unit = {})
+
     /** Puts the same robots and programs into [world]; the run begins afresh. */
     fun changeWorld(world: World)
 

@@ -8,7 +8,9 @@ import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import robotran.documents.Keeping
 import robotran.documents.KeepingTimes
+import robotran.documents.KeptWork
 import robotran.documents.StoreResult
+import robotran.documents.WorkClaim
 import robotran.documents.WorkReading
 import robotran.documents.workName
 import robotran.projects.Project
@@ -139,6 +141,47 @@ class DocumentHolder(private val bench: Bench) {
             is Arrival.OfLink -> files.openLink(arrival.link)
             is Arrival.Unreadable -> bench.say(Notice(null, plain = arrival.sentence, bad = true))
         }
+    }
+
+    /** See [Bench.beginWork]. */
+    fun beginWork(name: String, project: Project, into: String?, onBegun: (left: String?, begun: String?) -> Unit) = launch {
+        val taken = into?.let { claimKept(it) }
+        replaceWork {
+            val left = keeper.openId
+            if (taken != null) {
+                bench.openProject(taken.first.project)
+                keeper.tookUp(taken.first, taken.second)
+                bench.openProject(project)
+            } else {
+                bench.openProject(project)
+                keeper.opened(name, null)
+            }
+            show(null)
+            keepNow()
+            onBegun(left, keeper.openId)
+        }
+    }
+
+    /** See [Bench.takeUpWork]. */
+    fun takeUpWork(id: String?, next: () -> Unit) = launch {
+        val taken = id?.let { claimKept(it) }
+        replaceWork {
+            if (taken == null) {
+                begin()
+            } else {
+                bench.openProject(taken.first.project)
+                keeper.tookUp(taken.first, taken.second)
+                show(null)
+            }
+            next()
+        }
+    }
+
+    private suspend fun claimKept(id: String): Pair<KeptWork, WorkClaim>? {
+        val claim = keeper.shelf.claim(id) ?: return null
+        val found = keeper.shelf.read(id) as? WorkReading.Found
+        if (found == null) claim.release()
+        return found?.let { it.work to claim }
     }
 
     /** Does [next], which puts another work in place of the open one, if nothing is lost by it or the pupil does not mind. */

@@ -3,6 +3,7 @@ package robotran.ui.workshop
 import robotran.rom.RomLogFilter
 import robotran.running.ChartLane
 import robotran.running.FilteredRomCalls
+import robotran.running.Motion
 import robotran.running.RunPlayer
 import robotran.running.VariableWatch
 
@@ -38,7 +39,8 @@ internal class DrawerFilling {
 
     /** [drawer] with what there is to see of [player] now. */
     fun fill(drawer: DrawerState, player: RunPlayer): DrawerState = when (drawer.tab) {
-        DrawerTab.VARIABLES -> drawer.copy(variables = lookAtVariables(player))
+        // On the way to another time the program is somewhere that nobody wants to see.
+        DrawerTab.VARIABLES -> if (player.motion is Motion.Seeking) drawer else drawer.copy(variables = lookAtVariables(player))
         DrawerTab.LOG -> drawer.copy(log = lookAtLog(player))
         DrawerTab.CHART -> drawer.copy(chart = drawer.chart.copy(lines = ChartLane.entries.map(player::chart)))
         DrawerTab.WHY -> drawer.copy(why = WhyState(player.session.explain(), player.state.robots[player.watched].remarks))

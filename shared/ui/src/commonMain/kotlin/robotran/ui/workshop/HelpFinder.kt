@@ -1,6 +1,5 @@
 package robotran.ui.workshop
 
-import robotran.language.Language
 import robotran.learning.WordHelp
 import robotran.learning.helpOn
 import robotran.learning.javaToTry
@@ -11,19 +10,19 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.learning_help_no_room
 
 /** Finds the help on words, and lets their examples be tried. */
-internal class HelpFinder(private val bench: Bench, private val language: () -> Language) {
-    /** What the programs on the desk are written in, going by the first. */
-    fun shownCode(): ProgramLanguage = pupilProgramsOf(bench.project).firstOrNull()?.language ?: ProgramLanguage.ROBOLANG
+internal class HelpFinder(private val bench: Bench) {
+    /** What the program that is shown is written in. */
+    val shownCode: ProgramLanguage get() = bench.shownProgram.language
 
     /** The help on the word at [offset] of the program [text]. */
     fun at(text: String, offset: Int): HelpState {
         val code = if (JAVA_CLASS.containsMatchIn(text)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
-        return HelpState(code, wordAt(text, offset), helpOn(language(), code.asCode(), text, offset))
+        return HelpState(code, wordAt(text, offset), helpOn(bench.language, code.asCode(), text, offset))
     }
 
     /** The help on [word]; the list of all words without one. */
     fun on(code: ProgramLanguage, word: String?): HelpState =
-        HelpState(code, word, word?.let { WordHelp.of(language(), code.asCode(), it) })
+        HelpState(code, word, word?.let { WordHelp.of(bench.language, code.asCode(), it) })
 
     /** Puts the example of [help] into a tab and runs nothing; false if there is no example, or no room for it, which is then said. */
     fun tryExample(help: HelpState): Boolean {
@@ -32,7 +31,7 @@ internal class HelpFinder(private val bench: Bench, private val language: () -> 
             ProgramLanguage.ROBOLANG -> PupilProgram("try.robo", example)
             ProgramLanguage.JAVA -> PupilProgram("Try.java", javaToTry(example))
         }
-        val programs = pupilProgramsOf(bench.project)
+        val programs = bench.project.pupilPrograms
         if (programs.size >= Brick.MOST_PROGRAMS && programs.none { it.name == program.name }) {
             bench.say(Notice(Res.string.learning_help_no_room))
             return false

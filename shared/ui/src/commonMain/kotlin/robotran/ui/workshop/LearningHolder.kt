@@ -4,10 +4,8 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.launch
-import robotran.language.Language
 import robotran.learning.GalleryWorld
 import robotran.learning.WorldGallery
-import robotran.ui.language.spokenLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_world_done
 import robotran.world.GoalProgress
@@ -18,8 +16,8 @@ import robotran.world.SessionState
 class LearningHolder(private val bench: Bench) {
     private var progress = LearningProgress()
     private var goalsSeen: List<GoalProgress> = emptyList()
-    private val tutorial = TutorialDesk(bench, ::language, { progress }, ::keep)
-    private val help = HelpFinder(bench, ::language)
+    private val tutorial = TutorialDesk(bench, { progress }, ::keep)
+    private val help = HelpFinder(bench)
 
     var state: LearningState by mutableStateOf(LearningState())
         private set
@@ -74,7 +72,7 @@ class LearningHolder(private val bench: Bench) {
     /** What is on the desk may have changed. */
     fun refresh() {
         val shown = state.tutorial?.let { it.copy(isOnDesk = tutorial.stepOnDesk() === it.current) }
-        val now = state.copy(language = language(), tutorial = shown, stepsDone = progress.stepsDone, worldsDone = progress.worldsDone)
+        val now = state.copy(language = bench.language, tutorial = shown, stepsDone = progress.stepsDone, worldsDone = progress.worldsDone)
         if (now != state) state = now
     }
 
@@ -82,7 +80,7 @@ class LearningHolder(private val bench: Bench) {
         if (page == LearningPage.TUTORIAL) {
             showTutorial()
         } else {
-            if (page == LearningPage.HELP) state = state.copy(help = HelpState(help.shownCode()))
+            if (page == LearningPage.HELP) state = state.copy(help = HelpState(help.shownCode))
             state = state.copy(page = page, asked = "")
         }
     }
@@ -119,24 +117,27 @@ class LearningHolder(private val bench: Bench) {
         keep(progress.copy(folded = folded))
     }
 
-    private fun leaveTutorial() {
-        tutorial.leaveDesk()
+    /** The tutorial goes away; once what was there before is back, [next] happens. */
+    private fun leaveTutorial(next: () -> Unit = {}) {
+        tutorial.leaveDesk(keepsProgram = state.tutorial?.solutionShown != true, next)
         state = state.copy(tutorial = null)
         keep(progress.copy(tutorialShown = false))
     }
 
     private fun chooseWorld(name: String) {
         val found = WorldGallery.named(name) ?: return
-        if (tutorial.stepOnDesk() != null) leaveTutorial()
+        val open = {
+            bench.changeWorld(found.world(bench.language))
+            bench.show(Pane.WORLD)
+        }
         leavePage()
-        bench.changeWorld(found.world(language()))
-        bench.show(Pane.WORLD)
+        if (tutorial.stepOnDesk() == null) open() else leaveTutorial(open)
     }
 
     private fun worldDone(world: GalleryWorld) {
         if (world.name in progress.worldsDone) return
         keep(progress.copy(worldsDone = progress.worldsDone + world.name))
-        bench.say(Notice(Res.string.learning_world_done, listOf(world.world(language()).title)))
+        bench.say(Notice(Res.string.learning_world_done, listOf(world.world(bench.language).title)))
     }
 
     private fun showHelp(found: HelpState) {
@@ -148,13 +149,11 @@ class LearningHolder(private val bench: Bench) {
         progress = now
         bench.scope.launch { now.keepIn(bench.platform.store) }
     }
-
-    private fun language(): Language = Language.of(spokenLanguage(bench.settings.language).tag) ?: Language.ENGLISH
 }
 
 /** The square in a tab of its own, unless it is there as it came. */
 private fun putSquare(bench: Bench) {
     val square = firstProgram()
-    val place = pupilProgramsOf(bench.project).indexOf(square)
+    val place = bench.project.pupilPrograms.indexOf(square)
     if (place >= 0) bench.perform(ProgramEvent.ProgramChosen(place)) else bench.addProgram(square, replacing = true)
 }

@@ -12,7 +12,8 @@ import robotran.ui.platform.WorkStore
  * @property tutorialShown whether the tutorial stands beside the program.
  * @property step the name of the step that was shown last.
  * @property programs the pupil's own versions of the steps' programs, by the names of the steps.
- * @property ownWork the project that was on the desk before the tutorial, as a file; null if there was none.
+ * @property ownWork the id of the kept work that was on the desk before the tutorial; null if that was never kept, since nothing was changed in it.
+ * @property tutorialWork the id of the kept work that the tutorial is.
  */
 @Serializable
 internal data class LearningProgress(
@@ -24,6 +25,7 @@ internal data class LearningProgress(
     val worldsDone: Set<String> = emptySet(),
     val programs: Map<String, String> = emptyMap(),
     val ownWork: String? = null,
+    val tutorialWork: String? = null,
 ) {
     suspend fun keepIn(store: WorkStore) {
         store.write(NAME, JSON.encodeToString(serializer(), this))

@@ -53,7 +53,8 @@ internal class ProgramEditing(
         if (place >= 0) robot.shownFile = place
         mistake?.range?.let { range ->
             val draft = robot.memory.draft
-            if (range.line <= draft.lines.count) write(robot, draft.withCaret(draft.lines.offset(range.line - 1, range.column - 1)), EditKind.OTHER)
+            if (range.line > draft.lines.count) return@let
+            write(robot, draft.withCaret(draft.lines.offset(range.line - 1, range.column - 1)), EditKind.OTHER)
         }
         mistakePointedOut = true
         bringToFront()
@@ -109,13 +110,15 @@ internal class ProgramEditing(
         val entry = robot.entry
         if (entry.program.language != ProgramLanguage.JAVA) return
         val file = newClass(entry.program)
-        robot.shelf.change(robot.shownProgram, entry.withFiles(entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(Draft(file.text)))))
+        val files = entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(Draft(file.text)))
+        robot.shelf.change(robot.shownProgram, entry.withFiles(files))
         robot.shownFile = robot.entry.memories.lastIndex
     }
 
     private fun rename(robot: RobotPrograms, event: ProgramEvent.FileRenamed) {
         val entry = robot.entry
-        if (event.place !in entry.memories.indices || nameProblem(robot.shelf.programs, robot.shownProgram, event.place, event.name) != null) return
+        if (event.place !in entry.memories.indices) return
+        if (nameProblem(robot.shelf.programs, robot.shownProgram, event.place, event.name) != null) return
         robot.shelf.change(robot.shownProgram, entry.withFileRenamed(event.place, fileNameFor(event.name, entry.program.language)))
     }
 

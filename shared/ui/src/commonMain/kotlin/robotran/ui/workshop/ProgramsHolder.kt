@@ -28,7 +28,8 @@ class ProgramsHolder(
     private var shownRobot = robots.first().place.name
     private var translationShown = false
     private val shown: RobotPrograms get() = robots.firstOrNull { it.place.name == shownRobot } ?: robots.first()
-    private val readingLoop = ReadingLoop({ robots.any { it.shelf.hasUnread } }, { robots.forEach { it.shelf.readUnread() } }, ::showReading)
+    private val readingLoop =
+        ReadingLoop({ robots.any { it.shelf.hasUnread } }, { robots.forEach { it.shelf.readUnread() } }, ::showReading)
     private val editing = ProgramEditing({ shown }) { bench.show(Pane.PROGRAM) }
     private var reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
 
@@ -168,7 +169,7 @@ class ProgramsHolder(
             reading = reading,
             mistakePointedOut = editing.mistakePointedOut,
             translationShown = translationShown,
-            translation = if (translationShown) entry.translationToShow() else null,
+            translation = if (translationShown) entry.translation else null,
             isTranslated = entry.isTranslated,
         )
     }

@@ -1,6 +1,7 @@
 package robotran.ui.workshop
 
 import robotran.programs.SourceFile
+import robotran.projects.Project
 import robotran.projects.ProjectProgram
 
 /** The program as a project keeps it. */
@@ -13,3 +14,7 @@ internal fun PupilProgram.asProject(): ProjectProgram {
 }
 
 internal fun ProjectProgram.asPupil(): PupilProgram = PupilProgram(files.map { ProgramFile(it.name, it.text) })
+
+/** The programs that the first robot has been given. */
+internal val Project.pupilPrograms: List<PupilProgram>
+    get() = robots.firstOrNull { it.name == world.robots.first().name }?.programs.orEmpty().map { it.asPupil() }

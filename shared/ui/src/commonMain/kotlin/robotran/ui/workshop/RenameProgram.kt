@@ -8,7 +8,8 @@ import robotran.editing.code.renamedInJava
 enum class NameProblem { EMPTY, TAKEN, NO_CLASS_NAME, STRANGE_CHARACTER }
 
 /** The file name that [typed], with or without its ending, stands for in [language]. */
-internal fun fileNameFor(typed: String, language: ProgramLanguage): String = typed.trim().removeSuffix(language.extension) + language.extension
+internal fun fileNameFor(typed: String, language: ProgramLanguage): String =
+    typed.trim().removeSuffix(language.extension) + language.extension
 
 /**
  * What is wrong with calling the file [place] of a program [typed]; null if nothing is.
@@ -20,7 +21,8 @@ internal fun nameProblem(programs: List<PupilProgram>, slot: Int, place: Int, ty
     val program = programs[slot]
     val name = fileNameFor(typed, program.language)
     val bare = name.removeSuffix(program.language.extension)
-    val others = programs.filterIndexed { index, _ -> index != slot }.map { it.name } + program.files.filterIndexed { index, _ -> index != place }.map { it.name }
+    val others = programs.filterIndexed { index, _ -> index != slot }.map { it.name } +
+        program.files.filterIndexed { index, _ -> index != place }.map { it.name }
     return when {
         bare.isBlank() -> NameProblem.EMPTY
         name in others -> NameProblem.TAKEN

@@ -21,49 +21,43 @@ internal class ShelfEntry private constructor(
     val result: ProgramResult?,
     val notes: List<ProgramNote>,
     private val earlierTranslation: Translation?,
+    knownTranslation: Lazy<Translation?>? = null,
 ) {
     constructor(program: PupilProgram) : this(program, program.files.map { ProgramFileMemory(Draft(it.text)) }, null, emptyList(), null)
 
+    /** Nobody waits for a translation that nobody looks at. */
+    private val lazyTranslation: Lazy<Translation?> =
+        knownTranslation ?: lazy(LazyThreadSafetyMode.NONE) { robolang?.let(::translateRobolang) ?: earlierTranslation }
+
     val mistakes: List<Mistake> get() = (result as? ProgramResult.Mistaken)?.mistakes.orEmpty()
 
-    /** As Java, if it is in Robolang; while it has mistakes, as it was before them. */
-    val translation: Translation? by lazy(LazyThreadSafetyMode.NONE) {
-        robolang?.let(::translateRobolang) ?: earlierTranslation
-    }
+    /** As Java, if it is in Robolang; while it has mistakes, as it was before them, if somebody looked at it then. */
+    val translation: Translation? get() = lazyTranslation.value
 
     /** Whether [translation] is that of the program as it is now. */
     val isTranslated: Boolean get() = robolang != null
 
     private val robolang: RobolangProgram? get() = (result as? ProgramResult.Ready)?.program as? RobolangProgram
+    private val lastTranslation: Translation? get() = if (lazyTranslation.isInitialized()) translation else earlierTranslation
 
     /** The same program once [result] came of reading it. */
     fun read(result: ProgramResult): ShelfEntry = ShelfEntry(program, memories, result, notesOf(result), earlierTranslation)
 
-    /** The same program as if nobody had read it yet. */
-    fun unread(): ShelfEntry = ShelfEntry(program, memories, null, notes, knownTranslation)
+    /** The same program, as if nobody had read it. */
+    fun unread(): ShelfEntry = ShelfEntry(program, memories, null, notes, lastTranslation)
 
     /** This program with [memory] for the file at [place]. */
     fun with(place: Int, memory: ProgramFileMemory): ShelfEntry {
         val before = memories[place]
         val remembered = memories.mapIndexed { index, old -> if (index == place) memory else old }
-        val edit = editBetween(before.draft, memory.draft) ?: return ShelfEntry(program, remembered, result, notes, earlierTranslation)
+        val edit = editBetween(before.draft, memory.draft)
+            ?: return ShelfEntry(program, remembered, result, notes, earlierTranslation, lazyTranslation)
         val file = program.files[place].name
         val moved = notes.mapNotNull { it.movedWith(edit, file, before.draft.lines) }
-        return ShelfEntry(program.withText(place, memory.draft.text), remembered, null, moved, knownTranslation)
+        return ShelfEntry(program.withText(place, memory.draft.text), remembered, null, moved, lastTranslation)
     }
 
     /** This program with other [files], each with what is remembered of it. */
     fun withFiles(files: List<Pair<ProgramFile, ProgramFileMemory>>): ShelfEntry =
-        ShelfEntry(PupilProgram(files.map { it.first }), files.map { it.second }, null, notes, knownTranslation)
-
-    /** Only what was asked for: nobody waits for a translation that nobody looks at. */
-    private var askedTranslation = false
-
-    /** [translation], for somebody who looks at it. */
-    fun translationToShow(): Translation? {
-        askedTranslation = true
-        return translation
-    }
-
-    private val knownTranslation: Translation? get() = if (askedTranslation) translation else earlierTranslation
+        ShelfEntry(PupilProgram(files.map { it.first }), files.map { it.second }, null, notes, lastTranslation)
 }

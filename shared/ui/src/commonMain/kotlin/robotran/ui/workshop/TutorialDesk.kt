@@ -1,24 +1,17 @@
 package robotran.ui.workshop
 
-import robotran.language.Language
 import robotran.learning.Tutorial
 import robotran.learning.TutorialStep
 import robotran.programs.SourceFile
-import robotran.projects.Project
-import robotran.projects.ProjectFileResult
-import robotran.projects.readProject
-import robotran.projects.writeProject
-import robotran.world.BuiltInWorlds
 
 /**
- * Puts the tutorial's steps on the desk, each as a project of its own, and what was there before back again. What a pupil has written in a step is
- * kept and comes back with it.
+ * Puts the tutorial's steps on the desk, in a work of its own, and what was there before back again. What a pupil has written in a step is kept and
+ * comes back with it.
  *
  * @param keep keeps what has become of the progress.
  */
 internal class TutorialDesk(
     private val bench: Bench,
-    private val language: () -> Language,
     private val progress: () -> LearningProgress,
     private val keep: (LearningProgress) -> Unit,
 ) {
@@ -32,61 +25,65 @@ internal class TutorialDesk(
     fun choose(tutorial: TutorialState, place: Int): TutorialState {
         if (place !in Tutorial.steps.indices) return tutorial
         val chosen = TutorialState(place, isFolded = tutorial.isFolded)
+        if (stepOnDesk() != null) {
+            if (!tutorial.solutionShown) keepProgram()
+            open(chosen.current, own(chosen.current))
+        }
         keep(progress().copy(step = chosen.current.name))
-        return if (stepOnDesk() == null) chosen else putOnDesk(chosen, keepsSolution = tutorial.solutionShown)
+        return chosen
     }
 
     /** Puts the shown step's program and world on the desk, as the pupil has left them. */
-    fun putOnDesk(tutorial: TutorialState): TutorialState = putOnDesk(tutorial, keepsSolution = false)
+    fun putOnDesk(tutorial: TutorialState): TutorialState {
+        bring(tutorial.current, own(tutorial.current))
+        bench.show(Pane.PROGRAM)
+        return tutorial.copy(solutionShown = false)
+    }
 
     /** Puts the shown step on the desk as it was given. */
     fun beginAgain(tutorial: TutorialState): TutorialState {
         keep(progress().copy(programs = progress().programs - tutorial.current.name))
-        open(tutorial.current, tutorial.current.program)
+        bring(tutorial.current, tutorial.current.program)
         return tutorial.copy(solutionShown = false)
     }
 
     /** Puts the shown step's solution on the desk, or the pupil's program again. */
     fun showSolution(tutorial: TutorialState, shown: Boolean): TutorialState {
         if (shown == tutorial.solutionShown) return tutorial
-        if (shown) leaveOrKeep(solutionShown = false)
-        open(tutorial.current, if (shown) tutorial.current.solution else own(tutorial.current))
+        if (shown) keepProgram()
+        bring(tutorial.current, if (shown) tutorial.current.solution else own(tutorial.current))
         return tutorial.copy(solutionShown = shown)
     }
 
-    /** Brings back what was on the desk before the tutorial, if that is there now. */
-    fun leaveDesk() {
-        if (stepOnDesk() == null) return
-        keepProgram()
-        val before = progress().ownWork?.let { readProject(it) as? ProjectFileResult.Loaded }?.project
-        keep(progress().copy(ownWork = null))
-        bench.openProject(before ?: Project(BuiltInWorlds.plain))
+    /**
+     * Brings back what was on the desk before the tutorial, if that is there now.
+     *
+     * @param keepsProgram whether the program on the desk is the pupil's own.
+     */
+    fun leaveDesk(keepsProgram: Boolean, next: () -> Unit) {
+        if (stepOnDesk() == null) return next()
+        if (keepsProgram) keepProgram()
+        bench.takeUpWork(progress().ownWork, next)
     }
 
-    private fun putOnDesk(tutorial: TutorialState, keepsSolution: Boolean): TutorialState {
-        leaveOrKeep(keepsSolution)
-        open(tutorial.current, own(tutorial.current))
-        bench.show(Pane.PROGRAM)
-        return tutorial.copy(solutionShown = false)
-    }
-
-    private fun leaveOrKeep(solutionShown: Boolean) {
-        when {
-            stepOnDesk() == null -> keep(progress().copy(ownWork = writeProject(bench.project)))
-            !solutionShown -> keepProgram()
+    /** Puts [file] and the world of [step] on the desk; what is the pupil's own goes aside first. */
+    private fun bring(step: TutorialStep, file: SourceFile) {
+        if (stepOnDesk() != null) return open(step, file)
+        bench.beginWork(Tutorial.name(bench.language), step.project(bench.language, listOf(file)), progress().tutorialWork) { left, begun ->
+            keep(progress().copy(ownWork = left, tutorialWork = begun))
         }
     }
+
+    private fun open(step: TutorialStep, file: SourceFile) = bench.openProject(step.project(bench.language, listOf(file)))
 
     /** Keeps what the pupil has made of the program of the step on the desk. */
     private fun keepProgram() {
         val step = stepOnDesk() ?: return
-        val program = pupilProgramsOf(bench.project).firstOrNull { it.name == step.program.name } ?: return
+        val program = bench.project.pupilPrograms.firstOrNull { it.name == step.program.name } ?: return
         val text = program.files.first().text
-        val kept = if (text == step.program.text || text == step.solution.text) progress().programs - step.name else progress().programs + (step.name to text)
-        keep(progress().copy(programs = kept))
+        val others = progress().programs - step.name
+        keep(progress().copy(programs = if (text == step.program.text) others else others + (step.name to text)))
     }
 
     private fun own(step: TutorialStep) = progress().programs[step.name]?.let { SourceFile(step.program.name, it) } ?: step.program
-
-    private fun open(step: TutorialStep, file: SourceFile) = bench.openProject(step.project(language(), listOf(file)))
 }

@@ -132,6 +132,11 @@ class Workshop(
         sheet.worldChanged()
     }
 
+    override fun beginWork(name: String, project: Project, into: String?, onBegun: (left: String?, begun: String?) -> Unit) =
+        document.beginWork(name, project, into, onBegun)
+
+    override fun takeUpWork(id: String?, next: () -> Unit) = document.takeUpWork(id, next)
+
     override fun changeWorld(world: World) {
         opened = opened.copy(world = world)
         programs.worldChanged(world)
@@ -172,8 +177,10 @@ class Workshop(
     }
 
     private fun handleProgram(event: ProgramEvent) {
+        val before = programs.written
         programs.handle(event)
-        run.programsChanged()
+        // Whoever only looks around, or moves the caret, does not disturb a run.
+        if (programs.written != before || event is ProgramEvent.BreakpointToggled) run.programsChanged()
     }
 
     private fun handleSettings(event: SettingsEvent) {

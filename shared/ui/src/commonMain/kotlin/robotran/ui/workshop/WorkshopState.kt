@@ -5,6 +5,7 @@ import robotran.programs.Mistake
 import robotran.rom.BrickButton
 import robotran.rom.ProgramRemark
 import robotran.rom.RunState
+import robotran.world.RobotSnapshot
 import robotran.world.SessionState
 import robotran.world.World
 
@@ -51,15 +52,18 @@ data class WorkshopState(
     val soundOn: Boolean get() = settings.soundOn
 
     /** Whether the program shown is the one that runs or ran last, as it is written now. */
-    private val isShownInRun: Boolean get() = !changed && session.brick.selectedSlot == programs.shownProgram
+    private val isShownInRun: Boolean get() = !changed && shownRobot?.brick?.selectedSlot == programs.shownProgram
+
+    /** The robot whose programs are shown, as it is in the session. */
+    private val shownRobot: RobotSnapshot? get() = session.robots.getOrNull(programs.robots.indexOfFirst { it.name == programs.shownRobot })
 
     /** What there is to learn from the last run of the program shown, the first thing first; empty once it has been changed. */
-    val remarks: List<ProgramRemark> get() = if (isShownInRun) session.remarks else emptyList()
+    val remarks: List<ProgramRemark> get() = shownRobot?.remarks?.takeIf { isShownInRun }.orEmpty()
 
     /** The line of the text shown that is running, 0 if none is. */
     val runningLine: Int
         get() {
-            val now = session.brick.run as? RunState.Running ?: return 0
+            val now = shownRobot?.brick?.run as? RunState.Running ?: return 0
             return if (run.lineIsLit && isShownInRun && (now.sourceFile ?: file.name) == file.name) now.sourceLine else 0
         }
 

@@ -5,10 +5,15 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.absoluteOffset
 import androidx.compose.foundation.layout.size
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.State
 import androidx.compose.runtime.key
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.onFocusChanged
+import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.onKeyEvent
@@ -36,82 +41,126 @@ import robotran.ui.sheet.SheetThingKind
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.world.Pose
 import robotran.world.SessionInput
 import robotran.world.SessionState
 import robotran.world.World
 
-/** Places over the sheet where everything that can be moved has the keyboard's focus, and is told to who cannot see it. */
+/**
+ * Places over the sheet where everything that can be moved has the keyboard's focus, and is told to who cannot see it.
+ *
+ * @param told the session as it is told, see [rememberTold].
+ */
 @Composable
 internal fun ThingHandles(
     world: World,
     session: SessionState,
+    told: SessionState,
     view: SheetTransform,
     onInput: (SessionInput) -> Unit,
     onChosen: (SheetThing) -> Unit,
 ) {
+    val now = rememberUpdatedState(session)
+    val words = movementWords()
     for (thing in movableThings(world)) {
         val pose = poseOf(thing, world, session) ?: continue
-        key(thing) { ThingHandle(thing, pose, describeThing(thing, pose, world, session), world, session, view, onInput, onChosen) }
+        val toldPose = poseOf(thing, world, told) ?: continue
+        key(world, thing) {
+            val mover = remember { ThingMover(thing, world, now, onInput) }
+            val size = view.toPixels(reachOf(thing, world)) * 2
+            ThingHandle(mover, view.toPixels(pose.x, pose.y), size, describeThing(thing, toldPose, world, told), words, onChosen)
+        }
     }
 }
 
 @Composable
 private fun ThingHandle(
-    thing: SheetThing,
-    pose: Pose,
+    mover: ThingMover,
+    middle: Offset,
+    pixels: Float,
     description: String,
-    world: World,
-    session: SessionState,
-    view: SheetTransform,
-    onInput: (SessionInput) -> Unit,
+    words: MovementWords,
     onChosen: (SheetThing) -> Unit,
 ) {
-    val place = view.toPixels(pose.x, pose.y)
-    val size = with(LocalDensity.current) { max(Measures.TARGET, (view.toPixels(reachOf(thing, world)) * 2).toDp()) }
-    val actions = actionsFor(thing, pose, onInput)
-    val switch = SessionInput.SwitchLamp(thing.number, session.lamps.getOrNull(thing.number)?.on == false)
-        .takeIf { thing.kind == SheetThingKind.LAMP }
-    val switchWords = stringResource(Res.string.sheet_lamp_switch)
+    val size = with(LocalDensity.current) { max(Measures.TARGET, pixels.toDp()) }
+    val thing = mover.thing
+    val actions = remember(words) { mover.actions(words) }
     Box(
         Modifier
-            .absoluteOffset { IntOffset((place.x - size.toPx() / 2).toInt(), (place.y - size.toPx() / 2).toInt()) }
+            .absoluteOffset { IntOffset((middle.x - size.toPx() / 2).toInt(), (middle.y - size.toPx() / 2).toInt()) }
             .size(size)
             .testTag("thing-${thing.kind.name.lowercase()}-${thing.number}")
             .onFocusChanged { if (it.isFocused) onChosen(thing) }
             .focusRing(size / 2)
-            .onKeyEvent { event ->
-                val isPress = event.key == Key.Enter || event.key == Key.NumPadEnter || event.key == Key.Spacebar
-                val input = if (isPress && event.type == KeyEventType.KeyDown) switch else inputOf(event, thing, pose)
-                input?.let(onInput)
-                input != null
-            }
+            .onKeyEvent(mover::key)
             .focusable()
             .semantics {
                 contentDescription = description
                 customActions = actions
-                if (switch != null) {
-                    onClick(switchWords) {
-                        onInput(switch)
-                        true
-                    }
-                }
+                if (thing.kind == SheetThingKind.LAMP) onClick(words.switch, mover::switch)
             },
     )
 }
 
-@Composable
-private fun actionsFor(thing: SheetThing, pose: Pose, onInput: (SessionInput) -> Unit): List<CustomAccessibilityAction> {
-    fun action(words: String, input: SessionInput) = CustomAccessibilityAction(words) {
+/** Does to [thing] what keys and screen readers ask for. */
+private class ThingMover(val thing: SheetThing, private val world: World, private val now: State<SessionState>, private val onInput: (SessionInput) -> Unit) {
+    fun key(event: KeyEvent): Boolean {
+        val isPress = event.type == KeyEventType.KeyDown && event.key in PRESSES
+        if (isPress && thing.kind == SheetThingKind.LAMP) return switch()
+        val pose = poseOf(thing, world, now.value) ?: return false
+        val input = inputOf(event, thing, pose) ?: return false
         onInput(input)
-        true
+        return true
     }
-    return listOfNotNull(
-        action(stringResource(Res.string.sheet_move_left), moved(thing, pose, -STEP, 0.0)),
-        action(stringResource(Res.string.sheet_move_right), moved(thing, pose, STEP, 0.0)),
-        action(stringResource(Res.string.sheet_move_up), moved(thing, pose, 0.0, STEP)),
-        action(stringResource(Res.string.sheet_move_down), moved(thing, pose, 0.0, -STEP)),
-        turned(thing, pose, TURN)?.let { action(stringResource(Res.string.sheet_turn_left), it) },
-        turned(thing, pose, -TURN)?.let { action(stringResource(Res.string.sheet_turn_right), it) },
-    )
+
+    fun switch(): Boolean {
+        val lamp = now.value.lamps.getOrNull(thing.number) ?: return false
+        onInput(SessionInput.SwitchLamp(thing.number, !lamp.on))
+        return true
+    }
+
+    fun actions(words: MovementWords): List<CustomAccessibilityAction> = listOf(
+        CustomAccessibilityAction(words.left) { move(-STEP, 0.0) },
+        CustomAccessibilityAction(words.right) { move(STEP, 0.0) },
+        CustomAccessibilityAction(words.up) { move(0.0, STEP) },
+        CustomAccessibilityAction(words.down) { move(0.0, -STEP) },
+    ) + if (thing.kind == SheetThingKind.LAMP) {
+        emptyList()
+    } else {
+        listOf(CustomAccessibilityAction(words.turnLeft) { turn(TURN) }, CustomAccessibilityAction(words.turnRight) { turn(-TURN) })
+    }
+
+    private fun move(x: Double, y: Double): Boolean {
+        onInput(moved(thing, poseOf(thing, world, now.value) ?: return false, x, y))
+        return true
+    }
+
+    private fun turn(degrees: Double): Boolean {
+        onInput(turned(thing, poseOf(thing, world, now.value) ?: return false, degrees) ?: return false)
+        return true
+    }
+
+    private companion object {
+        val PRESSES = setOf(Key.Enter, Key.NumPadEnter, Key.Spacebar)
+    }
 }
+
+private data class MovementWords(
+    val left: String,
+    val right: String,
+    val up: String,
+    val down: String,
+    val turnLeft: String,
+    val turnRight: String,
+    val switch: String,
+)
+
+@Composable
+private fun movementWords() = MovementWords(
+    left = stringResource(Res.string.sheet_move_left),
+    right = stringResource(Res.string.sheet_move_right),
+    up = stringResource(Res.string.sheet_move_up),
+    down = stringResource(Res.string.sheet_move_down),
+    turnLeft = stringResource(Res.string.sheet_turn_left),
+    turnRight = stringResource(Res.string.sheet_turn_right),
+    switch = stringResource(Res.string.sheet_lamp_switch),
+)

@@ -72,14 +72,15 @@ private fun TouchableSheet(
     val choose = rememberUpdatedState { thing: SheetThing? -> onEvent(SheetEvent.ThingChosen(thing)) }
     val hand = remember(world) { HandTouch(world, { now.value }, { choose.value(it) }, inputs) }
     val ring = LocalRobotranColours.current.focus
-    val description = describeWorld(world, session)
+    val told = rememberTold(session)
+    val description = describeWorld(world, told)
     SheetCanvas(
         world, session, cameraNow(view, session), { camera, pushed -> onEvent(SheetEvent.CameraMoved(camera, pushed)) },
         Modifier.fillMaxSize().testTag("world").focusRing(0.dp).focusable().semantics { contentDescription = description },
         view.shown, aside, hand,
         overlay = { sheet -> view.chosen?.let { drawChosen(it, world, session, sheet, ring) } },
     ) { sheet ->
-        ThingHandles(world, session, sheet, inputs::sendNow, { onEvent(SheetEvent.ThingChosen(it)) })
+        ThingHandles(world, session, told, sheet, inputs::sendNow, { onEvent(SheetEvent.ThingChosen(it)) })
     }
 }
 

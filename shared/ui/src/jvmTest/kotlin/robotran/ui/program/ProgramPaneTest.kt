@@ -67,8 +67,11 @@ class ProgramPaneTest {
         pass(300)
     }
 
-    private fun ComposeUiTest.keys(vararg keys: Key, with: Key? = null) {
-        onRoot().performKeyInput { if (with == null) keys.forEach { pressKey(it) } else withKeyDown(with) { keys.forEach { pressKey(it) } } }
+    private fun ComposeUiTest.keys(keys: List<Key>, with: Key? = null) {
+        onRoot().performKeyInput {
+            val press = { keys.forEach { pressKey(it) } }
+            if (with == null) press() else withKeyDown(with) { press() }
+        }
         pass(100)
     }
 
@@ -98,9 +101,9 @@ class ProgramPaneTest {
         pass(100)
         assertEquals("beep ", workshop.text)
         focusProgram()
-        keys(Key.Z, with = Key.CtrlLeft)
+        keys(listOf(Key.Z), with = Key.CtrlLeft)
         assertEquals("beep", workshop.text)
-        keys(Key.Y, with = Key.CtrlLeft)
+        keys(listOf(Key.Y), with = Key.CtrlLeft)
         assertEquals("beep ", workshop.text)
     }
 
@@ -109,22 +112,22 @@ class ProgramPaneTest {
         workshop.write("forward 20\nbeep", caret = 0)
         pass(100)
         focusProgram()
-        keys(Key.MoveEnd)
+        keys(listOf(Key.MoveEnd))
         assertEquals(10, workshop.caret)
-        keys(Key.DirectionLeft, with = Key.CtrlLeft)
+        keys(listOf(Key.DirectionLeft), with = Key.CtrlLeft)
         assertEquals(8, workshop.caret)
-        keys(Key.MoveEnd, with = Key.ShiftLeft)
+        keys(listOf(Key.MoveEnd), with = Key.ShiftLeft)
         assertEquals("20", workshop.selected)
-        keys(Key.Backspace)
+        keys(listOf(Key.Backspace))
         assertEquals("forward \nbeep", workshop.text)
-        keys(Key.DirectionDown)
-        keys(Key.Slash, with = Key.CtrlLeft)
+        keys(listOf(Key.DirectionDown))
+        keys(listOf(Key.Slash), with = Key.CtrlLeft)
         assertEquals("forward \n// beep", workshop.text)
-        keys(Key.D, with = Key.CtrlLeft)
+        keys(listOf(Key.D), with = Key.CtrlLeft)
         assertEquals("forward \n// beep\n// beep", workshop.text)
-        keys(Key.DirectionUp, Key.DirectionUp, with = Key.AltLeft)
+        keys(listOf(Key.DirectionUp, Key.DirectionUp), with = Key.AltLeft)
         assertEquals("// beep\nforward \n// beep", workshop.text)
-        keys(Key.A, with = Key.CtrlLeft)
+        keys(listOf(Key.A), with = Key.CtrlLeft)
         assertEquals(workshop.text, workshop.selected)
     }
 
@@ -133,13 +136,13 @@ class ProgramPaneTest {
         workshop.write("beep", caret = 0)
         pass(100)
         focusProgram()
-        keys(Key.DirectionRight, Key.DirectionLeft)
-        keys(Key.Tab)
+        keys(listOf(Key.DirectionRight, Key.DirectionLeft))
+        keys(listOf(Key.Tab))
         assertEquals("  beep", workshop.text)
-        keys(Key.Tab, with = Key.ShiftLeft)
+        keys(listOf(Key.Tab), with = Key.ShiftLeft)
         assertEquals("beep", workshop.text)
-        keys(Key.Escape)
-        keys(Key.Tab)
+        keys(listOf(Key.Escape))
+        keys(listOf(Key.Tab))
         assertEquals("beep", workshop.text)
         assertNotEquals(true, onNodeWithTag("program").fetchSemanticsNode().config.getOrNull(SemanticsProperties.Focused))
     }
@@ -150,7 +153,7 @@ class ProgramPaneTest {
             workshop.write(text, caret = text.length, anchor = 0)
             pass(100)
             focusProgram()
-            keys(Key.X, with = Key.CtrlLeft)
+            keys(listOf(Key.X), with = Key.CtrlLeft)
             assertEquals("", workshop.text)
         }
     }
@@ -165,7 +168,7 @@ class ProgramPaneTest {
         onNodeWithTag("program").performTextInput("o")
         pass(200)
         onNodeWithTag("completions").assertIsDisplayed()
-        keys(Key.Enter)
+        keys(listOf(Key.Enter))
         assertEquals("forward", workshop.text)
         workshop.write("tu")
         pass(100)
@@ -187,7 +190,7 @@ class ProgramPaneTest {
         pass(200)
         onNodeWithText("forward()").assertIsDisplayed()
         onNodeWithText("Turns the motor forward until it is told otherwise.").assertIsDisplayed()
-        keys(Key.Escape)
+        keys(listOf(Key.Escape))
         assertEquals(0, onAllNodesWithTag("completions").fetchSemanticsNodes().size)
     }
 
@@ -201,7 +204,7 @@ class ProgramPaneTest {
         workshop.write("\nbeep\nbuzz\nbeep", caret = 1)
         assertEquals(setOf(3), workshop.state.programs.breakpoints)
         focusProgram()
-        keys(Key.F9)
+        keys(listOf(Key.F9))
         assertEquals(setOf(2, 3), workshop.state.programs.breakpoints)
     }
 
@@ -278,11 +281,11 @@ class ProgramPaneTest {
     @Test
     fun `the size of the text is kept in the settings`() = onTablet { workshop ->
         focusProgram()
-        keys(Key.Equals, Key.Equals, with = Key.CtrlLeft)
+        keys(listOf(Key.Equals, Key.Equals), with = Key.CtrlLeft)
         assertEquals(17f, workshop.state.settings.codeSize)
-        keys(Key.Minus, with = Key.CtrlLeft)
+        keys(listOf(Key.Minus), with = Key.CtrlLeft)
         assertEquals(16f, workshop.state.settings.codeSize)
-        keys(Key.Zero, with = Key.CtrlLeft)
+        keys(listOf(Key.Zero), with = Key.CtrlLeft)
         assertEquals(15f, workshop.state.settings.codeSize)
     }
 

@@ -87,7 +87,13 @@ class ProgramPictures {
         }
     }
 
-    private enum class Screen(val width: Int, val height: Int, val dark: Boolean, val language: Language = Language.ENGLISH, val scale: Float = 1f) {
+    private enum class Screen(
+        val width: Int,
+        val height: Int,
+        val dark: Boolean,
+        val language: Language = Language.ENGLISH,
+        val scale: Float = 1f,
+    ) {
         PHONE(411, 891, false),
         TABLET(1280, 800, true),
         LAPTOP_GERMAN(1440, 900, false, Language.GERMAN),

@@ -56,7 +56,7 @@ internal fun onSheet(world: World = handyWorld, width: Int = 1280, height: Int =
 }
 
 @OptIn(ExperimentalTestApi::class)
-internal class SheetOnScreen(private val test: ComposeUiTest, val workshop: Workshop) : ComposeUiTest by test {
+internal class SheetOnScreen(private val test: ComposeUiTest, val workshop: Workshop) {
     val sheet: SemanticsNodeInteraction get() = onNodeWithTag("world")
     val camera: SheetCamera get() = workshop.state.sheet.camera
 
@@ -70,6 +70,10 @@ internal class SheetOnScreen(private val test: ComposeUiTest, val workshop: Work
         }
 
     fun at(x: Double, y: Double): Offset = view.toPixels(x, y)
+
+    fun onNodeWithTag(tag: String): SemanticsNodeInteraction = test.onNodeWithTag(tag)
+
+    fun pass(milliseconds: Long) = test.pass(milliseconds)
 
     fun settle() = pass(300)
 }

@@ -9,7 +9,6 @@ import androidx.compose.ui.test.assertIsNotEnabled
 import androidx.compose.ui.test.assertIsOn
 import androidx.compose.ui.test.click
 import androidx.compose.ui.test.doubleClick
-import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performMouseInput
@@ -112,7 +111,7 @@ class WorldPaneTest {
         onNodeWithTag("sheet-follow").assertIsOn()
         assertEquals(0, workshop.state.sheet.followed)
         assertEquals(2.5, camera.zoom)
-        sheet.performTouchInput { swipe(center + Offset(0f, 150f), center + Offset(80f, 150f), 200) }
+        sheet.performTouchInput { swipe(center + Offset(0f, 240f), center + Offset(80f, 240f), 200) }
         settle()
         assertNull(workshop.state.sheet.followed)
         val centre = assertNotNull(camera.centre)

@@ -95,7 +95,8 @@ internal class EditorDrawing(
         if (draft.lines.lineOf(composing.start) != line) return
         val start = draft.lines.start(line)
         val y = bottom - 2.dp.toPx()
-        drawLine(code.plain, Offset(left + laidOut.x(composing.start - start), y), Offset(left + laidOut.x(composing.end - start), y), 1.dp.toPx())
+        val from = left + laidOut.x(composing.start - start)
+        drawLine(code.plain, Offset(from, y), Offset(left + laidOut.x(composing.end - start), y), 1.dp.toPx())
     }
 
     private fun DrawScope.drawCaret() {
@@ -111,7 +112,8 @@ internal class EditorDrawing(
     private fun DrawScope.drawDots(span: Pair<Float, Float>, bottom: Float, colour: Color) {
         val gap = 2.dp.toPx()
         val y = bottom - 2.dp.toPx()
-        drawLine(colour, Offset(span.first, y), Offset(span.second, y), 2.dp.toPx(), pathEffect = PathEffect.dashPathEffect(floatArrayOf(gap, gap)))
+        val dots = PathEffect.dashPathEffect(floatArrayOf(gap, gap))
+        drawLine(colour, Offset(span.first, y), Offset(span.second, y), 2.dp.toPx(), pathEffect = dots)
     }
 }
 

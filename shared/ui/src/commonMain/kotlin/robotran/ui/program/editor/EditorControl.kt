@@ -58,6 +58,12 @@ internal class EditorControl(
     /** Whether somebody writes here, so that Tab indents; who only came by with Tab goes on with Tab. */
     var isAtWork by mutableStateOf(false)
 
+    /** Whether the keyboard writes here. */
+    var hasFocus by mutableStateOf(false)
+
+    /** Whether it was a finger that came here last, so that the keyboard is probably one on the screen. */
+    var isTouched by mutableStateOf(false)
+
     /** Whether the buttons for what a finger has selected are shown. */
     var showsSelectionBar by mutableStateOf(false)
 
@@ -202,11 +208,13 @@ internal class EditorControl(
         val after = when {
             selecting -> draft.copy(selection = TextSelection(draft.selection.anchor, offset))
             times == 2 -> draft.withWordSelected(offset)
-            times > 2 -> draft.lines.lineOf(offset).let { draft.copy(selection = TextSelection(draft.lines.start(it), draft.lines.end(it))) }
+            times > 2 -> draft.withLineSelected(draft.lines.lineOf(offset))
             else -> draft.withCaret(offset)
         }
         write(after)
     }
+
+    private fun Draft.withLineSelected(line: Int) = copy(selection = TextSelection(lines.start(line), lines.end(line)))
 
     private companion object {
         val VERTICAL = setOf(CaretMove.UP, CaretMove.DOWN, CaretMove.PAGE_UP, CaretMove.PAGE_DOWN)

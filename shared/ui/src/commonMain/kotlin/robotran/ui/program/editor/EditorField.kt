@@ -21,7 +21,6 @@ import androidx.compose.ui.unit.Constraints
 import robotran.editing.Draft
 import robotran.editing.TextSelection
 import robotran.editing.TextSpan
-import robotran.editing.code.CodePieces
 
 /**
  * What a keyboard writes into: it holds the part of [draft] around the caret, lies unseen where the caret is, so that an input method shows its
@@ -32,7 +31,6 @@ import robotran.editing.code.CodePieces
 @Composable
 internal fun EditorField(
     draft: Draft,
-    pieces: CodePieces,
     control: EditorControl,
     view: EditorView,
     layouts: LineLayouts,
@@ -57,19 +55,19 @@ internal fun EditorField(
         keyboardOptions = KeyboardOptions(capitalization = KeyboardCapitalization.None, autoCorrectEnabled = false),
         decorationBox = { inner ->
             Box(Modifier.clipToBounds().alpha(0f)) {
-                Box(Modifier.atCaret(draft, pieces, control.link.start, view, layouts)) { inner() }
+                Box(Modifier.atCaret(draft, control.link.start, view)) { inner() }
             }
         },
     )
 }
 
 /** Places a field whose text begins at [start] of [draft] so that its caret is where the drawn one is. */
-private fun Modifier.atCaret(draft: Draft, pieces: CodePieces, start: Int, view: EditorView, layouts: LineLayouts) = layout { measurable, constraints ->
+private fun Modifier.atCaret(draft: Draft, start: Int, view: EditorView) = layout { measurable, constraints ->
     val placed = measurable.measure(Constraints())
     layout(constraints.maxWidth, constraints.maxHeight) {
         val line = draft.lines.lineOf(draft.selection.caret)
         val first = draft.lines.lineOf(minOf(start, draft.text.length))
-        val caret = view.caretPlace(line.coerceAtMost(view.geometry.lines - 1), draft.lines.columnOf(draft.selection.caret), draft, layouts, pieces)
-        placed.place((view.gutter - view.scrollX).toInt(), (caret.top - (line - first) * view.geometry.lineHeight).toInt())
+        val top = view.geometry.top(line) - view.scrollY
+        placed.place((view.gutter - view.scrollX).toInt(), (top - (line - first) * view.geometry.lineHeight).toInt())
     }
 }

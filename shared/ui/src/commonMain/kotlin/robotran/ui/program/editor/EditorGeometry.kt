@@ -18,7 +18,10 @@ internal data class EditorGeometry(
     val height: Float get() = lines * lineHeight + heightsBefore[notes.size]
 
     /** The top edge of [line]. */
-    fun top(line: Int): Float = line * lineHeight + heightsBefore[notes.indexOfFirst { it.line >= line }.let { if (it < 0) notes.size else it }]
+    fun top(line: Int): Float {
+        val before = notes.indexOfFirst { it.line >= line }
+        return line * lineHeight + heightsBefore[if (before < 0) notes.size else before]
+    }
 
     /** The top edge of the note at [index]. */
     fun noteTop(index: Int): Float = (notes[index].line + 1) * lineHeight + heightsBefore[index]

@@ -31,5 +31,4 @@ internal class EditorPaint(
     val draft: Draft,
     val marks: EditorMarks,
     val hasFocus: Boolean,
-    val hasBreakpoints: Boolean,
 )

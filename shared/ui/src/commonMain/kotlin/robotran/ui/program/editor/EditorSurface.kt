@@ -32,7 +32,9 @@ internal fun EditorSurface(
     val colours = LocalRobotranColours.current
     val code = codeColours()
     val measurer = rememberTextMeasurer(cacheSize = 0)
-    val numbers = remember(measurer, layouts) { NumberLayouts(measurer, layouts.style.copy(fontSize = layouts.style.fontSize * NUMBER_SIZE)) }
+    val numbers = remember(measurer, layouts) {
+        NumberLayouts(measurer, layouts.style.copy(fontSize = layouts.style.fontSize * NUMBER_SIZE))
+    }
     val lines = paint.draft.lines
     val density = LocalDensity.current
     val digits = maxOf(2, lines.count.toString().length)
@@ -50,7 +52,9 @@ internal fun EditorSurface(
         val size = IntSize(constraints.maxWidth, constraints.maxHeight)
         val width = (size.width - gutter.toInt()).coerceAtLeast(0)
         val placed = measurables.map { it.measure(Constraints(minWidth = width, maxWidth = width)) }
-        val places = placed.mapIndexed { index, note -> NotePlace((noteLines[index] - 1).coerceIn(0, lines.count - 1), note.height.toFloat()) }
+        val places = placed.mapIndexed { index, note ->
+            NotePlace((noteLines[index] - 1).coerceIn(0, lines.count - 1), note.height.toFloat())
+        }
         val geometry = EditorGeometry(layouts.lineHeight, lines.count, places)
         view.size = size
         view.gutter = gutter

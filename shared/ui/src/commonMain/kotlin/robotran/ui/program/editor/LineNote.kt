@@ -71,7 +71,8 @@ internal fun LineNote(note: ProgramNote, standsOut: Boolean, onFix: (Mistake) ->
 @Composable
 internal fun FixButton(mistake: Mistake, onFix: (Mistake) -> Unit) {
     val replacement = mistake.fix?.replacement?.trim().orEmpty()
-    val text = if (replacement.isEmpty()) stringResource(Res.string.mistake_fix_remove) else stringResource(Res.string.mistake_fix, replacement)
+    val removes = replacement.isEmpty()
+    val text = if (removes) stringResource(Res.string.mistake_fix_remove) else stringResource(Res.string.mistake_fix, replacement)
     TextButton(
         onClick = { onFix(mistake) },
         modifier = Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("fix").focusRing(),

@@ -55,7 +55,8 @@ internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> U
             .horizontalScroll(rememberScrollState()),
     ) {
         for ((command, words) in BUTTONS) {
-            TextButton({ onCommand(command) }, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("selection-${command.name.lowercase()}")) {
+            val tag = "selection-${command.name.lowercase()}"
+            TextButton({ onCommand(command) }, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag(tag)) {
                 Text(stringResource(words), color = colours.onPane, fontSize = 15.sp)
             }
         }

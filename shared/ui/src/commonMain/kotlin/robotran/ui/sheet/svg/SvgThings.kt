@@ -3,6 +3,7 @@ package robotran.ui.sheet.svg
 import androidx.compose.ui.graphics.Color
 import robotran.ui.sheet.GoalRegion
 import robotran.ui.sheet.RegionKind
+import robotran.ui.sheet.SeamlessPolygon
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.colour
 import robotran.ui.sheet.greyColour
@@ -106,10 +107,16 @@ internal class SvgThings(private val svg: SvgWriter, private val shapes: SvgShap
             met -> MET_OPACITY
             else -> OPACITY
         }
-        shapes.shape(
-            region.shape, "fill" to if (fill == null) "none" else hex(colour), "fill-opacity" to fill,
-            "stroke" to hex(colour), "stroke-width" to REGION_LINE, "stroke-dasharray" to dashes,
-        )
+        val inside = arrayOf("fill" to if (fill == null) "none" else hex(colour), "fill-opacity" to fill)
+        val edge = arrayOf("stroke" to hex(colour), "stroke-width" to REGION_LINE, "stroke-dasharray" to dashes)
+        val polygon = (region.shape as? Shape.Polygon)?.let(SeamlessPolygon::of)
+        val pieces = polygon?.outline
+        if (pieces == null) {
+            shapes.shape(region.shape, *inside, *edge)
+        } else {
+            shapes.shape(Shape.Polygon(polygon.corners), *inside)
+            for (piece in pieces) svg.element("polyline", "points" to figures(shapes.down(piece)), "fill" to "none", *edge)
+        }
         if (region.kind == RegionKind.REACH) flag(region)
     }
 

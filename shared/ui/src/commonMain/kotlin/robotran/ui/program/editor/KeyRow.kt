@@ -1,0 +1,66 @@
+package robotran.ui.program.editor
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.focusProperties
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import org.jetbrains.compose.resources.stringResource
+import robotran.editing.CaretMove
+import robotran.editing.CodeLanguage
+import robotran.ui.resources.Res
+import robotran.ui.resources.editor_caret_left
+import robotran.ui.resources.editor_caret_right
+import robotran.ui.resources.editor_indent
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+
+/** The signs that a keyboard on the screen hides on its second page, for who writes with fingers. */
+@Composable
+internal fun KeyRow(control: EditorControl) {
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .testTag("keys")
+            .background(LocalRobotranColours.current.desk)
+            .focusProperties { canFocus = false }
+            .horizontalScroll(rememberScrollState()),
+    ) {
+        TouchKey("→", stringResource(Res.string.editor_indent)) { control.perform(EditorCommand.Plain.INDENT) }
+        TouchKey("◂", stringResource(Res.string.editor_caret_left)) { control.perform(EditorCommand.Move(CaretMove.LEFT, selecting = false)) }
+        TouchKey("▸", stringResource(Res.string.editor_caret_right)) { control.perform(EditorCommand.Move(CaretMove.RIGHT, selecting = false)) }
+        for (sign in SIGNS.getValue(control.language)) TouchKey(sign, sign) { control.type(sign) }
+    }
+}
+
+@Composable
+private fun TouchKey(sign: String, words: String, onClick: () -> Unit) {
+    Box(
+        Modifier
+            .defaultMinSize(Measures.TARGET, Measures.TARGET)
+            .testTag("key-$sign")
+            .clickable(role = Role.Button, onClick = onClick)
+            .semantics { contentDescription = words },
+        Alignment.Center,
+    ) {
+        Text(sign, style = editorStyle(SIZE))
+    }
+}
+
+private const val SIZE = 18f
+private val SIGNS = mapOf(
+    CodeLanguage.ROBOLANG to listOf("(", ")", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", ","),
+    CodeLanguage.JAVA to listOf("(", ")", "{", "}", ";", ".", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", "&", "|", "!"),
+)

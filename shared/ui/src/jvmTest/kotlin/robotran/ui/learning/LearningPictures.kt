@@ -1,0 +1,84 @@
+package robotran.ui.learning
+
+import androidx.compose.ui.ImageComposeScene
+import androidx.compose.ui.unit.Density
+import kotlinx.coroutines.runBlocking
+import org.jetbrains.skia.EncodedImageFormat
+import robotran.language.Language
+import robotran.learning.Tutorial
+import robotran.learning.WorldGallery
+import robotran.ui.RobotranApp
+import robotran.ui.openWorkshop
+import robotran.ui.sheet.SheetColours
+import robotran.ui.theme.RobotranColours
+import robotran.ui.workshop.AppTheme
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningPage
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.Settings
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.Workshop
+import java.io.File
+import kotlin.test.Test
+import kotlin.test.assertTrue
+
+/** Writes pictures of what there is to learn from into build/pictures, to be looked at. */
+class LearningPictures {
+    private val folder = File(System.getProperty("robotran.pictures")).apply { mkdirs() }
+
+    @Test
+    fun `every page can be photographed, in every size and theme, in German and with large text`() {
+        for (look in Look.entries) {
+            drawWorlds(look.settings)
+            val workshop = runBlocking { openWorkshop() }
+            workshop.handle(SettingsEvent.SettingsChanged(look.settings))
+            photograph(workshop, look, "first-run") { handle(LearningEvent.PageWanted(LearningPage.FIRST_RUN)) }
+            photograph(workshop, look, "worlds") { handle(LearningEvent.PageWanted(LearningPage.WORLDS)) }
+            photograph(workshop, look, "help") { handle(LearningEvent.HelpWanted("repeat 4 times", 2)) }
+            photograph(workshop, look, "words") { handle(LearningEvent.HelpWanted("side", 2)) }
+            photograph(workshop, look, "tutorial") {
+                handle(LearningEvent.PageLeft)
+                handle(LearningEvent.TutorialBegun)
+                handle(LearningEvent.StepChosen(2))
+            }
+            photograph(workshop, look, "hint") {
+                handle(LearningEvent.HintWanted(true))
+                handle(LearningEvent.SolutionWanted(true))
+                handle(RunEvent.RunPressed)
+                advance(12_000)
+                handle(LearningEvent.TutorialFolded(false))
+            }
+            photograph(workshop, look, "folded") { handle(LearningEvent.TutorialFolded(true)) }
+            workshop.close()
+        }
+    }
+
+    /** The pictures of the worlds come by and by: here they are wanted at once. */
+    private fun drawWorlds(settings: Settings) = runBlocking {
+        val colours = if (settings.theme == AppTheme.DARK) RobotranColours.DARK else RobotranColours.LIGHT
+        for (world in WorldGallery.worlds) WorldPictures.of(world, SheetColours.of(colours))
+        assertTrue(Tutorial.steps.isNotEmpty())
+    }
+
+    private fun photograph(workshop: Workshop, look: Look, name: String, prepare: Workshop.() -> Unit) {
+        workshop.prepare()
+        val scene = ImageComposeScene(look.width, look.height, Density(1f)) { RobotranApp(workshop, dark = false) }
+        try {
+            scene.render()
+            val image = scene.render(nanoTime = 1_000_000_000)
+            val bytes = checkNotNull(image.encodeToData(EncodedImageFormat.PNG)).bytes
+            File(folder, "learning-${look.name.lowercase()}-$name.png").writeBytes(bytes)
+            assertTrue(bytes.size > 1000, "$name is empty")
+        } finally {
+            scene.close()
+        }
+    }
+
+    private enum class Look(val width: Int, val height: Int, val settings: Settings) {
+        PHONE(411, 891, Settings(theme = AppTheme.LIGHT)),
+        PHONE_DARK_LARGE(411, 891, Settings(theme = AppTheme.DARK, textScale = 2f)),
+        TABLET(1280, 800, Settings(theme = AppTheme.LIGHT)),
+        TABLET_GERMAN_DARK(1280, 800, Settings(theme = AppTheme.DARK, language = Language.GERMAN)),
+        LAPTOP_LARGE(1440, 900, Settings(theme = AppTheme.LIGHT, textScale = 2f)),
+    }
+}
