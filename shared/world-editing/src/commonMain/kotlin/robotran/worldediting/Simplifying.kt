@@ -4,7 +4,8 @@ import robotran.world.Point
 import robotran.world.distance
 
 /**
- * A line with the ends of the one through [points], no point of which is further than [tolerance] from it: straight pieces need no points between their ends
+ * A line with the ends of the one through [points], no point of which is further than [tolerance] from it: straight pieces need no
+ * points between their ends
  * (Ramer, Douglas and Peucker). No two points after one another are the same.
  */
 internal fun simplified(points: List<Point>, tolerance: Double): List<Point> {

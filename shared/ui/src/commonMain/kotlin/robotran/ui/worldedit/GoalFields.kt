@@ -233,7 +233,10 @@ private fun WhoField(sender: GoalSender, goal: Goal) {
     }
 }
 
-/** Gives [thing] its word from [words] for a name if it has none, since goals know things by their names, and goes on with that as one step. */
+/**
+ * Gives [thing] its word from [words] for a name if it has none, since goals know things by their names, and goes on with that as one
+ * step.
+ */
 private fun Making.nameAnd(thing: Thing, words: List<Pair<Thing, String>>, next: (String) -> Edit) {
     val piece = world.piece(thing) ?: return
     val known = piece.name

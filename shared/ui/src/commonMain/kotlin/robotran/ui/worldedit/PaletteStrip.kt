@@ -59,7 +59,10 @@ import robotran.worldediting.named
 import robotran.worldediting.nextRobotColour
 import robotran.worldediting.piece
 
-/** All that can be put on the paper: a tap puts it into the middle of what is seen, and it can be dragged out of the strip to where it belongs. */
+/**
+ * All that can be put on the paper: a tap puts it into the middle of what is seen, and it can be dragged out of the strip to where it
+ * belongs.
+ */
 @Composable
 internal fun PaletteStrip(making: Making, view: EditView, upright: Boolean, onPut: () -> Unit, modifier: Modifier = Modifier) {
     val items: @Composable () -> Unit = {
