@@ -24,7 +24,8 @@ internal fun simplified(points: List<Point>, tolerance: Double): List<Point> {
             open += furthest to to
         }
     }
-    return distinct.filterIndexed { number, _ -> kept[number] }.let { line -> line.filterIndexed { n, point -> n == 0 || point != line[n - 1] } }
+    val line = distinct.filterIndexed { number, _ -> kept[number] }
+    return line.filterIndexed { number, point -> number == 0 || point != line[number - 1] }
 }
 
 private const val LEAST = 3

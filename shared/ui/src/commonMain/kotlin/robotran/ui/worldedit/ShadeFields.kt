@@ -86,8 +86,8 @@ internal fun ShadeFields(making: Making, shade: Shade, onChange: (Shade) -> Unit
 
 @Composable
 private fun PartField(making: Making, title: String, value: Int, tag: String, onChange: (Int) -> Unit) = NumberRow(
-    title, value.toDouble(), 0.0..MOST_PART, "field-$tag", { onChange(it.toInt()) }, making::settle, step = 5.0, isWhole = true,
-    slider = 0f..MOST_PART.toFloat(),
+    title, value.toDouble(), 0.0..MOST_PART, "field-$tag", { onChange(it.toInt()) }, making::settle, step = 5.0,
+    isWhole = true, slider = 0f..MOST_PART.toFloat(),
 )
 
 /** A colour with its name. */
