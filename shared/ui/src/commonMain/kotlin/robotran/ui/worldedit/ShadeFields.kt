@@ -76,7 +76,9 @@ internal fun ShadeFields(making: Making, shade: Shade, onChange: (Shade) -> Unit
 
             is Shade.Colour -> {
                 PartField(making, stringResource(Res.string.worldedit_red_part), shade.red, "red") { onChange(shade.copy(red = it)) }
-                PartField(making, stringResource(Res.string.worldedit_green_part), shade.green, "green") { onChange(shade.copy(green = it)) }
+                PartField(making, stringResource(Res.string.worldedit_green_part), shade.green, "green") {
+                    onChange(shade.copy(green = it))
+                }
                 PartField(making, stringResource(Res.string.worldedit_blue_part), shade.blue, "blue") { onChange(shade.copy(blue = it)) }
             }
         }
