@@ -84,6 +84,7 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
                     Modifier.weight(1f).testTag("help-title").semantics { heading() },
                     style = if (state.help.found == null) codeStyle().copy(fontFamily = null) else codeStyle(),
                     fontSize = 20.sp,
+                    lineHeight = 28.sp,
                     fontWeight = FontWeight.SemiBold,
                 )
                 IconTouch(Icon.CLOSE, stringResource(Res.string.learning_help_close), "help-close", { onEvent(LearningEvent.PageLeft) })
