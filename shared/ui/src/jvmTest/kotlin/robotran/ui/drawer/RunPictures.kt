@@ -9,7 +9,7 @@ import robotran.projects.ProjectRobot
 import robotran.rom.StepKind
 import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
-import robotran.ui.workshop.AppLanguage
+import robotran.language.Language
 import robotran.ui.workshop.DrawerTab
 import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.RunEvent
@@ -34,9 +34,9 @@ class RunPictures {
             paused(tab).use("phone-${tab.name.lowercase()}", 411, 891)
         }
         paused(DrawerTab.CHART).use("laptop-dark-chart", 1440, 900, dark = true)
-        paused(DrawerTab.VARIABLES, Settings(language = AppLanguage.GERMAN)).use("tablet-german-variables", 1280, 800)
+        paused(DrawerTab.VARIABLES, Settings(language = Language.GERMAN)).use("tablet-german-variables", 1280, 800)
         paused(DrawerTab.LOG, Settings(textScale = 2f)).use("tablet-large-log", 1280, 800)
-        paused(null, Settings(language = AppLanguage.GERMAN, textScale = 2f)).use("phone-large", 411, 891)
+        paused(null, Settings(language = Language.GERMAN, textScale = 2f)).use("phone-large", 411, 891)
         paused(null).use("phone", 411, 891)
         paused(null).use("laptop", 1440, 900)
     }

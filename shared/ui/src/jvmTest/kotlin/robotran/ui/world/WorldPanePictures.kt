@@ -21,7 +21,7 @@ import robotran.ui.sheet.SheetThingKind
 import robotran.ui.sheet.pngOf
 import robotran.ui.sheet.renderSheet
 import robotran.ui.theme.RobotranColours
-import robotran.ui.workshop.AppLanguage
+import robotran.language.Language
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.Settings
 import robotran.ui.workshop.SheetEvent
@@ -52,7 +52,7 @@ class WorldPanePictures {
         val near = SheetEvent.CameraMoved(SheetCamera(6.0, Point(45.0, 42.0)), pushed = true)
         photograph("laptop-near", handyWorld, 1440, 900, dark = false, shown(SheetLayer.SENSORS, SheetLayer.GRID, SheetLayer.TRAIL) + near)
         photograph("laptop-light-room", lightRoom, 1440, 900, dark = false, shown(SheetLayer.SENSORS))
-        photograph("phone-german-large", handyWorld, 411, 891, dark = false, chosen(0), Settings(AppLanguage.GERMAN, textScale = 2f))
+        photograph("phone-german-large", handyWorld, 411, 891, dark = false, chosen(0), Settings(Language.GERMAN, textScale = 2f))
     }
 
     @Test
