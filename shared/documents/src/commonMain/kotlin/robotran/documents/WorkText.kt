@@ -84,7 +84,8 @@ internal sealed interface WorkCopy {
             is ProjectFileResult.Loaded ->
                 WorkReading.Found(KeptWork(entry.id, entry.name, entry.keptAt, result.project, file, saved), wasTorn = false)
 
-            is ProjectFileResult.Refused -> WorkReading.Unusable { (readProject(project, it) as? ProjectFileResult.Refused ?: result).message }
+            is ProjectFileResult.Refused ->
+                WorkReading.Unusable { (readProject(project, it) as? ProjectFileResult.Refused ?: result).message }
         }
     }
 }
