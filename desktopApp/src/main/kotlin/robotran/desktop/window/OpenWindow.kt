@@ -14,6 +14,7 @@ import kotlinx.coroutines.withContext
 import robotran.desktop.platform.DesktopFileDesk
 import robotran.desktop.platform.DesktopPlatform
 import robotran.desktop.sound.soundCardSpeaker
+import robotran.ui.documents.unexpectedNotice
 import robotran.ui.openWorkshop
 import robotran.ui.platform.Arrival
 import robotran.ui.platform.Arrivals
@@ -52,6 +53,14 @@ internal class OpenWindow(
         scope.launch(Dispatchers.Default) {
             val ready = openWorkshop(platform = platform, scope = scope)
             withContext(Dispatchers.Swing) { workshop = ready }
+        }
+    }
+
+    /** Something went wrong that nobody has thought of: the work is kept, and that is said. */
+    fun keepAfterTrouble() {
+        scope.launch {
+            val open = workshop ?: return@launch
+            if (open.keepDocumentNow()) open.say(unexpectedNotice())
         }
     }
 

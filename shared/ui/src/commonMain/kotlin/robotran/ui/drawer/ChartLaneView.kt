@@ -25,6 +25,7 @@ import androidx.compose.ui.graphics.PathEffect
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
@@ -53,7 +54,7 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        Column(Modifier.width(92.dp)) {
+        Column(Modifier.width(76.dp * LocalDensity.current.fontScale)) {
             Text(name, color = colours.quiet, fontSize = 14.sp, lineHeight = 18.sp)
         }
         Canvas(

@@ -158,11 +158,12 @@ private fun FollowEnd(list: LazyListState, size: Int) {
 private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
     val colours = LocalRobotranColours.current
     val troubled = entry.outcome != RomOutcome.DONE
+    val scale = LocalDensity.current.fontScale
     Row(
         Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {},
         Arrangement.spacedBy(12.dp),
     ) {
-        Text("${entry.milliseconds}", Modifier.width(64.dp), style = style.copy(color = colours.quiet, textAlign = TextAlign.End))
+        Text("${entry.milliseconds}", Modifier.width(64.dp * scale), style = style.copy(color = colours.quiet, textAlign = TextAlign.End))
         Text(
             if (troubled) "! ${entry.meaning}" else entry.meaning,
             Modifier.weight(1.4f),
@@ -173,7 +174,7 @@ private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
         }
         Text(
             if (entry.sourceLine == 0) stringResource(Res.string.run_log_firmware) else stringResource(Res.string.run_log_line, entry.sourceLine),
-            Modifier.width(84.dp),
+            Modifier.width(84.dp * scale),
             style = style.copy(color = colours.quiet),
             maxLines = 1,
         )

@@ -27,10 +27,11 @@ import robotran.ui.workshop.WorkshopStatus
 internal fun RunStatus(state: WorkshopState, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val status = state.status
-    val wrong = status is WorkshopStatus.Mistaken || status is WorkshopStatus.Failed
+    val elsewhere = wordsElsewhere(state, status)
+    val wrong = elsewhere == null && (status is WorkshopStatus.Mistaken || status is WorkshopStatus.Failed)
     Column(modifier) {
         Text(
-            words(state, status),
+            elsewhere ?: statusText(status),
             // While somebody scrubs, the timeline itself says where it is.
             Modifier.testTag("status").semantics { if (state.run.pace != Pace.SEEKING) liveRegion = LiveRegionMode.Polite },
             color = if (wrong) colours.mistake else colours.onPane,
@@ -53,14 +54,15 @@ internal fun RunStatus(state: WorkshopState, modifier: Modifier = Modifier) {
     }
 }
 
+/** What is going on where somebody looks at another time of the run; null if nobody does. */
 @Composable
-private fun words(state: WorkshopState, status: WorkshopStatus): String {
+private fun wordsElsewhere(state: WorkshopState, status: WorkshopStatus): String? {
     val run = state.run
     val mark = if (run.pace == Pace.PAUSED) markAt(run.marks, run.time) else null
     return when {
         run.pace == Pace.SEEKING -> stringResource(Res.string.run_status_seeking, seconds(run.time))
         status is WorkshopStatus.Paused && mark != null -> markText(mark)
         run.pace == Pace.PAUSED && run.inPast && !state.running -> mark?.let { markText(it) } ?: stringResource(Res.string.run_status_past)
-        else -> statusText(status)
+        else -> null
     }
 }

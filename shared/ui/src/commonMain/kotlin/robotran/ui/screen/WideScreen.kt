@@ -23,8 +23,10 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
+import robotran.ui.brick.BrickStrip
 import robotran.ui.brick.LEAST_BRICK_WIDTH
 import robotran.ui.drawer.GoalChip
 import robotran.ui.drawer.RunAnnouncer
@@ -96,7 +98,9 @@ private fun ProgramAndDesk(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
 @Composable
 private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.desk)) {
-        val brickWidth = (maxWidth * BRICK_SHARE).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
+        val room = (maxHeight - MARGIN * 2) * BRICK_ASPECT
+        val isTall = room >= LEAST_BRICK_WIDTH
+        val brickWidth = minOf(maxWidth * BRICK_SHARE, room).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
         Row(Modifier.fillMaxSize()) {
             WorldPane(state, onEvent, Modifier.weight(1f).fillMaxHeight())
             Column(
@@ -105,15 +109,20 @@ private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifie
             ) {
                 GoalChip(state.session.goals, onEvent)
                 BrickHint(state.run.brick)
-                BrickFront(
-                    state.run.brick,
-                    state.down,
-                    { onEvent(RunEvent.ButtonPressed(it)) },
-                    { onEvent(RunEvent.ButtonReleased(it)) },
-                    Modifier.width(brickWidth),
-                    state.world.robots[state.run.watched].ports,
-                    { port, pressed -> onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed))) },
-                )
+                // Over an open drawer the whole brick does not fit.
+                if (isTall) {
+                    BrickFront(
+                        state.run.brick,
+                        state.down,
+                        { onEvent(RunEvent.ButtonPressed(it)) },
+                        { onEvent(RunEvent.ButtonReleased(it)) },
+                        Modifier.width(brickWidth),
+                        state.world.robots[state.run.watched].ports,
+                        { port, pressed -> onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed))) },
+                    )
+                } else {
+                    BrickStrip(state.run.brick, state.down, { onEvent(RunEvent.ButtonPressed(it)) }, { onEvent(RunEvent.ButtonReleased(it)) })
+                }
             }
         }
     }

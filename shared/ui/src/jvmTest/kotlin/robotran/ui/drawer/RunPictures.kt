@@ -80,7 +80,7 @@ var rounds = 0
 var sizes = [10, 20, 30]
 repeat 30 times
   rounds = rounds + 1
-  side(sizes[rounds % 3])
+  side(sizes[rounds mod 3])
   beep
   turn left 90
 end

@@ -3,6 +3,7 @@ package robotran.ui.program.editor
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.offset
+import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
@@ -21,6 +22,7 @@ import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.LocalClipboardManager
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.IntOffset
+import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import robotran.editing.Draft
 import robotran.editing.TextSelection
@@ -67,7 +69,7 @@ internal fun CodeEditor(
     val paint = remember(draft, marks, hasFocus, composing) { EditorPaint(draft, marks.copy(composing = composing), hasFocus) }
     val touch = rememberTouch(control, view, layouts, pieces, draft, focus, onBreakpoint, onZoom)
     KeepInSight(view, draft, layouts, pieces, marks.runningLine, hasFocus)
-    Box(modifier) {
+    Box(modifier.padding(top = 6.dp)) {
         EditorField(
             draft, control, view, layouts, { composing = it },
             Modifier.fillMaxSize().editorInput(control, focus, draft, onCommand, onBreakpoint) {
