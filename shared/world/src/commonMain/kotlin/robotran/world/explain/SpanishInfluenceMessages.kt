@@ -27,8 +27,8 @@ internal object SpanishInfluenceMessages : InfluenceMessages {
         "Las pilas han bajado a ${withComma(volts)} voltios: cada rueda ha rodado ${withComma(centimetres)} cm menos que con pilas nuevas."
 
     override fun lightBias(raw: String, dark: Boolean) =
-        "El sensor de luz mide ${withComma(raw)} unidades de ${if (dark) "más, así que lo ve todo más oscuro" else "menos, así que lo ve todo más claro"} " +
-            "de lo que es."
+        "El sensor de luz mide ${withComma(raw)} unidades de ${if (dark) "más" else "menos"}, " +
+            "así que lo ve todo más ${if (dark) "oscuro" else "claro"} de lo que es."
 
     override fun lightNoise(raw: String) = "Lo que mide el sensor de luz tiembla en unas ${withComma(raw)} unidades."
 
