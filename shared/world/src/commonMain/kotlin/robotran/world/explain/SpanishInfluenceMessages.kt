@@ -10,8 +10,8 @@ internal object SpanishInfluenceMessages : InfluenceMessages {
         "Al colocarlo, miraba ${withComma(degrees)} grados de más hacia la ${side(left)}."
 
     override fun strength(leftMotor: Boolean, weak: Boolean, perCent: String, centimetres: String) =
-        "El motor ${if (leftMotor) "izquierdo" else "derecho"} es un ${withComma(perCent)} % demasiado ${if (weak) "débil" else "fuerte"}: " +
-            "su rueda ha rodado ${withComma(centimetres)} cm ${if (weak) "menos" else "más"} de lo que debía."
+        "El motor ${if (leftMotor) "izquierdo" else "derecho"} es un ${withComma(perCent)} % " +
+            "demasiado ${if (weak) "débil" else "fuerte"}: su rueda ha rodado ${withComma(centimetres)} cm ${if (weak) "menos" else "más"} de lo que debía."
 
     override fun flutter(centimetres: String, degrees: String, left: Boolean) =
         "La velocidad de los motores tiembla: por eso una rueda ha rodado ${withComma(centimetres)} cm más, y el robot ha girado " +
