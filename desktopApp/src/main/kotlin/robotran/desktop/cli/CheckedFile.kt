@@ -55,7 +55,8 @@ private fun checkJava(
     val read = names.associateWith { readTextFile(it, CommandMessages.of(language)) }
     val sources = read.mapNotNull { (name, file) -> (file as? TextFile.Read)?.let { SourceFile(name, it.text) } }
     if (sources.isEmpty()) return read.mapValues { (_, file) -> CheckedFile.Unreadable((file as TextFile.Refused).reason) }
-    val result = runBlocking { ProgramReader(PENBOT_CALIBRATION, language = language).read(ProgramSource.Java(sources.first().name, sources)) }
+    val result =
+        runBlocking { ProgramReader(PENBOT_CALIBRATION, language = language).read(ProgramSource.Java(sources.first().name, sources)) }
     val mistakes = byFile((result as? ProgramResult.Mistaken)?.mistakes.orEmpty(), sources)
     val warnings = byFile((result as? ProgramResult.Ready)?.warnings.orEmpty(), sources)
     return read.mapValues { (name, file) ->

@@ -42,7 +42,11 @@ internal class LinkCommand(
         val made =
             when {
                 !isWhole -> readPrograms()?.let { runBlocking { linkOf(it, spoken.language) } }
-                single.orEmpty().endsWith(WORLD) -> readWorldFile(single.orEmpty(), console)?.let { runBlocking { linkOf(it, spoken.language) } }
+
+                single.orEmpty().endsWith(WORLD) -> readWorldFile(single.orEmpty(), console)?.let {
+                    runBlocking { linkOf(it, spoken.language) }
+                }
+
                 else -> readProjectFile(single.orEmpty(), console)?.let { runBlocking { linkOf(it, spoken.language) } }
             }
         throw ProgramResult(tell(made).status)

@@ -1,7 +1,5 @@
 package robotran.desktop.cli
 
-import kotlin.io.path.Path
-import kotlin.io.path.name
 import robotran.desktop.files.ROBOLANG
 import robotran.desktop.files.TextFile
 import robotran.desktop.files.readTextFile
@@ -13,6 +11,8 @@ import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.ui.workshop.PENBOT_CALIBRATION
+import kotlin.io.path.Path
+import kotlin.io.path.name
 
 /** A Robolang file as the commands meet it. */
 internal sealed interface RobolangFile {

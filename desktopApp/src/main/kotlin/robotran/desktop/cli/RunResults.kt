@@ -1,6 +1,5 @@
 package robotran.desktop.cli
 
-import kotlin.math.roundToInt
 import robotran.desktop.files.writeFile
 import robotran.rom.BrickMessages
 import robotran.rom.RomLogFilter
@@ -13,6 +12,7 @@ import robotran.world.RunReport
 import robotran.world.RunStatus
 import robotran.world.Session
 import robotran.world.report
+import kotlin.math.roundToInt
 
 /** Writes what a finished run is to leave behind. */
 internal class RunResults(
@@ -33,7 +33,9 @@ internal class RunResults(
                 outputs.memory?.let { writeText(it, memoryListing(session.memory())) },
             )
         report.error?.let { console.complain(it) }
-        session.remarks.forEach { console.complain(listOfNotNull(it.place(BrickMessages.of(console.language)), it.message).joinToString(": ")) }
+        session.remarks.forEach {
+            console.complain(listOfNotNull(it.place(BrickMessages.of(console.language)), it.message).joinToString(": "))
+        }
         val forgotten = session.romLog.total - session.romLog.entries.size
         if (outputs.romLog != null && forgotten > 0) {
             console.complain(messages.romLogLacks(forgotten))

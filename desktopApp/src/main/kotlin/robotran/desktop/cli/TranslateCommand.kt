@@ -8,13 +8,13 @@ import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.option
-import kotlin.io.path.Path
-import kotlin.io.path.name
 import robotran.desktop.ExitCode
 import robotran.desktop.files.writeFile
 import robotran.desktop.messages.CommandMessages
 import robotran.robolang.translate.kitFiles
 import robotran.robolang.translate.translateRobolang
+import kotlin.io.path.Path
+import kotlin.io.path.name
 
 /** `robotran translate FILE..`: writes programs as Java for leJOS, or one as a kit with all that a real brick takes. */
 internal class TranslateCommand(

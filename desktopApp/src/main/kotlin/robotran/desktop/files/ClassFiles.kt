@@ -1,5 +1,8 @@
 package robotran.desktop.files
 
+import robotran.desktop.messages.FileMessages
+import robotran.programs.ProgramSource
+import robotran.tinyvm.TinyVmLimits
 import java.nio.file.Path
 import kotlin.io.path.extension
 import kotlin.io.path.fileSize
@@ -10,9 +13,6 @@ import kotlin.io.path.name
 import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readBytes
 import kotlin.io.path.walk
-import robotran.desktop.messages.FileMessages
-import robotran.programs.ProgramSource
-import robotran.tinyvm.TinyVmLimits
 
 /** Reads the class files [names], and those of the classes inside these, which lie beside them. */
 internal fun readClassFiles(

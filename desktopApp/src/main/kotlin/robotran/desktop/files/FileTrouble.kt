@@ -1,12 +1,12 @@
 package robotran.desktop.files
 
+import robotran.desktop.messages.FileMessages
 import java.io.IOException
 import java.nio.charset.CharacterCodingException
 import java.nio.file.AccessDeniedException
 import java.nio.file.InvalidPathException
 import java.nio.file.NoSuchFileException
 import java.util.zip.ZipException
-import robotran.desktop.messages.FileMessages
 
 /** What [work] makes of the file [name], or what [refuse] makes of a sentence about why it cannot be read. */
 internal fun <T> reading(

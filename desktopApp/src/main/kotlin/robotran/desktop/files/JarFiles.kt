@@ -1,13 +1,13 @@
 package robotran.desktop.files
 
+import robotran.desktop.messages.FileMessages
+import robotran.tinyvm.TinyVmLimits
 import java.io.InputStream
 import java.util.jar.Attributes
 import java.util.jar.JarFile
 import java.util.jar.Manifest
 import java.util.zip.ZipEntry
 import java.util.zip.ZipFile
-import robotran.desktop.messages.FileMessages
-import robotran.tinyvm.TinyVmLimits
 
 /** Reads all class files in the jar [name]; its manifest may say which to begin with. Never unpacks more than a program can have. */
 internal fun readJar(

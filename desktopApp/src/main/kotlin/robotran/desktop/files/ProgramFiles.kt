@@ -1,14 +1,14 @@
 package robotran.desktop.files
 
-import java.nio.file.Path
-import kotlin.io.path.isDirectory
-import kotlin.io.path.listDirectoryEntries
-import kotlin.io.path.name
 import robotran.desktop.messages.EnglishCommandMessages
 import robotran.desktop.messages.FileMessages
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.rom.Brick
+import java.nio.file.Path
+import kotlin.io.path.isDirectory
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
 
 /** The programs that files named by a person hold. */
 internal sealed interface ProgramFiles {

@@ -1,5 +1,7 @@
 package robotran.desktop.files
 
+import robotran.desktop.messages.EnglishCommandMessages
+import robotran.desktop.messages.FileMessages
 import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.file.InvalidPathException
@@ -9,8 +11,6 @@ import kotlin.io.path.fileSize
 import kotlin.io.path.isDirectory
 import kotlin.io.path.readBytes
 import kotlin.io.path.writeBytes
-import robotran.desktop.messages.EnglishCommandMessages
-import robotran.desktop.messages.FileMessages
 
 /** What came of reading a text file. */
 internal sealed interface TextFile {

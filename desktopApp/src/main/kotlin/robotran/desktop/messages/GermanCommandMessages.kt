@@ -47,7 +47,8 @@ private object GermanFileMessages : FileMessages {
     override fun notToBeChecked(name: String, endings: List<String>) =
         "$name kann nicht geprüft werden: Der Name endet nicht mit ${listed(endings, "oder")}."
 
-    override fun compiled(name: String) = "$name ist übersetzt: In einen Link passen Programme, wie sie geschrieben wurden, .robo oder .java."
+    override fun compiled(name: String) =
+        "$name ist übersetzt: In einen Link passen Programme, wie sie geschrieben wurden, .robo oder .java."
 }
 
 private object GermanRunMessages : RunMessages {
@@ -57,7 +58,8 @@ private object GermanRunMessages : RunMessages {
 
     override fun notFormatted(name: String) = "$name ist nicht ordentlich gesetzt."
 
-    override fun projectHasItsOwn() = "Ein Projekt hat seine eigene Welt und seine eigenen Programme: --world und --robot passen nicht dazu."
+    override fun projectHasItsOwn() =
+        "Ein Projekt hat seine eigene Welt und seine eigenen Programme: --world und --robot passen nicht dazu."
 
     override fun firstRobotNamed(name: String) = "Der Roboter $name ist der erste: Seine Programme werden ohne --robot genannt."
 

@@ -46,7 +46,7 @@ class LanguageOptionTest : CommandTest() {
         val program = program("pen down\nforward 20\n")
         assertEquals(0, execute("run", program, "--world", world, "--language", "de"))
         assertContains(console.said.single(), "Das Programm war nach ")
-        assertContains(console.said.single(), "Der Roboter ist bei x 70 cm")
+        assertContains(console.said.single(), "Der Roboter ist bei x 70,0 cm")
         assertContains(console.said.single(), "geschafft: Zeichne 10,5 cm oder mehr.")
         assertEquals(1, execute("run", program("var zero = 0\nshow 1 / zero\n"), "--language", "es"))
         assertEquals("Línea 2: 1 no se puede dividir entre 0.", console.complaints.single())

@@ -111,18 +111,25 @@ private suspend fun partOf(file: GivenFile, language: Language): Part {
     if (file.bytes.size > JsonLimits.MAXIMUM_BYTES) return Part.Trouble(OpeningTrouble.TooLong(file.name))
     val text = textOf(file) ?: return Part.Trouble(OpeningTrouble.NotText(file.name))
     return when {
-        file.name.endsWith(FileKind.ROBOLANG.extension, ignoreCase = true) ->
+        file.name.endsWith(FileKind.ROBOLANG.extension, ignoreCase = true) -> {
             if (isTooLong(text)) {
                 Part.Trouble(OpeningTrouble.TooLong(file.name))
             } else {
                 Part.OfProgram(ProjectProgram(file.name, ProgramLanguage.ROBOLANG, listOf(SourceFile(file.name, text))))
             }
+        }
 
-        text.trimStart().startsWith('{') || JSON_KINDS.any { file.name.endsWith(it.extension) } -> jsonPartOf(file, text, language)
+        text.trimStart().startsWith('{') || JSON_KINDS.any { file.name.endsWith(it.extension) } -> {
+            jsonPartOf(file, text, language)
+        }
 
-        isLink(text) -> linkedPartOf(text, language)
+        isLink(text) -> {
+            linkedPartOf(text, language)
+        }
 
-        else -> Part.Trouble(OpeningTrouble.UnknownKind(file.name))
+        else -> {
+            Part.Trouble(OpeningTrouble.UnknownKind(file.name))
+        }
     }
 }
 
@@ -140,7 +147,9 @@ private fun jsonPartOf(file: GivenFile, text: String, language: Language): Part 
             Part.OfProject(OpenedProject(workNameOfFile(file.name), result.project, place))
         }
 
-        is ProjectFileResult.Refused -> Part.Trouble(OpeningTrouble.InFile(file.name, result.message))
+        is ProjectFileResult.Refused -> {
+            Part.Trouble(OpeningTrouble.InFile(file.name, result.message))
+        }
     }
 }
 

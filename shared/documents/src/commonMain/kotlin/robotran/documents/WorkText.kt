@@ -81,11 +81,13 @@ internal sealed interface WorkCopy {
         private val project: String,
     ) : WorkCopy {
         fun read(): WorkReading = when (val result = readProject(project)) {
-            is ProjectFileResult.Loaded ->
+            is ProjectFileResult.Loaded -> {
                 WorkReading.Found(KeptWork(entry.id, entry.name, entry.keptAt, result.project, file, saved), wasTorn = false)
+            }
 
-            is ProjectFileResult.Refused ->
+            is ProjectFileResult.Refused -> {
                 WorkReading.Unusable { (readProject(project, it) as? ProjectFileResult.Refused ?: result).message }
+            }
         }
     }
 }

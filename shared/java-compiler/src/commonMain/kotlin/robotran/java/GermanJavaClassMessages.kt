@@ -29,7 +29,8 @@ internal object GermanJavaClassMessages : JavaClassMessages {
 
     override fun noMain() = "Der Stein weiß nicht, wo er anfangen soll: Keine Klasse hat eine Methode \"main\"."
 
-    override fun wrongMain() = "Der Stein weiß nicht, wo er anfangen soll, denn diese Methode ist nicht so angelegt, wie \"main\" es sein muss."
+    override fun wrongMain() =
+        "Der Stein weiß nicht, wo er anfangen soll, denn diese Methode ist nicht so angelegt, wie \"main\" es sein muss."
 
     override fun writeMain() = "Schreib sie so: public static void main(String[] args) { }"
 }

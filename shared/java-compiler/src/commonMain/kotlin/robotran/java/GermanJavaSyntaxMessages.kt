@@ -22,7 +22,8 @@ internal object GermanJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun unclosedText() = "Diesem Text fehlt das Anführungszeichen am Ende."
 
-    override fun closeText() = "Setz ein Anführungszeichen hinter seinen letzten Buchstaben. Ein Text kann nicht in der nächsten Zeile weitergehen."
+    override fun closeText() =
+        "Setz ein Anführungszeichen hinter seinen letzten Buchstaben. Ein Text kann nicht in der nächsten Zeile weitergehen."
 
     override fun wrongCharacter() = "Zwischen einfachen Anführungszeichen steht genau ein Zeichen. Ein Text hat doppelte."
 
@@ -73,5 +74,6 @@ internal object GermanJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun nestedTooDeeply() = "Hier steht zu viel ineinander. Nimm für einen Teil eine Methode oder eine Variable."
 
-    override fun compilerFailed() = "Der Compiler ist mit diesem Programm nicht fertig geworden. Nimm deine letzte Änderung weg und versuch es noch einmal."
+    override fun compilerFailed() =
+        "Der Compiler ist mit diesem Programm nicht fertig geworden. Nimm deine letzte Änderung weg und versuch es noch einmal."
 }

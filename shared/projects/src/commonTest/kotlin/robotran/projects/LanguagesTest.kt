@@ -118,7 +118,9 @@ class LanguagesTest {
                 "Ningún robot de este mundo se llama anna. Solo hay uno, que se llama yellow.",
                 "Kein Roboter in dieser Welt heißt anna. Es gibt nur einen, der heißt yellow.",
             ),
-            Language.entries.map { assertIs<RobotLoads.Mistaken>(readRobotLoads(world, reader.telling(it), given)).mistakes.single().message },
+            Language.entries.map {
+                assertIs<RobotLoads.Mistaken>(readRobotLoads(world, reader.telling(it), given)).mistakes.single().message
+            },
         )
     }
 }

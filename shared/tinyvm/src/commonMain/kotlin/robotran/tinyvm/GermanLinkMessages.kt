@@ -26,8 +26,8 @@ internal object GermanLinkMessages : LinkMessages {
     override fun tooMany(counted: Counted, limit: Int) = "In einen Stein passen höchstens $limit ${nameOf(counted)}."
 
     override fun programTooLarge(bytes: Int, limit: Int) =
-        "Dieses Programm braucht etwa $bytes Bytes vom Speicher des Steins, aber nur $limit passen hinein. Nimm weniger Klassen von leJOS, " +
-            "oder schreib weniger."
+        "Dieses Programm braucht etwa $bytes Bytes vom Speicher des Steins, aber nur $limit passen hinein. " +
+            "Nimm weniger Klassen von leJOS, oder schreib weniger."
 
     override fun nativeMethod(name: String) = "Der Stein hat keine eingebaute Methode \"$name\". Schreib sie in Java, ohne \"native\"."
 

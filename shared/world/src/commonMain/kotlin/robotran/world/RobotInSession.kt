@@ -37,7 +37,8 @@ internal class RobotInSession(
     fun influences(): List<Influence> {
         val hasLightSensor = world.robots[number].ports.any { PortSensor.LIGHT in it }
         val realism = if (hasLightSensor) world.realism else 0.0
-        return Explanation(world.robots[number], machine, if (hasLightSensor) ports.lightBias else 0.0, realism, InfluenceMessages.of(language)).influences()
+        val bias = if (hasLightSensor) ports.lightBias else 0.0
+        return Explanation(world.robots[number], machine, bias, realism, InfluenceMessages.of(language)).influences()
     }
 
     /** Measures what is plugged in; to be done just before the firmware reads it. */

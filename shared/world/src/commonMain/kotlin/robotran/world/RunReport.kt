@@ -110,7 +110,9 @@ fun Session.report(): RunReport {
         lcd = now.brick.glass.text,
         romCalls = now.romCalls,
         traceHash = traceHash,
-        error = (run as? RunState.Failed)?.failure?.let { listOfNotNull(it.place(BrickMessages.of(language)), it.message).joinToString(": ") },
+        error = (run as? RunState.Failed)?.failure?.let {
+            listOfNotNull(it.place(BrickMessages.of(language)), it.message).joinToString(": ")
+        },
         goals = now.goals.map(GoalReport::of),
     )
 }

@@ -22,7 +22,11 @@ internal class GradeProgress(
     }
 
     private fun tellTenth() {
-        if (done * TENTHS / total > (done - 1) * TENTHS / total) console.mention("${done * 100 / total} %: ${console.messages.runsDone(done, total)}\n")
+        if (done * TENTHS / total >
+            (done - 1) * TENTHS / total
+        ) {
+            console.mention("${done * 100 / total} %: ${console.messages.runsDone(done, total)}\n")
+        }
     }
 
     /** Goes back to the begin of the line first; the last one leaves the line empty. */

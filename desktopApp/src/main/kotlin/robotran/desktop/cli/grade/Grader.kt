@@ -1,8 +1,5 @@
 package robotran.desktop.cli.grade
 
-import java.util.concurrent.ExecutionException
-import java.util.concurrent.Executors
-import java.util.concurrent.Future
 import robotran.language.Language
 import robotran.world.RobotLoad
 import robotran.world.Session
@@ -10,6 +7,9 @@ import robotran.world.World
 import robotran.world.grade.Grade
 import robotran.world.grade.runForGoals
 import robotran.world.physics.PhysicsEngine
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.Executors
+import java.util.concurrent.Future
 
 /**
  * Runs programs in [world], each run by itself, several at a time.

@@ -43,7 +43,7 @@ private fun choicesOf(type: Type, number: Int): List<Any?> = when (type) {
     Boolean::class.javaPrimitiveType -> listOf(true, false)
     Mover::class.java -> listOf(Mover.OwnRobot, Mover.OtherRobot("marker-robot"), Mover.Block("marker-block"))
     Region::class.java -> listOf(Region("marker-region", PaperPlace.TOP)) + PaperPlace.entries.map { Region(null, it) }
-    ProgramFailure::class.java -> listOf(ProgramFailure("marker-failure.", LARGE), ProgramFailure("marker-failure.", LARGE, sourceFile = "marker-file"))
+    ProgramFailure::class.java -> listOf(null, "marker-file").map { ProgramFailure("marker-failure.", LARGE, sourceFile = it) }
     is WildcardType -> choicesOf(type.upperBounds.single(), number)
     is ParameterizedType -> listsOf(type.actualTypeArguments.single(), number)
     is Class<*> -> type.enumConstants?.toList() ?: error("No argument of type $type is known.")

@@ -22,7 +22,12 @@ class MessageTablesTest {
     @Test
     fun `every message of every table is said`() {
         assertTrue(said.size > 1_000, "${said.size} sentences")
-        assertEquals(emptyList(), tables.keys.flatMap(::messagesOf).filter { message -> said.none { it.message == message } }.map { it.name })
+        assertEquals(
+            emptyList(),
+            tables.keys.flatMap(::messagesOf).filter { message ->
+                said.none { it.message == message }
+            }.map { it.name },
+        )
     }
 
     @Test
@@ -36,7 +41,13 @@ class MessageTablesTest {
     @Test
     fun `no English sentence is left in another language`() = forEachTranslation { one, english, other ->
         val words = one.markers.fold(english) { text, marker -> text.replace(marker, "") }
-        if (english == other && words.any { it.isLetter() } && one.message.name !in SAME_EVERYWHERE) listOf("is in English") else emptyList()
+        if (english == other && words.any { it.isLetter() } &&
+            one.message.name !in SAME_EVERYWHERE
+        ) {
+            listOf("is in English")
+        } else {
+            emptyList()
+        }
     }
 
     @Test
@@ -99,14 +110,21 @@ class MessageTablesTest {
         val UNWANTED = listOf("!", "¡", "  ", " \\.(?!\\.)", "\\bnull\\.$", "\\bustedes?\\b", "\\bIhnen\\b", "\\$").map(::Regex)
 
         val said: List<Said> by lazy {
-            tables.flatMap { (table, of) -> messagesOf(table).flatMap { message -> argumentsOf(message).mapNotNull { saidWith(message, it, of) } } }
+            tables.flatMap { (table, of) ->
+                messagesOf(table).flatMap { message -> argumentsOf(message).mapNotNull { saidWith(message, it, of) } }
+            }
         }
 
         fun messagesOf(table: Class<*>): List<Method> = table.methods.filter { Modifier.isAbstract(it.modifiers) }.sortedBy { it.name }
 
         /** Null if the message may not be called with these arguments: what must not be left out is, or a number is out of its range. */
         fun saidWith(message: Method, arguments: List<Any?>, of: (Language) -> Any): Said? = try {
-            Said(message, markersIn(arguments), Language.entries.associateWith { message.invoke(of(it), *arguments.toTypedArray()) as String })
+            Said(
+                message, markersIn(arguments),
+                Language.entries.associateWith {
+                    message.invoke(of(it), *arguments.toTypedArray()) as String
+                },
+            )
         } catch (refusal: InvocationTargetException) {
             if (refusal.cause is NullPointerException || refusal.cause is IndexOutOfBoundsException) null else throw refusal
         }

@@ -14,8 +14,8 @@ internal object GermanInfluenceMessages : InfluenceMessages {
             "Sein Rad ist ${withComma(centimetres)} cm ${if (weak) "weniger" else "mehr"} gerollt, als es sollte."
 
     override fun flutter(centimetres: String, degrees: String, left: Boolean) =
-        "Die Motoren laufen nicht ganz gleichmäßig: Ein Rad ist dadurch ${withComma(centimetres)} cm mehr gerollt, und das hat den Roboter " +
-            "${withComma(degrees)} Grad nach ${side(left)} gedreht."
+        "Die Motoren laufen nicht ganz gleichmäßig: Ein Rad ist dadurch ${withComma(centimetres)} cm mehr gerollt, " +
+            "und das hat den Roboter ${withComma(degrees)} Grad nach ${side(left)} gedreht."
 
     override fun slip(centimetres: String) =
         "Die Räder sind auf dem Boden ein wenig gerutscht und haben zusammen ${withComma(centimetres)} cm verloren."
@@ -27,8 +27,8 @@ internal object GermanInfluenceMessages : InfluenceMessages {
         "Die Batterien haben nur noch ${withComma(volts)} Volt: Jedes Rad ist ${withComma(centimetres)} cm weniger gerollt als mit neuen."
 
     override fun lightBias(raw: String, dark: Boolean) =
-        "Der Lichtsensor misst ${withComma(raw)} Rohwerte zu ${if (dark) "viel, also sieht für ihn alles dunkler" else "wenig, also sieht für ihn alles heller"} " +
-            "aus, als es ist."
+        "Der Lichtsensor misst ${withComma(raw)} Rohwerte zu ${if (dark) "viel" else "wenig"}, " +
+            "also sieht für ihn alles ${if (dark) "dunkler" else "heller"} aus, als es ist."
 
     override fun lightNoise(raw: String) = "Die Werte des Lichtsensors zittern um etwa ${withComma(raw)} Rohwerte."
 

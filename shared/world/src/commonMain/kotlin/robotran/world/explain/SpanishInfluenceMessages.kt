@@ -10,8 +10,8 @@ internal object SpanishInfluenceMessages : InfluenceMessages {
         "Al colocarlo, miraba ${withComma(degrees)} grados de más hacia la ${side(left)}."
 
     override fun strength(leftMotor: Boolean, weak: Boolean, perCent: String, centimetres: String) =
-        "El motor ${if (leftMotor) "izquierdo" else "derecho"} es un ${withComma(perCent)} % demasiado ${if (weak) "débil" else "fuerte"}: " +
-            "su rueda ha rodado ${withComma(centimetres)} cm ${if (weak) "menos" else "más"} de lo que debía."
+        "El motor ${if (leftMotor) "izquierdo" else "derecho"} es un ${withComma(perCent)} % " +
+            "demasiado ${if (weak) "débil" else "fuerte"}: su rueda ha rodado ${withComma(centimetres)} cm ${if (weak) "menos" else "más"} de lo que debía."
 
     override fun flutter(centimetres: String, degrees: String, left: Boolean) =
         "La velocidad de los motores tiembla: por eso una rueda ha rodado ${withComma(centimetres)} cm más, y el robot ha girado " +
@@ -27,8 +27,8 @@ internal object SpanishInfluenceMessages : InfluenceMessages {
         "Las pilas han bajado a ${withComma(volts)} voltios: cada rueda ha rodado ${withComma(centimetres)} cm menos que con pilas nuevas."
 
     override fun lightBias(raw: String, dark: Boolean) =
-        "El sensor de luz mide ${withComma(raw)} unidades de ${if (dark) "más, así que lo ve todo más oscuro" else "menos, así que lo ve todo más claro"} " +
-            "de lo que es."
+        "El sensor de luz mide ${withComma(raw)} unidades de ${if (dark) "más" else "menos"}, " +
+            "así que lo ve todo más ${if (dark) "oscuro" else "claro"} de lo que es."
 
     override fun lightNoise(raw: String) = "Lo que mide el sensor de luz tiembla en unas ${withComma(raw)} unidades."
 

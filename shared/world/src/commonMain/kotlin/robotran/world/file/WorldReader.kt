@@ -22,11 +22,8 @@ fun worldIn(place: JsonPlace): World {
     }
     return when (val version = place.member("version").wholeNumber(0..Int.MAX_VALUE)) {
         WORLD_VERSION -> WorldReader(place).read()
-
         1 -> readMigrated(place)
-
         0 -> place.member("version").refuse { JsonMessages.of(it).mustBeFrom("1", "$WORLD_VERSION") }
-
         else -> throw JsonRefusal(null, told { newerWorld(version, WORLD_VERSION) })
     }
 }
