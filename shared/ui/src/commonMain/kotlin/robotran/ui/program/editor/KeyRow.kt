@@ -35,7 +35,6 @@ internal fun KeyRow(control: EditorControl) {
             .fillMaxWidth()
             .testTag("keys")
             .background(LocalRobotranColours.current.desk)
-            .focusProperties { canFocus = false }
             .horizontalScroll(rememberScrollState()),
     ) {
         TouchKey("→", stringResource(Res.string.editor_indent)) { control.perform(EditorCommand.Plain.INDENT) }
@@ -51,6 +50,7 @@ private fun TouchKey(sign: String, words: String, onClick: () -> Unit) {
         Modifier
             .defaultMinSize(Measures.TARGET, Measures.TARGET)
             .testTag("key-$sign")
+            .focusProperties { canFocus = false }
             .clickable(role = Role.Button, onClick = onClick)
             .semantics { contentDescription = words },
         Alignment.Center,
