@@ -38,8 +38,12 @@ internal fun KeyRow(control: EditorControl) {
             .horizontalScroll(rememberScrollState()),
     ) {
         TouchKey("→", stringResource(Res.string.editor_indent)) { control.perform(EditorCommand.Plain.INDENT) }
-        TouchKey("◂", stringResource(Res.string.editor_caret_left)) { control.perform(EditorCommand.Move(CaretMove.LEFT, selecting = false)) }
-        TouchKey("▸", stringResource(Res.string.editor_caret_right)) { control.perform(EditorCommand.Move(CaretMove.RIGHT, selecting = false)) }
+        TouchKey("◂", stringResource(Res.string.editor_caret_left)) {
+            control.perform(EditorCommand.Move(CaretMove.LEFT, selecting = false))
+        }
+        TouchKey("▸", stringResource(Res.string.editor_caret_right)) {
+            control.perform(EditorCommand.Move(CaretMove.RIGHT, selecting = false))
+        }
         for (sign in SIGNS.getValue(control.language)) TouchKey(sign, sign) { control.type(sign) }
     }
 }
