@@ -34,7 +34,9 @@ private suspend fun frameTime(tab: DrawerTab): Figure {
     workshop.advance(EARLIER_MILLISECONDS)
     workshop.handle(RunEvent.DrawerChosen(tab))
     val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f)) { RobotranApp(workshop, dark = false) }
-    val times = List(WARMING_FRAMES + FRAMES) { frame -> measureTime { scene.render(frame * FRAME_NANOSECONDS) } }.drop(WARMING_FRAMES).sorted()
+    val times = List(WARMING_FRAMES + FRAMES) { frame ->
+        measureTime { scene.render(frame * FRAME_NANOSECONDS) }
+    }.drop(WARMING_FRAMES).sorted()
     val calls = workshop.state.session.robots.sumOf { it.romCalls }
     scene.close()
     workshop.close()

@@ -34,7 +34,10 @@ private fun kindOf(token: Token): SourcePieceKind = when (token.kind) {
     }
 
     TokenKind.NUMBER -> SourcePieceKind.NUMBER
+
     TokenKind.TEXT -> SourcePieceKind.TEXT
+
     TokenKind.COMMENT -> SourcePieceKind.COMMENT
+
     else -> SourcePieceKind.SIGN
 }

@@ -13,11 +13,13 @@ internal data class BlockEffect(
 
 /** What [line] does to the blocks around it. */
 internal fun blockEffect(line: String, language: CodeLanguage): BlockEffect = when (language) {
-    CodeLanguage.ROBOLANG -> when (firstWord(line)) {
-        "end" -> BlockEffect(closes = true, opens = false)
-        "else" -> BlockEffect(closes = true, opens = true)
-        in ROBOLANG_OPENERS -> BlockEffect(closes = false, opens = true)
-        else -> BlockEffect(closes = false, opens = false)
+    CodeLanguage.ROBOLANG -> {
+        when (firstWord(line)) {
+            "end" -> BlockEffect(closes = true, opens = false)
+            "else" -> BlockEffect(closes = true, opens = true)
+            in ROBOLANG_OPENERS -> BlockEffect(closes = false, opens = true)
+            else -> BlockEffect(closes = false, opens = false)
+        }
     }
 
     CodeLanguage.JAVA -> {

@@ -55,11 +55,21 @@ class EditHistory private constructor(
         val size: Int get() = edit.inserted.length + edit.removed.length
 
         fun joinedWith(next: Step): Step? = when {
-            kind != next.kind -> null
-            kind == EditKind.TYPING && goesOnTyping(next.edit) -> joined(next, edit.copy(inserted = edit.inserted + next.edit.inserted))
-            kind == EditKind.ERASING && goesOnErasing(next.edit) ->
+            kind != next.kind -> {
+                null
+            }
+
+            kind == EditKind.TYPING && goesOnTyping(next.edit) -> {
+                joined(next, edit.copy(inserted = edit.inserted + next.edit.inserted))
+            }
+
+            kind == EditKind.ERASING && goesOnErasing(next.edit) -> {
                 joined(next, edit.copy(next.edit.start, next.edit.removed + edit.removed))
-            else -> null
+            }
+
+            else -> {
+                null
+            }
         }
 
         private fun joined(next: Step, edit: TextEdit) = copy(edit = edit, after = next.after)

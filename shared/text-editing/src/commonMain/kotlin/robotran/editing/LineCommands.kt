@@ -20,7 +20,9 @@ private fun Draft.withSelectedLines(change: (String) -> String): Draft {
         val place = line - chosen.first
         when {
             line < chosen.first -> offset
+
             line > chosen.last -> offset + text.length - this.text.length
+
             else -> from + after.take(place).sumOf { it.length + 1 } +
                 (after[place].length - (before[place].length - lines.columnOf(offset))).coerceIn(0, after[place].length)
         }

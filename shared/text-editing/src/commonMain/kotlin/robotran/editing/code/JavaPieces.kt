@@ -7,7 +7,7 @@ val JAVA_KEYWORDS: List<String> = (
     "abstract boolean break byte case catch char class const continue default do double else extends false final finally float for " +
         "goto if implements import instanceof int interface long native new null package private protected public return short static " +
         "super switch synchronized this throw throws transient true try void volatile while"
-    ).split(' ')
+).split(' ')
 
 /**
  * Takes one [line] of Java apart. Never throws, whatever it holds.

@@ -113,7 +113,9 @@ private fun Choice(text: String, tag: String, about: String? = null, onClick: ()
     text = {
         Column(Modifier.padding(vertical = 4.dp)) {
             Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp)
-            about?.let { Text(it, Modifier.widthIn(max = 300.dp), LocalRobotranColours.current.quiet, fontSize = 13.sp, lineHeight = 17.sp) }
+            about?.let {
+                Text(it, Modifier.widthIn(max = 300.dp), LocalRobotranColours.current.quiet, fontSize = 13.sp, lineHeight = 17.sp)
+            }
         }
     },
     onClick = onClick,

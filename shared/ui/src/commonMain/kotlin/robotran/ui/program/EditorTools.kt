@@ -10,7 +10,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.FilterChip
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -44,7 +43,6 @@ import robotran.ui.resources.editor_undo
 import robotran.ui.resources.editor_unindent
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
-import robotran.ui.theme.focusRing
 import robotran.ui.workshop.ProgramLanguage
 import robotran.ui.workshop.ProgramsState
 
@@ -61,12 +59,9 @@ internal fun EditorTools(state: ProgramsState, onTranslation: (Boolean) -> Unit,
         RoundButton(Signs.FIND, stringResource(Res.string.editor_find), "find-open", SIGN) { onCommand(EditorCommand.Plain.FIND) }
         Spacer(Modifier.weight(1f))
         if (state.program.language == ProgramLanguage.ROBOLANG) {
-            FilterChip(
-                state.translationShown,
-                { onTranslation(!state.translationShown) },
-                { Text(stringResource(Res.string.editor_translation), fontSize = 14.sp, maxLines = 1) },
-                Modifier.testTag("translation-switch").focusRing(8.dp),
-            )
+            PaneChip(stringResource(Res.string.editor_translation), "translation-switch", state.translationShown) {
+                onTranslation(!state.translationShown)
+            }
         }
         MoreTools(onCommand)
     }

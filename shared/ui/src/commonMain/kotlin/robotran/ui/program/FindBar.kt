@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.text.BasicTextField
-import androidx.compose.material3.FilterChip
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
@@ -133,10 +132,10 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
             FindButton(stringResource(Res.string.editor_replace_all), "replace-all", count > 0, actions::replaceAll)
         }
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
-            Switch(stringResource(Res.string.editor_find_case), "find-case", state.search.matchCase) {
+            PaneChip(stringResource(Res.string.editor_find_case), "find-case", state.search.matchCase) {
                 state.search = state.search.copy(matchCase = !state.search.matchCase)
             }
-            Switch(stringResource(Res.string.editor_find_words), "find-words", state.search.wholeWords) {
+            PaneChip(stringResource(Res.string.editor_find_words), "find-words", state.search.wholeWords) {
                 state.search = state.search.copy(wholeWords = !state.search.wholeWords)
             }
             Text(
@@ -161,12 +160,6 @@ private fun FindButton(words: String, tag: String, enabled: Boolean, onClick: ()
 }
 
 @Composable
-private fun Switch(words: String, tag: String, on: Boolean, onClick: () -> Unit) {
-    val modifier = Modifier.testTag(tag).focusRing(8.dp)
-    FilterChip(on, onClick, { Text(words, fontSize = 14.sp) }, modifier)
-}
-
-@Composable
 private fun LineField(
     text: String,
     words: String,
@@ -188,8 +181,14 @@ private fun LineField(
             .onPreviewKeyEvent { event ->
                 val isDown = event.type == KeyEventType.KeyDown
                 when (event.key) {
-                    Key.Enter, Key.NumPadEnter -> if (isDown) { if (event.isShiftPressed) actions.previous() else onEnter() }
+                    Key.Enter, Key.NumPadEnter -> when {
+                        !isDown -> Unit
+                        event.isShiftPressed -> actions.previous()
+                        else -> onEnter()
+                    }
+
                     Key.Escape -> if (isDown) actions.close()
+
                     else -> return@onPreviewKeyEvent false
                 }
                 true

@@ -50,7 +50,6 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onLeav
     val problem = nameProblem(state.programs, state.shownProgram, state.shownFile, typed.text)
     val take = { if (problem == null) onName(typed.text) }
     val focus = remember { FocusRequester() }
-    LaunchedEffect(Unit) { focus.requestFocus() }
     AlertDialog(
         onDismissRequest = onLeave,
         modifier = Modifier.testTag("rename"),
@@ -58,6 +57,8 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onLeav
         title = { Text(stringResource(Res.string.editor_rename), fontSize = 20.sp) },
         text = {
             Column {
+                // A dialog is drawn by itself: the field is there only now.
+                LaunchedEffect(Unit) { focus.requestFocus() }
                 OutlinedTextField(
                     typed,
                     { typed = it },

@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.material3.FilterChip
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
@@ -27,7 +26,6 @@ import robotran.ui.resources.editor_worlds_own
 import robotran.ui.sheet.RobotColours
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
-import robotran.ui.theme.focusRing
 import robotran.ui.workshop.ProgramsState
 
 /** Whose programs are shown, where a world has several robots. */
@@ -47,18 +45,17 @@ internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
         Alignment.CenterVertically,
     ) {
         for (robot in state.robots) {
-            FilterChip(
+            PaneChip(
+                stringResource(Res.string.editor_robot, robot.name),
+                "robot-${robot.name}",
                 robot.name == state.shownRobot,
-                { onChoose(robot.name) },
-                { Text(stringResource(Res.string.editor_robot, robot.name), fontSize = 14.sp, maxLines = 1) },
-                Modifier.testTag("robot-${robot.name}").focusRing(8.dp),
-                leadingIcon = {
+                {
                     Canvas(Modifier.size(14.dp)) {
                         drawCircle(RobotColours.brick(robot.colour))
                         drawCircle(RobotColours.edge(robot.colour), style = Stroke(1.dp.toPx()))
                     }
                 },
-            )
+            ) { onChoose(robot.name) }
         }
         if (state.isWorldsOwn) Text(stringResource(Res.string.editor_worlds_own), color = colours.quiet, fontSize = 14.sp, maxLines = 1)
     }

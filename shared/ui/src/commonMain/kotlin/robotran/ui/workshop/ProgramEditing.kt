@@ -5,9 +5,9 @@ import robotran.editing.Draft
 import robotran.editing.EditKind
 import robotran.editing.code.formatJava
 import robotran.editing.editBetween
-import robotran.rom.Brick
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
+import robotran.rom.Brick
 
 /**
  * What a person does with the programs of the robot that is chosen.

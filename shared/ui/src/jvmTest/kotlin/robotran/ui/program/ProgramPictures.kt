@@ -49,7 +49,7 @@ class ProgramPictures {
     }
 
     @Test
-    fun `what is offered can be photographed`() = photograph("offered", listOf(Key.Tab, Key.Tab, Key.Tab, Key.Tab, Key.Tab, Key.Tab)) { workshop ->
+    fun `what is offered can be photographed`() = photograph("offered", List(12) { Key.Tab }) { workshop ->
         workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("WallBouncer.java", lejosExampleTexts.getValue("WallBouncer.java"))))
         val draft = workshop.state.programs.draft
         val place = draft.text.indexOf("Motor.A.") + "Motor.A.".length

@@ -103,7 +103,7 @@ private fun KeepInSight(view: EditorView, draft: Draft, layouts: LineLayouts, pi
         // The lines have their places only once they were laid out.
         withFrameNanos { }
         val line = draft.lines.lineOf(draft.selection.caret)
-        if (!hasFocus && draft.selection.caret == 0 || line >= view.geometry.lines) return@LaunchedEffect
+        if ((!hasFocus && draft.selection.caret == 0) || line >= view.geometry.lines) return@LaunchedEffect
         val x = layouts.of(draft.lines.line(line), pieces.startsInComment(line)).x(draft.lines.columnOf(draft.selection.caret))
         view.bringIntoSight(line, x)
     }

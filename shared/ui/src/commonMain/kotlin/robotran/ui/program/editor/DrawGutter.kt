@@ -47,7 +47,10 @@ internal class GutterDrawing(
         val height = view.geometry.lineHeight
         val right = view.gutter - GAP.toPx()
         val hasStop = line in marks.breakpoints
-        if (hasStop) drawRoundRect(code.breakpoint, Offset(4.dp.toPx(), top + 1.dp.toPx()), Size(right, height - 2.dp.toPx()), CornerRadius(height / 2))
+        if (hasStop) {
+            val shape = Size(right, height - 2.dp.toPx())
+            drawRoundRect(code.breakpoint, Offset(4.dp.toPx(), top + 1.dp.toPx()), shape, CornerRadius(height / 2))
+        }
         val sign = when {
             line in mistaken -> "!"
             line in doubtful -> "?"

@@ -70,7 +70,9 @@ private fun handleKey(
             true
         }
 
-        command == null || leavesToField(command, control) -> false
+        command == null || leavesToField(command, control) -> {
+            false
+        }
 
         command == EditorCommand.Plain.LEAVE -> {
             onCommand(command)

@@ -66,10 +66,18 @@ internal class EditorView {
         val top = geometry.top(line)
         val margin = minOf(geometry.lineHeight, (size.height - geometry.lineHeight).coerceAtLeast(0f) / 2)
         val below = top + geometry.lineHeight + margin - size.height
-        if (top - margin < scrollY) scrollDown(top - margin - scrollY) else if (below > scrollY) scrollDown(below - scrollY)
+        if (top - margin < scrollY) {
+            scrollDown(top - margin - scrollY)
+        } else if (below > scrollY) {
+            scrollDown(below - scrollY)
+        }
         if (x == null) return
         val room = size.width - gutter
-        if (x < scrollX + SIDE) scrollRight(x - SIDE - scrollX) else if (x + SIDE > scrollX + room) scrollRight(x + SIDE - room - scrollX)
+        if (x < scrollX + SIDE) {
+            scrollRight(x - SIDE - scrollX)
+        } else if (x + SIDE > scrollX + room) {
+            scrollRight(x + SIDE - room - scrollX)
+        }
     }
 
     /** The rectangle of [column] of [line] on the screen, as thin as a caret. */

@@ -35,12 +35,15 @@ internal fun KeyRow(control: EditorControl) {
             .fillMaxWidth()
             .testTag("keys")
             .background(LocalRobotranColours.current.desk)
-            .focusProperties { canFocus = false }
             .horizontalScroll(rememberScrollState()),
     ) {
         TouchKey("→", stringResource(Res.string.editor_indent)) { control.perform(EditorCommand.Plain.INDENT) }
-        TouchKey("◂", stringResource(Res.string.editor_caret_left)) { control.perform(EditorCommand.Move(CaretMove.LEFT, selecting = false)) }
-        TouchKey("▸", stringResource(Res.string.editor_caret_right)) { control.perform(EditorCommand.Move(CaretMove.RIGHT, selecting = false)) }
+        TouchKey("◂", stringResource(Res.string.editor_caret_left)) {
+            control.perform(EditorCommand.Move(CaretMove.LEFT, selecting = false))
+        }
+        TouchKey("▸", stringResource(Res.string.editor_caret_right)) {
+            control.perform(EditorCommand.Move(CaretMove.RIGHT, selecting = false))
+        }
         for (sign in SIGNS.getValue(control.language)) TouchKey(sign, sign) { control.type(sign) }
     }
 }
@@ -51,6 +54,7 @@ private fun TouchKey(sign: String, words: String, onClick: () -> Unit) {
         Modifier
             .defaultMinSize(Measures.TARGET, Measures.TARGET)
             .testTag("key-$sign")
+            .focusProperties { canFocus = false }
             .clickable(role = Role.Button, onClick = onClick)
             .semantics { contentDescription = words },
         Alignment.Center,

@@ -1,6 +1,7 @@
 package robotran.ui.program.editor
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -12,6 +13,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.clearAndSetSemantics
@@ -37,33 +39,39 @@ import robotran.ui.workshop.ProgramNote
 @Composable
 internal fun LineNote(note: ProgramNote, standsOut: Boolean, onFix: (Mistake) -> Unit) {
     val colours = LocalRobotranColours.current
-    val colour = if (note.isDoubt) codeColours().doubt else colours.mistake
     val spoken = stringResource(Res.string.mistake, note.line ?: 0, note.mistake.message)
-    Row(
-        Modifier
-            .testTag(if (note.isDoubt) "doubt" else "mistake")
-            .fillMaxWidth()
-            .padding(end = 8.dp, top = 2.dp, bottom = 4.dp)
-            .clip(RoundedCornerShape(8.dp))
-            .background(if (note.isDoubt) colours.line.copy(alpha = QUIET) else colours.mistakePane)
-            .padding(start = 12.dp, end = 4.dp),
-        verticalAlignment = Alignment.CenterVertically,
-    ) {
+    val frame = Modifier
+        .testTag(if (note.isDoubt) "doubt" else "mistake")
+        .fillMaxWidth()
+        .padding(end = 8.dp, top = 2.dp, bottom = 4.dp)
+        .clip(RoundedCornerShape(8.dp))
+        .background(if (note.isDoubt) colours.line.copy(alpha = QUIET) else colours.mistakePane)
+        .padding(start = 12.dp, end = 4.dp)
+    val message: @Composable (Modifier) -> Unit = { modifier ->
         Text(
             note.mistake.message,
-            Modifier
-                .weight(1f)
+            modifier
                 .padding(vertical = 8.dp)
                 .clearAndSetSemantics {
                     text = AnnotatedString(spoken)
                     liveRegion = LiveRegionMode.Polite
                 },
-            color = if (note.isDoubt) colours.onPane else colour,
+            color = if (note.isDoubt) colours.onPane else colours.mistake,
             fontSize = 15.sp,
             lineHeight = 20.sp,
             fontWeight = if (standsOut) FontWeight.Bold else FontWeight.Normal,
         )
-        if (note.mistake.fix != null) FixButton(note.mistake, onFix)
+    }
+    if (LocalDensity.current.fontScale > LARGE) {
+        Column(frame) {
+            message(Modifier)
+            if (note.mistake.fix != null) FixButton(note.mistake, onFix)
+        }
+    } else {
+        Row(frame, verticalAlignment = Alignment.CenterVertically) {
+            message(Modifier.weight(1f))
+            if (note.mistake.fix != null) FixButton(note.mistake, onFix)
+        }
     }
 }
 
@@ -89,3 +97,6 @@ internal fun FixButton(mistake: Mistake, onFix: (Mistake) -> Unit) {
 }
 
 private const val QUIET = 0.3f
+
+/** With larger text than this there is no room for a button beside a message. */
+private const val LARGE = 1.3f

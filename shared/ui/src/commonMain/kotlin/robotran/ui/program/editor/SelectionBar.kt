@@ -51,12 +51,13 @@ internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> U
             .shadow(6.dp, SHAPE)
             .background(colours.pane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
-            .focusProperties { canFocus = false }
             .horizontalScroll(rememberScrollState()),
     ) {
         for ((command, words) in BUTTONS) {
             val tag = "selection-${command.name.lowercase()}"
-            TextButton({ onCommand(command) }, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag(tag)) {
+            // With the focus gone from the text the bar would be gone too.
+            val modifier = Modifier.focusProperties { canFocus = false }.defaultMinSize(minHeight = Measures.TARGET).testTag(tag)
+            TextButton({ onCommand(command) }, modifier) {
                 Text(stringResource(words), color = colours.onPane, fontSize = 15.sp)
             }
         }

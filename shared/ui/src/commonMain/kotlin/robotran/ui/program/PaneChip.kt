@@ -1,0 +1,35 @@
+package robotran.ui.program
+
+import androidx.compose.material3.FilterChip
+import androidx.compose.material3.FilterChipDefaults
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import robotran.ui.program.editor.codeColours
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+
+/**
+ * Something that is on or off, or chosen among others.
+ *
+ * @param picture what stands before its [words].
+ */
+@Composable
+internal fun PaneChip(words: String, tag: String, on: Boolean, picture: (@Composable () -> Unit)? = null, onClick: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    FilterChip(
+        selected = on,
+        onClick = onClick,
+        label = { Text(words, fontSize = 14.sp, maxLines = 1) },
+        modifier = Modifier.testTag(tag).focusRing(8.dp),
+        leadingIcon = picture,
+        colors = FilterChipDefaults.filterChipColors(
+            labelColor = colours.onPane,
+            selectedContainerColor = codeColours().partner,
+            selectedLabelColor = colours.onPane,
+        ),
+    )
+}
