@@ -28,13 +28,13 @@ internal object Rehearsal {
     private const val FRAME_NANOSECONDS = 16_000_000L
 
     /** What a start loads that cannot be gone through without a display. */
-    private val NEEDS_DISPLAY =
+    val NEEDS_DISPLAY =
         listOf(
             "androidx.compose.ui.awt.ComposeWindow",
             "androidx.compose.ui.awt.ComposeWindowPanel",
             "androidx.compose.ui.window.Window_desktopKt",
             "androidx.compose.ui.window.Application_desktopKt",
-            "androidx.compose.ui.window.MenuBar_desktopKt",
+            "androidx.compose.ui.window.Menu_desktopKt",
             "org.jetbrains.skiko.SkiaLayer",
             "org.jetbrains.skiko.redrawer.LinuxOpenGLRedrawer",
             "robotran.desktop.window.AppWindowKt",

@@ -116,7 +116,9 @@ class AndroidFileDesk(
     private fun nameOf(place: Uri): String {
         val found =
             runCatching {
-                resolver.query(place, arrayOf(OpenableColumns.DISPLAY_NAME), null, null, null)?.use { if (it.moveToFirst()) it.getString(0) else null }
+                resolver.query(place, arrayOf(OpenableColumns.DISPLAY_NAME), null, null, null)?.use { row ->
+                    if (row.moveToFirst()) row.getString(0) else null
+                }
             }.getOrNull()
         return found ?: place.lastPathSegment.orEmpty().substringAfterLast('/')
     }

@@ -8,7 +8,6 @@ import androidx.compose.runtime.DisposableEffect
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.key
 import androidx.compose.runtime.remember
-import androidx.compose.runtime.rememberCoroutineScope
 import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.Modifier
@@ -24,7 +23,6 @@ import robotran.ui.RobotranWindow
 import robotran.ui.brick.BrickIcon
 import robotran.ui.desktop.WorkshopMenuBar
 import robotran.ui.desktop.windowTitle
-import robotran.ui.openWorkshop
 import java.awt.Dimension
 
 /** The window [open], with the platform's menu; [close] is called once it can go, [openAnother] for one more. */
@@ -36,12 +34,10 @@ internal fun AppWindow(
     openAnother: () -> Unit,
     close: () -> Unit,
 ) {
-    val scope = rememberCoroutineScope()
     val icon = remember { BrickIcon() }
-    val rescue = remember { Rescue(scope, open, close) }
-    val askToClose: () -> Unit = { scope.launch { if (open.workshop?.closeDocument(onLoss = close) != false) close() } }
-    LaunchedEffect(Unit) { open.workshop = openWorkshop(platform = open.platform, scope = scope) }
-    DisposableEffect(Unit) { onDispose { open.workshop?.close() } }
+    val rescue = remember { Rescue(open, close) }
+    val askToClose: () -> Unit = { open.scope.launch { if (open.workshop?.closeDocument(onLoss = close) != false) close() } }
+    DisposableEffect(Unit) { onDispose { open.close() } }
     KeepPlace(open, state)
     CompositionLocalProvider(LocalWindowExceptionHandlerFactory provides rescue) {
         key(open.attempt) {

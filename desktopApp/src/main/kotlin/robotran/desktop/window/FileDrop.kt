@@ -38,7 +38,10 @@ internal fun Modifier.opensDroppedFiles(onArrival: (Arrival) -> Unit): Modifier 
 /** What a drag brings: its files together, or the link in its text; none if there is neither. */
 internal fun arrivalsIn(dropped: Transferable): List<Arrival> {
     val files = (dropped.contentIn(DataFlavor.javaFileListFlavor) as? List<*>)?.filterIsInstance<File>().orEmpty()
-    if (files.isEmpty()) return listOfNotNull((dropped.contentIn(DataFlavor.stringFlavor) as? String)?.takeIf(::isLink)?.let(Arrival::OfLink))
+    if (files.isEmpty()) {
+        val text = dropped.contentIn(DataFlavor.stringFlavor) as? String
+        return listOfNotNull(text?.takeIf(::isLink)?.let(Arrival::OfLink))
+    }
     val troubles = mutableListOf<Arrival>()
     val opened = files.mapNotNull { file -> openedFile(file.toPath()) { troubles += Arrival.Unreadable(it) } }
     return troubles + listOfNotNull(opened.takeIf { it.isNotEmpty() }?.let(Arrival::OfFiles))

@@ -4,9 +4,18 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableIntStateOf
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.SupervisorJob
+import kotlinx.coroutines.cancel
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.swing.Swing
+import kotlinx.coroutines.withContext
 import robotran.desktop.platform.DesktopFileDesk
 import robotran.desktop.platform.DesktopPlatform
 import robotran.desktop.sound.soundCardSpeaker
+import robotran.ui.documents.unexpectedNotice
+import robotran.ui.openWorkshop
 import robotran.ui.platform.Arrival
 import robotran.ui.platform.Arrivals
 import robotran.ui.platform.WorkStore
@@ -35,6 +44,31 @@ internal class OpenWindow(
     var attempt: Int by mutableIntStateOf(0)
 
     val platform = DesktopPlatform(soundCardSpeaker(), store, DesktopFileDesk({ frame }, ::tellUnreadable), arrivals, goesOn)
+
+    /** Lives as long as the window; runs on its thread. */
+    val scope = CoroutineScope(SupervisorJob() + Dispatchers.Swing)
+
+    init {
+        // While the window comes up, another processor gets the rest ready.
+        scope.launch(Dispatchers.Default) {
+            val ready = openWorkshop(platform = platform, scope = scope)
+            withContext(Dispatchers.Swing) { workshop = ready }
+        }
+    }
+
+    /** Something went wrong that nobody has thought of: the work is kept, and that is said. */
+    fun keepAfterTrouble() {
+        scope.launch {
+            val open = workshop ?: return@launch
+            if (open.keepDocumentNow()) open.say(unexpectedNotice())
+        }
+    }
+
+    /** The window is gone. */
+    fun close() {
+        workshop?.close()
+        scope.cancel()
+    }
 
     fun bring(arrival: Arrival) = arrivals.bring(arrival)
 

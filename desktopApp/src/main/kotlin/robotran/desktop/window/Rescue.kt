@@ -3,9 +3,6 @@ package robotran.desktop.window
 import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.window.WindowExceptionHandler
 import androidx.compose.ui.window.WindowExceptionHandlerFactory
-import kotlinx.coroutines.CoroutineScope
-import kotlinx.coroutines.launch
-import robotran.ui.documents.unexpectedNotice
 import javax.swing.JOptionPane
 
 /**
@@ -14,7 +11,6 @@ import javax.swing.JOptionPane
  */
 @OptIn(ExperimentalComposeUiApi::class)
 internal class Rescue(
-    private val scope: CoroutineScope,
     private val open: OpenWindow,
     private val giveUp: () -> Unit,
 ) : WindowExceptionHandlerFactory {
@@ -27,13 +23,12 @@ internal class Rescue(
         val now = System.nanoTime()
         times.addLast(now)
         while (times.size > MOST_TIMES) times.removeFirst()
-        val workshop = open.workshop
-        scope.launch { workshop?.restDocument() }
-        if (workshop == null || (times.size == MOST_TIMES && now - times.first() < SOON_NANOSECONDS)) {
-            JOptionPane.showMessageDialog(null, "Robotran cannot go on: $problem\nYour work is kept.", "Robotran", JOptionPane.ERROR_MESSAGE)
+        open.keepAfterTrouble()
+        if (open.workshop == null || (times.size == MOST_TIMES && now - times.first() < SOON_NANOSECONDS)) {
+            val words = "Robotran cannot go on: $problem\nYour work is kept."
+            JOptionPane.showMessageDialog(null, words, "Robotran", JOptionPane.ERROR_MESSAGE)
             return giveUp()
         }
-        workshop.say(unexpectedNotice())
         open.attempt++
     }
 

@@ -17,6 +17,10 @@ internal fun showWindows(arrival: Arrival?) {
     val store = FolderWorkStore(dataFolder(), EmptyCoroutineContext)
     val place = runBlocking { store.read(PLACE) }?.let { WindowPlace.of(it) }
     val windows = mutableStateListOf(OpenWindow(store, arrival, goesOn = true))
+    Thread.setDefaultUncaughtExceptionHandler { _, problem ->
+        problem.printStackTrace()
+        windows.toList().forEach(OpenWindow::keepAfterTrouble)
+    }
     onFilesOpened { windows.firstOrNull()?.bring(it) }
     application(exitProcessOnExit = false) {
         for (open in windows) {

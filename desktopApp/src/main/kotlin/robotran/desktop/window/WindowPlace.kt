@@ -65,7 +65,8 @@ private fun firstSize(): DpSize {
     return DpSize(minOf(1280, screen.width).dp, minOf(840, screen.height).dp)
 }
 
-private fun screens(): List<Rectangle> = GraphicsEnvironment.getLocalGraphicsEnvironment().screenDevices.map { it.defaultConfiguration.bounds }
+private fun screens(): List<Rectangle> =
+    GraphicsEnvironment.getLocalGraphicsEnvironment().screenDevices.map { it.defaultConfiguration.bounds }
 
 /** In this size the screen is laid out as on a phone. */
 internal const val LEAST_WIDTH = 360

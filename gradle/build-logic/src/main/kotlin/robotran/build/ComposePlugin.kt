@@ -40,6 +40,8 @@ class ComposePlugin : Plugin<Project> {
             test.systemProperty("java.awt.headless", "true")
             // The screen speaks the machine's language unless it is told another; tests read it in English.
             test.systemProperty("user.language", "en")
+            // `-PrecordPictures` keeps the pictures that the tests make as those to be held against from now on.
+            if (project.hasProperty("recordPictures")) test.systemProperty("robotran.recordPictures", "true")
             test.systemProperty("robotran.pictures", project.layout.buildDirectory.dir("pictures").get().asFile.path)
         }
     }

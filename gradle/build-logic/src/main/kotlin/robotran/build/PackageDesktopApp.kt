@@ -121,8 +121,8 @@ abstract class PackageDesktopApp
             /** What the app uses of the JDK; `jdk.localedata` for days as Spanish and German people write them. */
             val MODULES =
                 listOf(
-                    "java.base", "java.compiler", "java.datatransfer", "java.desktop", "java.instrument", "java.logging", "java.management",
-                    "java.naming", "java.prefs", "java.sql", "java.xml", "jdk.accessibility", "jdk.localedata", "jdk.unsupported", "jdk.zipfs",
+                    "java.base", "java.compiler", "java.datatransfer", "java.desktop", "java.instrument", "java.logging",
+                    "java.management", "java.naming", "java.prefs", "java.sql", "java.xml", "jdk.accessibility", "jdk.localedata", "jdk.unsupported", "jdk.zipfs",
                 )
         }
     }

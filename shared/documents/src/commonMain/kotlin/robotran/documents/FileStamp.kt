@@ -7,7 +7,8 @@ package robotran.documents
  */
 data class FileStamp(val text: String) {
     companion object {
-        fun of(bytes: ByteArray): FileStamp = FileStamp(digits(bytes.fold(START) { hash, byte -> (hash xor (byte.toULong() and 0xFFu)) * PRIME }))
+        fun of(bytes: ByteArray): FileStamp =
+            FileStamp(digits(bytes.fold(START) { hash, byte -> (hash xor (byte.toULong() and 0xFFu)) * PRIME }))
 
         fun of(text: String): FileStamp = FileStamp(digits(text.fold(START) { hash, letter -> (hash xor letter.code.toULong()) * PRIME }))
 

@@ -118,8 +118,7 @@ private suspend fun partOf(file: GivenFile, language: Language): Part {
                 Part.OfProgram(ProjectProgram(file.name, ProgramLanguage.ROBOLANG, listOf(SourceFile(file.name, text))))
             }
 
-        text.trimStart().startsWith('{') || file.name.endsWith(FileKind.PROJECT.extension) || file.name.endsWith(FileKind.WORLD.extension) ->
-            jsonPartOf(file, text, language)
+        text.trimStart().startsWith('{') || JSON_KINDS.any { file.name.endsWith(it.extension) } -> jsonPartOf(file, text, language)
 
         isLink(text) -> linkedPartOf(text, language)
 
@@ -136,8 +135,10 @@ private fun jsonPartOf(file: GivenFile, text: String, language: Language): Part 
         }
     }
     return when (val result = readProject(text, language)) {
-        is ProjectFileResult.Loaded ->
-            Part.OfProject(OpenedProject(workNameOfFile(file.name), result.project, file.place?.let { WorkFile(it, FileStamp.of(file.bytes)) }))
+        is ProjectFileResult.Loaded -> {
+            val place = file.place?.let { WorkFile(it, FileStamp.of(file.bytes)) }
+            Part.OfProject(OpenedProject(workNameOfFile(file.name), result.project, place))
+        }
 
         is ProjectFileResult.Refused -> Part.Trouble(OpeningTrouble.InFile(file.name, result.message))
     }
@@ -156,8 +157,10 @@ private fun textOf(file: GivenFile): String? = try {
     null
 }
 
-private fun isTooLong(text: String): Boolean = text.length > JsonLimits.MAXIMUM_CHARACTERS / 2 || text.count { it == '\n' } >= ProjectLimits.MAXIMUM_LINES
+private fun isTooLong(text: String): Boolean =
+    text.length > JsonLimits.MAXIMUM_CHARACTERS / 2 || text.count { it == '\n' } >= ProjectLimits.MAXIMUM_LINES
 
 private fun isJava(file: GivenFile): Boolean = file.name.endsWith(FileKind.JAVA.extension, ignoreCase = true)
 
+private val JSON_KINDS = listOf(FileKind.PROJECT, FileKind.WORLD)
 private const val PROJECT_MARK = "\"robotran-project\""

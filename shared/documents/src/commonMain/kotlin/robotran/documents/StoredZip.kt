@@ -83,9 +83,12 @@ private class ZipBytes {
 }
 
 /** The CRC-32 of ISO 3309. */
-private fun crc32(bytes: ByteArray): UInt = bytes.fold(UInt.MAX_VALUE) { crc, byte -> (crc shr 8) xor CRC_TABLE[((crc xor byte.toUInt()) and 0xFFu).toInt()] }.inv()
+private fun crc32(bytes: ByteArray): UInt =
+    bytes.fold(UInt.MAX_VALUE) { crc, byte -> (crc shr 8) xor CRC_TABLE[((crc xor byte.toUInt()) and 0xFFu).toInt()] }.inv()
 
-private val CRC_TABLE = UIntArray(256) { index -> (0 until 8).fold(index.toUInt()) { crc, _ -> if (crc and 1u == 1u) (crc shr 1) xor POLYNOMIAL else crc shr 1 } }
+private val CRC_TABLE = UIntArray(256) { index ->
+    (0 until 8).fold(index.toUInt()) { crc, _ -> if (crc and 1u == 1u) (crc shr 1) xor POLYNOMIAL else crc shr 1 }
+}
 private const val POLYNOMIAL = 0xEDB88320u
 
 private const val LOCAL_HEADER = 0x04034B50L

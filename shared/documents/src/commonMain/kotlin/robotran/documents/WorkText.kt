@@ -53,9 +53,11 @@ internal object WorkText {
             fileName = head.optional("fileName")?.textOrNull(),
         )
         val file = entry.fileName?.let { name ->
-            WorkFile(FilePlace(head.member("fileAddress").textOrNull().orEmpty(), name), FileStamp(head.member("fileStamp").textOrNull().orEmpty()))
+            val address = head.member("fileAddress").textOrNull().orEmpty()
+            WorkFile(FilePlace(address, name), FileStamp(head.member("fileStamp").textOrNull().orEmpty()))
         }
-        return WorkCopy.Whole(entry, head.member("order").longNumber(0..MOST_NUMBER), file, head.optional("saved")?.flag() ?: false, project)
+        val order = head.member("order").longNumber(0..MOST_NUMBER)
+        return WorkCopy.Whole(entry, order, file, head.optional("saved")?.flag() ?: false, project)
     }
 
     private const val FORMAT = "robotran-work "
@@ -71,12 +73,19 @@ internal sealed interface WorkCopy {
     /** It was kept by a newer Robotran. */
     data object Newer : WorkCopy
 
-    class Whole(val entry: WorkEntry, val order: Long, private val file: WorkFile?, private val saved: Boolean, private val project: String) : WorkCopy {
+    class Whole(
+        val entry: WorkEntry,
+        val order: Long,
+        private val file: WorkFile?,
+        private val saved: Boolean,
+        private val project: String,
+    ) : WorkCopy {
         fun read(): WorkReading = when (val result = readProject(project)) {
             is ProjectFileResult.Loaded ->
                 WorkReading.Found(KeptWork(entry.id, entry.name, entry.keptAt, result.project, file, saved), wasTorn = false)
 
-            is ProjectFileResult.Refused -> WorkReading.Unusable { (readProject(project, it) as? ProjectFileResult.Refused ?: result).message }
+            is ProjectFileResult.Refused ->
+                WorkReading.Unusable { (readProject(project, it) as? ProjectFileResult.Refused ?: result).message }
         }
     }
 }

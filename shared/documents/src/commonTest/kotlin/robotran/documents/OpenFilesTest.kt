@@ -25,7 +25,12 @@ class OpenFilesTest {
 
     @Test
     fun `a world and programs come together`() = runTest {
-        val opened = opened(file("town.world.json", writeWorld(world)), file("a.robo", "beep"), file("B.java", "class B {}"), file("C.java", "class C {}"))
+        val opened = opened(
+            file("town.world.json", writeWorld(world)),
+            file("a.robo", "beep"),
+            file("B.java", "class B {}"),
+            file("C.java", "class C {}"),
+        )
         assertEquals("Town", opened.world?.title)
         assertEquals(listOf("a.robo", "B.java"), opened.programs.map { it.name })
         assertEquals(ProgramLanguage.JAVA, opened.programs.last().language)
@@ -51,7 +56,8 @@ class OpenFilesTest {
         assertEquals(OpeningTrouble.NotText("a.robo"), refused(GivenFile("a.robo", byteArrayOf(-1, -2))))
         assertEquals(OpeningTrouble.NotText("A.java"), refused(GivenFile("A.java", byteArrayOf(-1, -2))))
         assertEquals(OpeningTrouble.TooLong("a.robo"), refused(file("a.robo", "\n".repeat(60_000))))
-        assertEquals(OpeningTrouble.SeveralWorlds, refused(file("a.world.json", writeWorld(world)), file("b.world.json", writeWorld(world))))
+        val worlds = Array(2) { file("$it.world.json", writeWorld(world)) }
+        assertEquals(OpeningTrouble.SeveralWorlds, refused(*worlds))
         assertEquals(OpeningTrouble.TooManyPrograms(5), refused(*Array(6) { file("a$it.robo", "beep") }))
         assertIs<OpeningTrouble.InLink>(assertIs<Opening.Refused>(openLinkText("#p=a???")).trouble)
     }

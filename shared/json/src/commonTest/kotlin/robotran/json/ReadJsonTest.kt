@@ -7,9 +7,10 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class ReadJsonTest {
-    private fun <T> read(text: String, read: (JsonPlace) -> T): T = assertIs<JsonReading.Read<T>>(readJson(text, read)).value
+    private fun <T> read(text: String, read: (JsonPlace) -> T): T = assertIs<JsonReading.Read<T>>(readJson(text, read = read)).value
 
-    private fun refusal(text: String, read: (JsonPlace) -> Any?): JsonReading.Refused = assertIs<JsonReading.Refused>(readJson(text, read))
+    private fun refusal(text: String, read: (JsonPlace) -> Any?): JsonReading.Refused =
+        assertIs<JsonReading.Refused>(readJson(text, read = read))
 
     @Test
     fun `the line is that of the name, wherever its value begins`() {

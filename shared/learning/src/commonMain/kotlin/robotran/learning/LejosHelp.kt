@@ -2,7 +2,10 @@ package robotran.learning
 
 import robotran.language.Language
 
-/** The help on [word], a class such as `Motor` or a member such as `Motor.forward`: as somebody has written it, or else from the library's own comments. */
+/**
+ * The help on [word], a class such as `Motor` or a member such as `Motor.forward`: as somebody has written it, or else from the comments of
+ * the library.
+ */
 internal fun lejosHelp(word: String, language: Language): WordHelp? =
     lejosWords.help(word, language) ?: commentOf(word)?.let { WordHelp(word, it.sentence, Language.ENGLISH, listOf(it.form), null) }
 

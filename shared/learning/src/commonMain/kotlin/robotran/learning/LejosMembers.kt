@@ -42,7 +42,8 @@ private fun readClass(simpleName: String): LejosClass? {
     val head = declarations.firstOrNull { simpleName in it.words && (CLASS in it.words || INTERFACE in it.words) } ?: return null
     val members = mutableMapOf<String, LejosMember>()
     for (declaration in declarations) {
-        if (declaration !== head && PRIVATE !in declaration.words && declaration.name !in members) members[declaration.name] = declaration.member
+        if (declaration === head || PRIVATE in declaration.words || declaration.name in members) continue
+        members[declaration.name] = declaration.member
     }
     val superclass = head.words.dropWhile { it != EXTENDS }.getOrNull(1)
     return LejosClass(LejosMember(head.sentence, simpleName, simpleName), superclass, members)
@@ -69,12 +70,15 @@ private fun documented(source: String): List<Declaration> {
             continue
         }
         val end = (place until lines.size).first { CLOSING in lines[it] }
-        val comment = lines.subList(place, end + 1).joinToString(" ") { line -> line.trim().removePrefix(OPENING).removePrefix("*").removeSuffix(CLOSING).trim() }
+        val comment = lines.subList(place, end + 1).joinToString(" ", transform = ::withoutSigns)
         found += Declaration(firstSentence(comment), lines.getOrElse(end + 1) { "" })
         place = end + 1
     }
     return found
 }
+
+/** A line of a comment without what makes it one. */
+private fun withoutSigns(line: String): String = line.trim().removePrefix(OPENING).removePrefix("*").removeSuffix(CLOSING).trim()
 
 /** The first sentence of a comment: up to a full stop before a space or the end. */
 private fun firstSentence(comment: String): String {

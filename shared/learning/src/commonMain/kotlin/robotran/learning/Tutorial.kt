@@ -40,7 +40,9 @@ object Tutorial {
         val whole = sections(file).single()
         val parts = sections(whole.body, "## ").associate { it.heading to paragraphs(it.body) }
         val before = whole.body.substringBefore("## ")
-        return TutorialText(whole.heading, paragraphs(before), parts.getValue("Task").joinToString(" "), parts.getValue("Hint").joinToString(" "))
+        val task = parts.getValue("Task").joinToString(" ")
+        val hint = parts.getValue("Hint").joinToString(" ")
+        return TutorialText(whole.heading, paragraphs(before), task, hint)
     }
 
     private const val SOLUTION = "solution."

@@ -20,7 +20,7 @@ data class WordHelp(
     val example: String?,
 ) {
     companion object {
-        /** The help on [word] of a language for programs, such as `forward` or `Motor.forward`, for speakers of [language]; null if there is none. */
+        /** The help on a [word] of [code], such as `forward` or `Motor.forward`, for speakers of [language]; null if there is none. */
         fun of(language: Language, code: ProgramLanguage, word: String): WordHelp? = when (code) {
             ProgramLanguage.ROBOLANG -> robolangWords.help(lowercaseWord(word), language)
             ProgramLanguage.JAVA -> lejosHelp(word, language)

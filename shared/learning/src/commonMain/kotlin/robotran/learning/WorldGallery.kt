@@ -40,7 +40,11 @@ object WorldGallery {
     /** Those of [worlds] whose title or task, in [language], holds all words of [asked]; all if there are none. */
     fun search(asked: String, language: Language): List<GalleryWorld> {
         val words = asked.lowercase().split(' ').filter { it.isNotEmpty() }
-        return worlds.filter { found -> found.world(language).let { "${it.title} ${it.task}".lowercase() }.let { text -> words.all { it in text } } }
+        return worlds.filter { found ->
+            val world = found.world(language)
+            val text = "${world.title} ${world.task}".lowercase()
+            words.all { it in text }
+        }
     }
 
     internal const val WORLD_FILE = ".world.json"
@@ -48,14 +52,19 @@ object WorldGallery {
 
 /** Whether [other] is the same but for its words and what it leaves to chance. */
 internal fun World.isSamePlaceAs(other: World): Boolean =
-    paper == other.paper && goals == other.goals && copy(title = other.title, task = other.task, seed = other.seed, realism = other.realism) == other
+    paper == other.paper &&
+        goals == other.goals &&
+        copy(title = other.title, task = other.task, seed = other.seed, realism = other.realism) == other
 
 internal class WorldTitle(val title: String, val task: String)
 
 /** Titles and tasks by the names of the worlds; empty for English, which the worlds themselves are written in. */
 internal fun translatedTitles(language: Language): Map<String, WorldTitle> = titles.getOrPut(language) {
     val text = worldTitleTexts["${language.tag}.md"] ?: return@getOrPut emptyMap()
-    sections(text).associate { section -> section.heading to paragraphs(section.body).let { WorldTitle(it[0], it.drop(1).joinToString(" ")) } }
+    sections(text).associate { section ->
+        val paragraphs = paragraphs(section.body)
+        section.heading to WorldTitle(paragraphs[0], paragraphs.drop(1).joinToString(" "))
+    }
 }
 
 private val titles = mutableMapOf<Language, Map<String, WorldTitle>>()

@@ -24,12 +24,17 @@ import kotlin.test.assertIs
 class ExampleTest {
     @Test
     fun `every example in Robolang runs to its end on the plain sheet`() = runTest {
-        for (help in examples(ProgramLanguage.ROBOLANG)) runs(help.word, ProgramSource.Robolang("${help.word}.robo", help.example.orEmpty()))
+        for (help in examples(ProgramLanguage.ROBOLANG)) {
+            runs(help.word, ProgramSource.Robolang("${help.word}.robo", help.example.orEmpty()))
+        }
     }
 
     @Test
     fun `every example in Java runs to its end on the plain sheet`() = runTest {
-        for (help in examples(ProgramLanguage.JAVA)) runs(help.word, ProgramSource.Java("Try.java", listOf(SourceFile("Try.java", javaToTry(help.example.orEmpty())))))
+        for (help in examples(ProgramLanguage.JAVA)) {
+            val file = SourceFile("Try.java", javaToTry(help.example.orEmpty()))
+            runs(help.word, ProgramSource.Java(file.name, listOf(file)))
+        }
     }
 
     private fun examples(code: ProgramLanguage): List<WordHelp> =

@@ -43,6 +43,17 @@ class RobotLoadsTest {
     }
 
     @Test
+    fun `a light sensor looks where the first program's header says, unless the pupil has turned it`() = runTest {
+        val forward = program("a.robo", "robot\n  light sensor on 2 facing forward\nend\nshow light")
+        val given = mapOf("ann" to listOf(forward), "carl" to listOf(program("c.robo", "beep"), forward))
+        val loads = assertIs<RobotLoads.Ready>(readRobotLoads(world, reader, given)).loads
+        assertEquals(listOf(LightFacing.FORWARD, null, null), loads.map { it.lightFacing })
+        val written = listOf(checkNotNull(ProjectProgram.of(forward)))
+        val turned = Project(world, listOf(ProjectRobot("ann", written, lightFacing = LightFacing.DOWN)))
+        assertEquals(LightFacing.DOWN, assertIs<RobotLoads.Ready>(readRobotLoads(turned, reader)).loads.first().lightFacing)
+    }
+
+    @Test
     fun `mistakes are told with the robot they belong to`() = runTest {
         val result = readRobotLoads(world, reader, mapOf("carl" to listOf(program("c.robo", "forwrd 5"))))
         val mistaken = assertIs<RobotLoads.Mistaken>(result)

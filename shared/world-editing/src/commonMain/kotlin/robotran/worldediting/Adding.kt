@@ -62,7 +62,8 @@ private fun World.roomFor(form: Form, kind: ThingKind): Form {
     val places = sequenceOf(Point(0.0, 0.0)) + (1..MOST_RINGS).asSequence().flatMap { ring ->
         (0..<DIRECTIONS).asSequence().map { Direction(it * FULL_TURN / DIRECTIONS).from(Point(0.0, 0.0), ring * RING, 0.0) }
     }
-    return places.map { form.movedBy(it.x, it.y) }.firstOrNull { paperBounds.contains(it.middle.x, it.middle.y) && isFree(it, STANDING, 0.0) } ?: form
+    return places.map { form.movedBy(it.x, it.y) }
+        .firstOrNull { paperBounds.contains(it.middle.x, it.middle.y) && isFree(it, STANDING, 0.0) } ?: form
 }
 
 /** What lies on the paper may lie on others, only not just where one of its own kind lies. */
@@ -79,7 +80,8 @@ private fun World.isFree(form: Form, kinds: Set<ThingKind>, margin: Double): Boo
 }
 
 private fun isSame(one: Bounds, other: Bounds) =
-    listOf(one.left - other.left, one.right - other.right, one.bottom - other.bottom, one.top - other.top).all { it in SAME_PLACE..-SAME_PLACE }
+    listOf(one.left - other.left, one.right - other.right, one.bottom - other.bottom, one.top - other.top)
+        .all { it in SAME_PLACE..-SAME_PLACE }
 
 private fun meet(one: Bounds, other: Bounds) =
     one.left < other.right && other.left < one.right && one.bottom < other.top && other.bottom < one.top

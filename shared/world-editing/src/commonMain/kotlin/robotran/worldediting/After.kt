@@ -3,7 +3,8 @@ package robotran.worldediting
 import robotran.world.World
 
 /**
- * This after [edit]. Whatever the edit is, there is a result: what cannot be done leaves the world as it is and says so in [WorldEditing.refusal], and
+ * This after [edit]. Whatever the edit is, there is a result: what cannot be done leaves the world as it is and says so in
+ * [WorldEditing.refusal], and
  * what concerns something that is not there does nothing.
  */
 fun WorldEditing.after(edit: Edit): WorldEditing {

@@ -9,7 +9,10 @@ internal fun WorldEditing.chosen(edit: Edit): WorldEditing = when (edit) {
         else -> choosing(setOf(edit.thing), edit.adding)
     }
 
-    is Edit.ChooseWithin -> copy(selection = (if (edit.adding) selection else emptySet()) + withGroups(world.thingsWithin(edit.area), groups))
+    is Edit.ChooseWithin -> {
+        val before = if (edit.adding) selection else emptySet()
+        copy(selection = before + withGroups(world.thingsWithin(edit.area), groups))
+    }
 
     Edit.ChooseAll -> copy(selection = world.listed().filter { world.piece(it)?.form != null }.toSet())
 

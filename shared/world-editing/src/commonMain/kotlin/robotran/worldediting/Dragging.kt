@@ -72,7 +72,11 @@ private class Drag(private val held: Gesture, private val snapping: Snapping, pr
         val corner = box.at(side.across, side.up)
         val wanted = Point(corner.x + edit.at.x - held.from.x, corner.y + edit.at.y - held.from.y)
         val only = (pieces.values.singleOrNull()?.form as? Form.Area)?.shape
-        val (to, guides) = if (box.angle == 0.0) snapping.point(wanted, world.snapLines(things), edit.reach) else snapping.onGrid(wanted) to emptyList()
+        val (to, guides) = if (box.angle == 0.0) {
+            snapping.point(wanted, world.snapLines(things), edit.reach)
+        } else {
+            snapping.onGrid(wanted) to emptyList()
+        }
         if (only != null && only !is Shape.Polygon) return changed { Form.Area(only.resized(side, to)) } to guides
         return changed { it.scaledBy(factorFor(box, side, to), box.at(-side.across, -side.up)) } to guides
     }

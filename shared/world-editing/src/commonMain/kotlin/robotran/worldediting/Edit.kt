@@ -123,7 +123,10 @@ enum class AlignSide { LEFT, CENTRE, RIGHT, TOP, MIDDLE, BOTTOM }
 
 enum class StackOrder { TO_BACK, BACK, FORWARD, TO_FRONT }
 
-/** How a goal changes its place in the list: before or behind its neighbour, into the group before it, or out of the group that it is in. */
+/**
+ * How a goal changes its place in the list: before or behind its neighbour, into the group before it, or out of the group that it is
+ * in.
+ */
 enum class GoalMove { UP, DOWN, IN, OUT }
 
 enum class GoalGroup { IN_ORDER, ALL, ANY_OF }

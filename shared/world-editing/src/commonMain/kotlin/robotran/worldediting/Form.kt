@@ -94,7 +94,10 @@ fun Form.turnedBy(degrees: Double, about: Point): Form {
     }
 }
 
-/** Made larger or smaller by [factor] with [about] staying where it is. Robots, lamps and grey maps keep their size; widths of lines stay. */
+/**
+ * Made larger or smaller by [factor] with [about] staying where it is. Robots, lamps and grey maps keep their size; widths of lines
+ * stay.
+ */
 fun Form.scaledBy(factor: Double, about: Point): Form {
     fun Point.scaled() = Point(about.x + (x - about.x) * factor, about.y + (y - about.y) * factor)
     return when (this) {

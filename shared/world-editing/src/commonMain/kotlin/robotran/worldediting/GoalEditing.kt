@@ -84,7 +84,8 @@ private fun List<Goal>.replaced(number: Int, change: (Goal) -> List<Goal>): List
     return flatMap { goal ->
         when {
             goal === wanted -> change(goal)
-            goal.isGroup && allGoals(goal.parts).any { it.goal === wanted } -> listOf(goal.withParts(goal.parts.replacedOne(wanted, change)))
+            goal.isGroup && allGoals(goal.parts).any { it.goal === wanted } ->
+                listOf(goal.withParts(goal.parts.replacedOne(wanted, change)))
             else -> listOf(goal)
         }
     }

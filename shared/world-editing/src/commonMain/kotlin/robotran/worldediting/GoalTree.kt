@@ -96,7 +96,8 @@ fun Goal.saying(says: String?): Goal = when (this) {
 }
 
 /**
- * These goals with each put through [change], by its number, whole before its parts; what becomes null is gone, and so is a group that nothing
+ * These goals with each put through [change], by its number, whole before its parts; what becomes null is gone, and so is a group that
+ * nothing
  * is left of.
  */
 internal fun List<Goal>.changed(change: (Int, Goal) -> Goal?): List<Goal> = GoalChange(change).of(this)

@@ -4,7 +4,8 @@ import robotran.world.Point
 import robotran.world.file.Direction
 
 /**
- * The direction from [from] to [to] in whole tenths of a degree, above -180 and up to 180; null if they are one place. Found by halving, since the
+ * The direction from [from] to [to] in whole tenths of a degree, above -180 and up to 180; null if they are one place. Found by halving,
+ * since the
  * platforms round an arc tangent differently.
  */
 internal fun headingTo(from: Point, to: Point): Double? {

@@ -112,9 +112,11 @@ private fun refusalOfFigures(piece: Piece): Refusal? = when (piece) {
 private fun refusalOf(robot: RobotPlace): Refusal? {
     val lines = robot.program?.lines().orEmpty()
     val areLines = lines.size <= WorldLimits.MAXIMUM_PROGRAM_LINES && lines.all { line ->
-        line.length <= WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS && line.none { it.isISOControl() && it != '\t' } && hasWholeCharacters(line)
+        line.length <= WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS && hasWholeCharacters(line) &&
+            line.none { it.isISOControl() && it != '\t' }
     }
-    val arePorts = robot.ports.size == PORTS && robot.ports.all { it.size <= WorldLimits.MAXIMUM_SENSORS_PER_PORT && it.toSet().size == it.size }
+    val arePorts = robot.ports.size == PORTS &&
+        robot.ports.all { it.size <= WorldLimits.MAXIMUM_SENSORS_PER_PORT && it.toSet().size == it.size }
     return when {
         !areLines -> Refusal.NoSuchText
         !arePorts || robot.beacon !in BRIGHTNESSES -> Refusal.OutOfRange

@@ -37,7 +37,8 @@ enum class PaletteItem {
 
 /** The colour of the next robot: one that no other has, as long as there is one. */
 val World.nextRobotColour: RobotColour
-    get() = RobotColour.entries.firstOrNull { colour -> robots.none { it.colour == colour } } ?: RobotColour.entries[robots.size % RobotColour.entries.size]
+    get() = RobotColour.entries.firstOrNull { colour -> robots.none { it.colour == colour } }
+        ?: RobotColour.entries[robots.size % RobotColour.entries.size]
 
 /** A new one about the paper's lower left corner; [Edit.Put] puts it where it belongs. */
 fun PaletteItem.piece(world: World): Piece = when (this) {

@@ -6,7 +6,8 @@ import robotran.world.length
 import robotran.world.normalHeading
 
 /** The smallest upright rectangle around [points]; there must be one. */
-internal fun boundsOf(points: List<Point>) = Bounds(points.minOf { it.x }, points.minOf { it.y }, points.maxOf { it.x }, points.maxOf { it.y })
+internal fun boundsOf(points: List<Point>) =
+    Bounds(points.minOf { it.x }, points.minOf { it.y }, points.maxOf { it.x }, points.maxOf { it.y })
 
 /** The smallest upright rectangle around all of [bounds]; null without any. */
 internal fun around(bounds: List<Bounds>): Bounds? = if (bounds.isEmpty()) {
@@ -20,7 +21,8 @@ val Bounds.width: Double get() = right - left
 val Bounds.height: Double get() = top - bottom
 
 /** Whether all of [other] is in this. */
-internal operator fun Bounds.contains(other: Bounds) = other.left >= left && other.right <= right && other.bottom >= bottom && other.top <= top
+internal operator fun Bounds.contains(other: Bounds) =
+    other.left >= left && other.right <= right && other.bottom >= bottom && other.top <= top
 
 internal fun Bounds.distanceTo(place: Point): Double =
     length(place.x - place.x.coerceIn(left, right), place.y - place.y.coerceIn(bottom, top))

@@ -11,7 +11,8 @@ fun World.thingsAt(place: Point, reach: Double): List<Thing> = things().asRevers
 }.sortedBy { (_, distance) -> if (distance == 0.0) 0.0 else distance }.map { it.first }
 
 /** The things that lie wholly in [area]. */
-fun World.thingsWithin(area: Bounds): Set<Thing> = things().filter { thing -> piece(thing)?.form?.let { it.bounds in area } == true }.toSet()
+fun World.thingsWithin(area: Bounds): Set<Thing> =
+    things().filter { thing -> piece(thing)?.form?.let { it.bounds in area } == true }.toSet()
 
 /** In the order in which a list shows them and the Tab key goes through them: the pupil's robot first. */
 fun World.listed(): List<Thing> = LISTED.flatMap { kind -> List(count(kind)) { Thing(kind, it) } }

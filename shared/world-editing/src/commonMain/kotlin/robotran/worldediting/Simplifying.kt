@@ -4,7 +4,8 @@ import robotran.world.Point
 import robotran.world.distance
 
 /**
- * A line with the ends of the one through [points], no point of which is further than [tolerance] from it: straight pieces need no points between their ends
+ * A line with the ends of the one through [points], no point of which is further than [tolerance] from it: straight pieces need no
+ * points between their ends
  * (Ramer, Douglas and Peucker). No two points after one another are the same.
  */
 internal fun simplified(points: List<Point>, tolerance: Double): List<Point> {
@@ -23,7 +24,8 @@ internal fun simplified(points: List<Point>, tolerance: Double): List<Point> {
             open += furthest to to
         }
     }
-    return distinct.filterIndexed { number, _ -> kept[number] }.let { line -> line.filterIndexed { n, point -> n == 0 || point != line[n - 1] } }
+    val line = distinct.filterIndexed { number, _ -> kept[number] }
+    return line.filterIndexed { number, point -> number == 0 || point != line[number - 1] }
 }
 
 private const val LEAST = 3

@@ -59,7 +59,8 @@ internal fun Snapping.move(by: Double, own: List<Double>, anchor: Double, lines:
         for (line in lines) {
             for (coordinate in own) {
                 val wanted = line - coordinate
-                if (abs(wanted - by) <= reach && (best == null || abs(wanted - by) < abs(best.coordinate - by))) best = Snapped(wanted, line)
+                val isNearer = best == null || abs(wanted - by) < abs(best.coordinate - by)
+                if (isNearer && abs(wanted - by) <= reach) best = Snapped(wanted, line)
             }
         }
         best?.let { return it }

@@ -20,7 +20,8 @@ internal fun Mark.tidied(): Mark {
 }
 
 internal fun Goal.tidied(): Goal = when (this) {
-    is Goal.DrawTemplate -> copy(tolerance = nearestDecimal(tolerance), coverage = nearestDecimal(coverage), excess = nearestDecimal(excess))
+    is Goal.DrawTemplate ->
+        copy(tolerance = nearestDecimal(tolerance), coverage = nearestDecimal(coverage), excess = nearestDecimal(excess))
 
     is Goal.InkLength -> copy(atLeast = atLeast?.let(::nearestDecimal), atMost = atMost?.let(::nearestDecimal))
 

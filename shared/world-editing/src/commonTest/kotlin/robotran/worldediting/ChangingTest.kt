@@ -43,7 +43,8 @@ class ChangingTest {
     @Test
     fun `two things cannot be called the same`() {
         val lamp = emptySheet().with(PaletteItem.LAMP, 80.0, 45.0)
-        assertEquals(Refusal.NameTaken("yellow"), lamp.after(Edit.Change(checkNotNull(lamp.only), lamp.chosenPiece.named("yellow"))).refusal)
+        val renamed = lamp.after(Edit.Change(checkNotNull(lamp.only), lamp.chosenPiece.named("yellow")))
+        assertEquals(Refusal.NameTaken("yellow"), renamed.refusal)
     }
 
     @Test

@@ -19,7 +19,8 @@ class ChoosingTest {
 
     @Test
     fun `with several switched on, taps add and take away`() {
-        val several = two.after(Edit.Choose(null), Edit.ChooseSeveral(true), Edit.TapAt(Point(80.0, 45.0), REACH), Edit.TapAt(Point(30.0, 45.0), REACH))
+        val several = two.after(Edit.Choose(null), Edit.ChooseSeveral(true))
+            .after(Edit.TapAt(Point(80.0, 45.0), REACH), Edit.TapAt(Point(30.0, 45.0), REACH))
         assertEquals(setOf(Thing(ThingKind.BLOCK, 0), robot), several.selection)
         assertEquals(setOf(robot), several.after(Edit.TapAt(Point(80.0, 45.0), REACH)).selection)
         assertEquals(several.selection, several.after(Edit.TapAt(Point(5.0, 85.0), REACH)).selection)
@@ -28,7 +29,8 @@ class ChoosingTest {
     @Test
     fun `the Tab key goes through everything, the robot first, and round again, both ways`() {
         val all = two.world.things().size
-        val visited = generateSequence(two.after(Edit.Choose(null), Edit.ChooseNext())) { it.after(Edit.ChooseNext()) }.take(all).map { it.only }.toList()
+        val visited = generateSequence(two.after(Edit.Choose(null), Edit.ChooseNext())) { it.after(Edit.ChooseNext()) }
+            .take(all).map { it.only }.toList()
         assertEquals(robot, visited.first())
         assertEquals(all, visited.toSet().size)
         assertEquals(robot, two.after(Edit.Choose(checkNotNull(visited.last())), Edit.ChooseNext()).only)
@@ -37,7 +39,8 @@ class ChoosingTest {
 
     @Test
     fun `a group is chosen and moved as one, and can be taken apart`() {
-        val grouped = two.after(Edit.ChooseAll, Edit.Choose(robot, adding = true), Edit.Group, Edit.Choose(null), Edit.TapAt(Point(80.0, 45.0), REACH))
+        val grouped = two.after(Edit.ChooseAll, Edit.Choose(robot, adding = true), Edit.Group, Edit.Choose(null))
+            .after(Edit.TapAt(Point(80.0, 45.0), REACH))
         assertEquals(2, grouped.selection.size)
         val moved = grouped.after(Edit.Nudge(1.0, 0.0))
         assertTrue(moved.selection.all { checkNotNull(moved.world.piece(it)?.form).middle.x == 81.0 })

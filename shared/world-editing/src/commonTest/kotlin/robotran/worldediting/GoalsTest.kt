@@ -23,11 +23,12 @@ class GoalsTest {
         val line = Thing(ThingKind.MARK, 0)
         val named = sheet.after(Edit.Change(line, checkNotNull(sheet.world.piece(line)).named("loop")))
         val simple = listOf(
-            Goal.NeverTouch(), Goal.DrawTemplate(), Goal.InkLength(10.0, null), Goal.FollowLine("loop"), Goal.EndWithin(9), Goal.ShowOnDisplay("HI"),
-            Goal.PlaySound(), Goal.InOrder(listOf(beep, end)), Goal.All(listOf(beep)), Goal.AnyOf(listOf(beep)),
+            Goal.NeverTouch(), Goal.DrawTemplate(), Goal.InkLength(10.0, null), Goal.FollowLine("loop"), Goal.EndWithin(9),
+            Goal.ShowOnDisplay("HI"), Goal.PlaySound(), Goal.InOrder(listOf(beep, end)), Goal.All(listOf(beep)), Goal.AnyOf(listOf(beep)),
         )
         val all = simple.fold(named) { now, goal -> now.after(Edit.AddGoal(goal)) }
-            .with(PaletteItem.GOAL_AREA, 20.0, 20.0).with(PaletteItem.FORBIDDEN_AREA, 60.0, 20.0).with(PaletteItem.PERMITTED_AREA, 60.0, 45.0)
+            .with(PaletteItem.GOAL_AREA, 20.0, 20.0).with(PaletteItem.FORBIDDEN_AREA, 60.0, 20.0)
+            .with(PaletteItem.PERMITTED_AREA, 60.0, 45.0)
         assertEquals(13, all.world.goals.map { it::class }.toSet().size)
         all.assertSound()
     }

@@ -165,7 +165,9 @@ class MovingTest {
     @Test
     fun `a heading is found as it is on every platform`() {
         val from = Point(3.0, 4.0)
-        val headings = listOf(Point(5.0, 4.0) to 0.0, Point(3.0, 6.0) to 90.0, Point(0.0, 4.0) to 180.0, Point(3.0, 0.0) to -90.0, Point(4.0, 3.0) to -45.0)
+        val headings = listOf(
+            Point(5.0, 4.0) to 0.0, Point(3.0, 6.0) to 90.0, Point(0.0, 4.0) to 180.0, Point(3.0, 0.0) to -90.0, Point(4.0, 3.0) to -45.0,
+        )
         for ((to, heading) in headings) assertEquals(heading, headingTo(from, to))
         assertEquals(26.6, headingTo(from, Point(5.0, 5.0)))
         assertEquals(null, headingTo(from, from))

@@ -27,7 +27,7 @@ internal class ArbitraryEdits(private val random: Random) {
         17 -> Edit.Align(AlignSide.entries.random(random))
         18 -> Edit.Restack(StackOrder.entries.random(random))
         19, 20 -> Edit.Put(PaletteItem.entries.random(random).piece(SHEET), place())
-        21 -> PaletteItem.entries.random(random).piece(SHEET).let { piece -> Edit.Change(Thing(piece.kind, random.nextInt(4)), piece.named(name())) }
+        21 -> PaletteItem.entries.random(random).piece(SHEET).named(name()).let { Edit.Change(Thing(it.kind, random.nextInt(4)), it) }
         22 -> Edit.MoveCorner(thing(), random.nextInt(-1, 6), place())
         23 -> Edit.AddCorner(thing(), random.nextInt(-1, 6))
         24 -> Edit.RemoveCorner(thing(), random.nextInt(-1, 6))
@@ -36,7 +36,7 @@ internal class ArbitraryEdits(private val random: Random) {
         27 -> Edit.MoveGoal(random.nextInt(-1, 6), GoalMove.entries.random(random))
         28 -> Edit.WrapGoal(random.nextInt(-1, 6), GoalGroup.entries.random(random))
         29 -> Edit.UnwrapGoal(random.nextInt(-1, 6))
-        30 -> Edit.ChangeSheet(SHEET.figures.copy(title = name().orEmpty(), width = number(), height = number(), realism = random.nextDouble(1.2)))
+        30 -> Edit.ChangeSheet(SHEET.figures.copy(title = name().orEmpty(), width = number(), realism = random.nextDouble(1.2)))
         31 -> Edit.ChooseTool(Tool.entries.random(random))
         32 -> Edit.ChooseSeveral(random.nextBoolean())
         33 -> Edit.Snap(Snapping(listOf(0.0, 0.5, 1.0).random(random), listOf(0.0, 15.0).random(random), random.nextBoolean()))

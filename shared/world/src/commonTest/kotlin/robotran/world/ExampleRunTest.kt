@@ -4,6 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.robolang.Calibration
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
+import robotran.rom.RcxProgram
 import robotran.world.physics.loadPhysicsEngine
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -20,7 +21,9 @@ class ExampleRunTest {
     private suspend fun run(name: String): Session {
         val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
         val result = assertIs<RobolangResult.Ready>(readRobolang(name, exampleTexts.getValue(name), calibration))
-        return Session(BuiltInWorlds.plain, listOf(result.program), loadPhysicsEngine()).apply {
+        val facing = result.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
+        val load = RobotLoad(listOf<RcxProgram?>(result.program), lightFacing = facing)
+        return Session(BuiltInWorlds.plain, listOf(load), loadPhysicsEngine()).apply {
             runUnattended(60_000)
             close()
         }

@@ -12,8 +12,11 @@ import kotlin.js.Promise
 
 /** Files as a page gets them: chosen in the browser's dialog, and saved among the downloads, without knowing where they lie. */
 internal object WebFileDesk : FileDesk {
-    override suspend fun open(kinds: List<FileKind>): List<OpenedFile> =
-        filesIn(chooseFiles(kinds.joinToString(",") { it.extension.substringAfterLast('.', "").let { end -> ".$end" } }).await<JsString>().toString())
+    override suspend fun open(kinds: List<FileKind>): List<OpenedFile> {
+        // Browsers look at nothing but what is behind the last dot.
+        val endings = kinds.joinToString(",") { ".${it.extension.substringAfterLast('.')}" }
+        return filesIn(chooseFiles(endings).await<JsString>().toString())
+    }
 
     override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving {
         download(name, kind.mimeType, Base64.encode(bytes))

@@ -23,7 +23,8 @@ internal class WebStore : WorkStore {
 
     override suspend fun remove(name: String): StoreResult = resultOf(texts.remove(name).await<JsString>().toString())
 
-    override suspend fun claim(name: String): WorkClaim? = texts.claim(name).await<JsAny?>()?.let { release -> WorkClaim { call(release) } }
+    override suspend fun claim(name: String): WorkClaim? =
+        texts.claim(name).await<JsAny?>()?.let { release -> WorkClaim { letGo(release) } }
 
     private fun resultOf(word: String): StoreResult = when (word) {
         DONE -> StoreResult.Done
@@ -49,7 +50,7 @@ private external interface BrowserTexts : JsAny {
     fun claim(name: String): Promise<JsAny?>
 }
 
-private fun call(function: JsAny): Unit = js("function()")
+private fun letGo(release: JsAny): Unit = js("release()")
 
 private fun openTexts(): BrowserTexts = js(
     """(() => {

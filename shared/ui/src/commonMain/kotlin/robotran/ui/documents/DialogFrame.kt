@@ -54,7 +54,11 @@ internal fun DialogFrame(
         ) {
             Column(Modifier.padding(24.dp), Arrangement.spacedBy(16.dp)) {
                 Text(title, Modifier.semantics { heading() }, fontSize = 20.sp, fontWeight = FontWeight.Medium, lineHeight = 26.sp)
-                Column(Modifier.weight(1f, fill = false).verticalScroll(rememberScrollState()), Arrangement.spacedBy(12.dp), content = content)
+                Column(
+                    Modifier.weight(1f, fill = false).verticalScroll(rememberScrollState()),
+                    Arrangement.spacedBy(12.dp),
+                    content = content,
+                )
                 FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) { buttons() }
             }
         }

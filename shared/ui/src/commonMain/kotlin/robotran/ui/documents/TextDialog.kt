@@ -97,7 +97,10 @@ private fun TextDialog(
     ) {
         if (help != null) Explanation(help)
         OneLine(value, onValue, label, trouble != null) { if (mayBeDone) onDone() }
-        if (trouble != null) Explanation(trouble, Modifier.testTag("document-trouble").semantics { liveRegion = LiveRegionMode.Polite }, bad = true)
+        if (trouble != null) {
+            val told = Modifier.testTag("document-trouble").semantics { liveRegion = LiveRegionMode.Polite }
+            Explanation(trouble, told, bad = true)
+        }
     }
 }
 

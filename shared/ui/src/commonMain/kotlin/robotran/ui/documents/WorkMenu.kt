@@ -64,7 +64,12 @@ import robotran.ui.workshop.DocumentState
  * @param onPicture saves a picture of the sheet; null where there is nothing to save one with.
  */
 @Composable
-internal fun WorkMenu(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modifier: Modifier = Modifier, onPicture: (() -> Unit)? = null) {
+internal fun WorkMenu(
+    state: DocumentState,
+    onEvent: (DocumentEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    onPicture: (() -> Unit)? = null,
+) {
     var open by remember { mutableStateOf(false) }
     Box(modifier) {
         WorkName(state) { open = true }
@@ -81,7 +86,12 @@ internal fun WorkMenu(state: DocumentState, onEvent: (DocumentEvent) -> Unit, mo
 
 /** All that can be done with the work as a whole, to be put into a menu; [close] closes that. */
 @Composable
-internal fun WorkMenuItems(state: DocumentState, onEvent: (DocumentEvent) -> Unit, close: () -> Unit, onPicture: (() -> Unit)? = null) {
+internal fun WorkMenuItems(
+    state: DocumentState,
+    onEvent: (DocumentEvent) -> Unit,
+    close: () -> Unit,
+    onPicture: (() -> Unit)? = null,
+) {
     val choose = { event: DocumentEvent ->
         close()
         onEvent(event)

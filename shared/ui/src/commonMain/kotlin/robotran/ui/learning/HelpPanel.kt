@@ -84,6 +84,7 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
                     Modifier.weight(1f).testTag("help-title").semantics { heading() },
                     style = if (state.help.found == null) codeStyle().copy(fontFamily = null) else codeStyle(),
                     fontSize = 20.sp,
+                    lineHeight = 28.sp,
                     fontWeight = FontWeight.SemiBold,
                 )
                 IconTouch(Icon.CLOSE, stringResource(Res.string.learning_help_close), "help-close", { onEvent(LearningEvent.PageLeft) })
@@ -106,7 +107,8 @@ private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningE
         Column { for (form in help.forms) Text(form, style = codeStyle()) }
         help.example?.let { example ->
             Label(stringResource(Res.string.learning_help_example))
-            Box(Modifier.fillMaxWidth().background(colours.desk, RoundedCornerShape(8.dp)).horizontalScroll(rememberScrollState()).padding(12.dp)) {
+            val ground = Modifier.fillMaxWidth().background(colours.desk, RoundedCornerShape(8.dp))
+            Box(ground.horizontalScroll(rememberScrollState()).padding(12.dp)) {
                 Text(example.trimEnd(), Modifier.testTag("help-example"), style = codeStyle(), softWrap = false)
             }
         }
@@ -135,5 +137,10 @@ private fun NoHelp(state: LearningState, onEvent: (LearningEvent) -> Unit) {
 }
 
 @Composable
-private fun Label(text: String) =
-    Text(text, Modifier.semantics { heading() }, color = LocalRobotranColours.current.quiet, fontSize = 15.sp, fontWeight = FontWeight.SemiBold)
+private fun Label(text: String) = Text(
+    text,
+    Modifier.semantics { heading() },
+    color = LocalRobotranColours.current.quiet,
+    fontSize = 15.sp,
+    fontWeight = FontWeight.SemiBold,
+)

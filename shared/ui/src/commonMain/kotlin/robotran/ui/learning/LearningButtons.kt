@@ -46,9 +46,9 @@ internal fun SecondButton(text: String, tag: String, onClick: () -> Unit, modifi
 
 /** What is done seldom. */
 @Composable
-internal fun QuietButton(text: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier, enabled: Boolean = true) = TextButton(
+internal fun QuietButton(text: String, tag: String, onClick: () -> Unit, enabled: Boolean = true) = TextButton(
     onClick = onClick,
-    modifier = modifier.testTag(tag).focusRing(CORNER).large(),
+    modifier = Modifier.testTag(tag).focusRing(CORNER).large(),
     enabled = enabled,
     shape = RoundedCornerShape(CORNER),
     colors = ButtonDefaults.textButtonColors(contentColor = LocalRobotranColours.current.onPane),

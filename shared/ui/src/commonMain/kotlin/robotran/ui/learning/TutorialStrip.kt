@@ -58,7 +58,7 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
         Box(Modifier.weight(1f)) {
             Column(
                 Modifier
-                    .testTag("steps")
+                    .testTag("tutorial-steps")
                     .fillMaxWidth()
                     .defaultMinSize(minHeight = Measures.TARGET)
                     .focusRing()
@@ -96,7 +96,7 @@ private fun StepList(state: LearningState, shown: Boolean, onClose: () -> Unit, 
                     onClose()
                     onEvent(LearningEvent.StepChosen(place))
                 },
-                modifier = Modifier.testTag("step-${place + 1}").heightIn(min = Measures.TARGET),
+                modifier = Modifier.testTag("tutorial-step-${place + 1}").heightIn(min = Measures.TARGET),
                 trailingIcon = if (done) ({ SmallIcon(DONE_ICON, colours.onPane) }) else null,
             )
         }

@@ -77,7 +77,8 @@ private fun DoneMark() {
     val colours = LocalRobotranColours.current
     Row(horizontalArrangement = Arrangement.spacedBy(4.dp), verticalAlignment = Alignment.CenterVertically) {
         SmallIcon(DONE_ICON, colours.onPane, size = 18.dp)
-        Text(stringResource(Res.string.learning_world_done_mark), color = colours.onPane, fontSize = 15.sp, fontWeight = FontWeight.SemiBold)
+        val done = stringResource(Res.string.learning_world_done_mark)
+        Text(done, color = colours.onPane, fontSize = 15.sp, fontWeight = FontWeight.SemiBold)
     }
 }
 
@@ -86,7 +87,9 @@ private fun DoneMark() {
 private fun WorldPicture(world: GalleryWorld) {
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
-    val picture by produceState(WorldPictures.ready(world, sheetColours), world, sheetColours) { value = WorldPictures.of(world, sheetColours) }
+    val picture by produceState(WorldPictures.ready(world, sheetColours), world, sheetColours) {
+        value = WorldPictures.of(world, sheetColours)
+    }
     Box(Modifier.fillMaxWidth().aspectRatio(PICTURE_ASPECT).background(colours.desk).padding(8.dp), Alignment.Center) {
         picture?.let { Image(it, contentDescription = null, Modifier.fillMaxSize(), contentScale = ContentScale.Fit) }
     }

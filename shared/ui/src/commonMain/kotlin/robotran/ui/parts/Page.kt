@@ -1,9 +1,7 @@
 package robotran.ui.parts
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.clickable
 import androidx.compose.foundation.focusable
-import androidx.compose.foundation.interaction.MutableInteractionSource
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ColumnScope
@@ -26,6 +24,7 @@ import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.onKeyEvent
 import androidx.compose.ui.input.key.type
+import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.paneTitle
@@ -62,7 +61,7 @@ internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp
                 true
             }
             // What lies under the page is out of reach.
-            .clickable(remember { MutableInteractionSource() }, indication = null) { }
+            .pointerInput(Unit) { }
             .focusRequester(focus)
             .focusable(),
     ) {

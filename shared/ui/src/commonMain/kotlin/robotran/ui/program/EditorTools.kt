@@ -4,7 +4,6 @@ import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.Spacer
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
@@ -66,7 +65,7 @@ internal fun EditorTools(state: ProgramsState, onTranslation: (Boolean) -> Unit,
                 state.translationShown,
                 { onTranslation(!state.translationShown) },
                 { Text(stringResource(Res.string.editor_translation), fontSize = 14.sp, maxLines = 1) },
-                Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("translation-switch").focusRing(8.dp),
+                Modifier.testTag("translation-switch").focusRing(8.dp),
             )
         }
         MoreTools(onCommand)

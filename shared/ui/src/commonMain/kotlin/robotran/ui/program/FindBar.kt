@@ -162,7 +162,7 @@ private fun FindButton(words: String, tag: String, enabled: Boolean, onClick: ()
 
 @Composable
 private fun Switch(words: String, tag: String, on: Boolean, onClick: () -> Unit) {
-    val modifier = Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag(tag).focusRing(8.dp)
+    val modifier = Modifier.testTag(tag).focusRing(8.dp)
     FilterChip(on, onClick, { Text(words, fontSize = 14.sp) }, modifier)
 }
 

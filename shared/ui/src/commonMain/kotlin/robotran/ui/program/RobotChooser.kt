@@ -51,7 +51,7 @@ internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
                 robot.name == state.shownRobot,
                 { onChoose(robot.name) },
                 { Text(stringResource(Res.string.editor_robot, robot.name), fontSize = 14.sp, maxLines = 1) },
-                Modifier.heightIn(min = Measures.TARGET).testTag("robot-${robot.name}").focusRing(8.dp),
+                Modifier.testTag("robot-${robot.name}").focusRing(8.dp),
                 leadingIcon = {
                     Canvas(Modifier.size(14.dp)) {
                         drawCircle(RobotColours.brick(robot.colour))

@@ -87,8 +87,9 @@ private fun cursorLine(state: WorkshopState): Breakpoint {
  * @property speed whether the speed can be chosen in the bar.
  */
 private enum class BarRoom(val from: Dp, val runWord: Boolean, val words: Boolean, val statusBeside: Boolean, val speed: Boolean) {
-    ROOMY(840.dp, runWord = true, words = true, statusBeside = true, speed = true),
-    MIDDLE(600.dp, runWord = true, words = false, statusBeside = true, speed = true),
+    ROOMY(960.dp, runWord = true, words = true, statusBeside = true, speed = true),
+    MIDDLE(760.dp, runWord = true, words = false, statusBeside = true, speed = true),
+    SNUG(560.dp, runWord = true, words = false, statusBeside = false, speed = true),
     TIGHT(360.dp, runWord = true, words = false, statusBeside = false, speed = false),
     TIGHTEST(0.dp, runWord = false, words = false, statusBeside = false, speed = false),
     ;

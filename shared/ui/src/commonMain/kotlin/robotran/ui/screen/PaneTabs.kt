@@ -10,6 +10,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
@@ -44,11 +45,11 @@ internal fun PaneTabs(chosen: Pane, mistaken: Boolean, onChoose: (Pane) -> Unit,
                 modifier = Modifier.testTag("tab-${pane.name.lowercase()}").defaultMinSize(minHeight = Measures.TARGET).focusRing(),
                 selectedContentColor = if (marked) colours.mistake else colours.onPane,
                 unselectedContentColor = if (marked) colours.mistake else colours.quiet,
-                text = {
-                    val name = stringResource(pane.title)
-                    Text(if (marked) "!\u00A0$name" else name, fontSize = 15.sp, fontWeight = FontWeight.SemiBold, maxLines = 1, softWrap = false)
-                },
-            )
+            ) {
+                val name = stringResource(pane.title)
+                val words = if (marked) "!\u00A0$name" else name
+                Text(words, fontSize = 15.sp, fontWeight = FontWeight.SemiBold, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            }
         }
     }
 }

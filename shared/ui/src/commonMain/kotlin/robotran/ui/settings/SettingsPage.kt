@@ -61,10 +61,10 @@ internal fun SettingsPage(settings: Settings, onEvent: (SettingsEvent) -> Unit) 
                 stringResource(Res.string.settings_code_size),
                 settings.codeSize,
                 10f..40f,
-                29,
+                0,
                 { "${it.roundToInt()}" },
                 "code-size",
-            ) { change(settings.copy(codeSize = it)) }
+            ) { change(settings.copy(codeSize = it.roundToInt().toFloat())) }
             SwitchRow(stringResource(Res.string.settings_sound), settings.soundOn, "sound-setting") { change(settings.copy(soundOn = it)) }
             SwitchRow(stringResource(Res.string.settings_less_motion), settings.lessMotion, "less-motion") {
                 change(settings.copy(lessMotion = it))

@@ -122,6 +122,7 @@ internal fun SwitchRow(title: String, on: Boolean, tag: String, onSwitch: (Boole
             on,
             onCheckedChange = null,
             colors = SwitchDefaults.colors(
+                checkedThumbColor = colours.pane,
                 checkedTrackColor = RobotranColours.RUN_GREEN,
                 uncheckedThumbColor = colours.quiet,
                 uncheckedBorderColor = colours.quiet,

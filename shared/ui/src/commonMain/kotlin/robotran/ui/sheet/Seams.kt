@@ -35,7 +35,8 @@ internal class SeamlessPolygon(val corners: List<Point>, val seams: Set<Int>) {
             val seams = corners.indices.filter { one -> corners.indices.any { isSlit(corners, one, it) } }.toSet()
             if (seams.isEmpty()) return SeamlessPolygon(corners, seams)
             val lips = seams.flatMap { listOf(it, (it + 1) % corners.size) }.toSet()
-            return SeamlessPolygon(corners.mapIndexed { number, corner -> if (number in lips) closed(corner, number, corners, lips) else corner }, seams)
+            val moved = corners.mapIndexed { number, corner -> if (number in lips) closed(corner, number, corners, lips) else corner }
+            return SeamlessPolygon(moved, seams)
         }
 
         /** Whether two edges lie close beside each other over all of their length. */

@@ -126,7 +126,9 @@ internal class DocumentFiles(
         }
         val names = bench.project.robots.firstOrNull()?.programs.orEmpty().map { it.name }
         val missing = opened.programs.filterNot { it.name in names }
-        if (missing.isNotEmpty()) bench.say(Notice(Res.string.documents_no_room, listOf(missing.first().name, Brick.MOST_PROGRAMS), bad = true))
+        if (missing.isNotEmpty()) {
+            bench.say(Notice(Res.string.documents_no_room, listOf(missing.first().name, Brick.MOST_PROGRAMS), bad = true))
+        }
         if (opened.world != null && opened.programs.isEmpty()) bench.show(Pane.WORLD)
     }
 

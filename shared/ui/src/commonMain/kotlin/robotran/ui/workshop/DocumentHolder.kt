@@ -6,6 +6,7 @@ import androidx.compose.runtime.setValue
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
+import robotran.documents.ComingBack
 import robotran.documents.Keeping
 import robotran.documents.KeepingTimes
 import robotran.documents.KeptWork
@@ -18,6 +19,7 @@ import robotran.ui.platform.Arrival
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_back
 import robotran.ui.resources.documents_back_others
+import robotran.ui.resources.documents_back_unnamed
 import robotran.ui.resources.documents_delete_failed
 import robotran.ui.resources.documents_my_work
 import robotran.ui.resources.documents_work_elsewhere
@@ -44,7 +46,9 @@ class DocumentHolder(private val bench: Bench) {
 
             is DocumentEvent.LinkOpened -> launch { files.openLink(event.link) }
 
-            is DocumentEvent.WorksWanted, is DocumentEvent.WorkOpened, is DocumentEvent.WorkDeletionWanted, is DocumentEvent.WorkDeletionAnswered ->
+            is DocumentEvent.WorksWanted, is DocumentEvent.WorkOpened,
+            is DocumentEvent.WorkDeletionWanted, is DocumentEvent.WorkDeletionAnswered,
+            ->
                 launch { handleWorks(event) }
 
             DocumentEvent.SaveWanted -> launch { files.save() }
@@ -84,11 +88,18 @@ class DocumentHolder(private val bench: Bench) {
         bench.openProject(back.work.project)
         keeper.tookUp(back.work, back.claim)
         refresh()
+        if (back.wasCutShort || back.others > 0) sayBack(back)
+    }
+
+    private fun sayBack(back: ComingBack) {
+        val name = back.work.name
         if (back.others > 0) {
             val works = { handle(DocumentEvent.WorksWanted) }
-            bench.say(Notice(Res.string.documents_back_others, listOf(titleOf(back.work.name)), action = Res.string.documents_my_work, onAction = works))
-        } else if (back.wasCutShort) {
-            bench.say(Notice(Res.string.documents_back, listOf(titleOf(back.work.name))))
+            bench.say(Notice(Res.string.documents_back_others, action = Res.string.documents_my_work, onAction = works))
+        } else if (name.isEmpty()) {
+            bench.say(Notice(Res.string.documents_back_unnamed))
+        } else {
+            bench.say(Notice(Res.string.documents_back, listOf(name)))
         }
     }
 
@@ -308,8 +319,6 @@ class DocumentHolder(private val bench: Bench) {
         val now = state.copy(name = keeper.name, fileName = keeper.file?.place?.name, saved = keeper.isSaved)
         if (now != state) state = now
     }
-
-    private fun titleOf(name: String) = name.ifEmpty { bench.project.world.title }
 
     private fun launch(work: suspend () -> Unit) {
         bench.scope.launch { work() }

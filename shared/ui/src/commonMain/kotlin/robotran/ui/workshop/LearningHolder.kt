@@ -62,7 +62,8 @@ class LearningHolder(private val bench: Bench) {
         if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return
         val step = tutorial.stepOnDesk()
         if (step != null) {
-            keep(progress.copy(stepsDone = progress.stepsDone + step.name))
+            // Looking on is not doing.
+            if (state.tutorial?.solutionShown != true) keep(progress.copy(stepsDone = progress.stepsDone + step.name))
         } else {
             WorldGallery.find(bench.project.world)?.let(::worldDone)
         }

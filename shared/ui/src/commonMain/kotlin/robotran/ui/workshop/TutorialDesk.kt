@@ -5,8 +5,8 @@ import robotran.learning.TutorialStep
 import robotran.programs.SourceFile
 
 /**
- * Puts the tutorial's steps on the desk, in a work of its own, and what was there before back again. What a pupil has written in a step is kept and
- * comes back with it.
+ * Puts the tutorial's steps on the desk, in a work of its own, and what was there before back again. What a pupil has written in a step is
+ * kept and comes back with it.
  *
  * @param keep keeps what has become of the progress.
  */

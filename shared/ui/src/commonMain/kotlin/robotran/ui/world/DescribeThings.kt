@@ -40,7 +40,11 @@ internal fun describeThing(thing: SheetThing, pose: Pose, world: World, session:
         val on = stringResource(if (session.lamps[thing.number].on) Res.string.sheet_lamp_on else Res.string.sheet_lamp_off)
         val place = placeWords(Point(pose.x, pose.y))
         val name = world.lamps[thing.number].name
-        if (name != null) stringResource(Res.string.sheet_lamp, name, place, on) else stringResource(Res.string.sheet_lamp_numbered, thing.number + 1, place, on)
+        if (name != null) {
+            stringResource(Res.string.sheet_lamp, name, place, on)
+        } else {
+            stringResource(Res.string.sheet_lamp_numbered, thing.number + 1, place, on)
+        }
     }
 }
 

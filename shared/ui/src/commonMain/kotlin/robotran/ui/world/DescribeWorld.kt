@@ -53,7 +53,11 @@ private fun regionWords(region: GoalRegion, session: SessionState): String {
     val number = region.number
     val words = when (region.kind) {
         RegionKind.REACH ->
-            if (number == null) stringResource(Res.string.sheet_region_reach, place) else stringResource(Res.string.sheet_region_reach_numbered, number, place)
+            if (number == null) {
+                stringResource(Res.string.sheet_region_reach, place)
+            } else {
+                stringResource(Res.string.sheet_region_reach_numbered, number, place)
+            }
 
         RegionKind.STAY_OUT -> stringResource(Res.string.sheet_region_stay_out, place)
 

@@ -3,6 +3,7 @@ package robotran.ui.world
 import robotran.ui.sheet.SheetThing
 import robotran.ui.sheet.SheetThingKind
 import robotran.ui.sheet.SheetTouch
+import robotran.ui.sheet.distance
 import robotran.ui.sheet.thingAt
 import robotran.world.Point
 import robotran.world.Pose
@@ -64,7 +65,7 @@ internal class HandTouch(
         if (chosen == null || chosen.kind == SheetThingKind.LAMP) return null
         val pose = poseOf(chosen, world, session) ?: return null
         val handle = handleOf(chosen, world, session) ?: return null
-        if (robotran.ui.sheet.distance(handle, place) > tolerance + HANDLE_CENTIMETRES) return null
+        if (distance(handle, place) > tolerance + HANDLE_CENTIMETRES) return null
         return Held.Handle(chosen, pose.heading - angle(Point(pose.x, pose.y), place))
     }
 

@@ -37,7 +37,10 @@ internal fun poseOf(thing: SheetThing, world: World, session: SessionState): Pos
 /** How far something movable reaches from there. */
 internal fun reachOf(thing: SheetThing, world: World): Double = when (thing.kind) {
     SheetThingKind.ROBOT -> Penbot.BUMPER_FRONT + 1
-    SheetThingKind.BLOCK -> world.blocks.getOrNull(thing.number)?.shape?.let { shape -> shape.corners().maxOf { distance(it, shape.centre) } } ?: 0.0
+
+    SheetThingKind.BLOCK ->
+        world.blocks.getOrNull(thing.number)?.shape?.let { shape -> shape.corners().maxOf { distance(it, shape.centre) } } ?: 0.0
+
     else -> LAMP_REACH
 }
 

@@ -14,6 +14,7 @@ import robotran.ui.resources.sheet_further
 import robotran.ui.resources.sheet_whole
 import robotran.ui.sheet.KEY_ZOOM
 import robotran.ui.sheet.SheetCamera
+import robotran.ui.sheet.SheetThingKind
 import robotran.ui.workshop.SheetEvent
 import robotran.ui.workshop.SheetViewState
 import robotran.world.Surroundings
@@ -51,19 +52,18 @@ internal fun SheetControls(
 
 @Composable
 private fun ZoomButtons(camera: SheetCamera, onEvent: (SheetEvent) -> Unit) {
-    fun zoom(factor: Double) = onEvent(
-        SheetEvent.CameraMoved(camera.copy(zoom = (camera.zoom * factor).coerceIn(SheetCamera.LEAST_ZOOM, SheetCamera.MOST_ZOOM)), pushed = false),
-    )
-    SheetButton(SheetIcons.NEARER, stringResource(Res.string.sheet_nearer), "sheet-nearer", enabled = camera.zoom < SheetCamera.MOST_ZOOM) {
-        zoom(KEY_ZOOM)
+    fun zoom(factor: Double) {
+        val zoom = (camera.zoom * factor).coerceIn(SheetCamera.LEAST_ZOOM, SheetCamera.MOST_ZOOM)
+        onEvent(SheetEvent.CameraMoved(camera.copy(zoom = zoom), pushed = false))
     }
-    SheetButton(SheetIcons.FURTHER, stringResource(Res.string.sheet_further), "sheet-further", enabled = camera.zoom > SheetCamera.LEAST_ZOOM) {
-        zoom(1 / KEY_ZOOM)
-    }
+    val isNearest = camera.zoom >= SheetCamera.MOST_ZOOM
+    val isFurthest = camera.zoom <= SheetCamera.LEAST_ZOOM
+    SheetButton(SheetIcons.NEARER, stringResource(Res.string.sheet_nearer), "sheet-nearer", enabled = !isNearest) { zoom(KEY_ZOOM) }
+    SheetButton(SheetIcons.FURTHER, stringResource(Res.string.sheet_further), "sheet-further", enabled = !isFurthest) { zoom(1 / KEY_ZOOM) }
 }
 
 /** The one that was chosen, else the pupil's own. */
 private fun robotToFollow(view: SheetViewState): Int =
-    view.chosen?.takeIf { it.kind == robotran.ui.sheet.SheetThingKind.ROBOT }?.number ?: 0
+    view.chosen?.takeIf { it.kind == SheetThingKind.ROBOT }?.number ?: 0
 
 private val GAP = 8.dp

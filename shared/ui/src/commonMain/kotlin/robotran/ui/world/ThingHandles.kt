@@ -102,7 +102,12 @@ private fun ThingHandle(
 }
 
 /** Does to [thing] what keys and screen readers ask for. */
-private class ThingMover(val thing: SheetThing, private val world: World, private val now: State<SessionState>, private val onInput: (SessionInput) -> Unit) {
+private class ThingMover(
+    val thing: SheetThing,
+    private val world: World,
+    private val now: State<SessionState>,
+    private val onInput: (SessionInput) -> Unit,
+) {
     fun key(event: KeyEvent): Boolean {
         val isPress = event.type == KeyEventType.KeyDown && event.key in PRESSES
         if (isPress && thing.kind == SheetThingKind.LAMP) return switch()

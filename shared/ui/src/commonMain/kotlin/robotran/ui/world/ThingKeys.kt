@@ -36,7 +36,8 @@ internal fun inputOf(event: KeyEvent, thing: SheetThing, pose: Pose): SessionInp
     }
 }
 
-internal fun moved(thing: SheetThing, pose: Pose, x: Double, y: Double): SessionInput = placing(thing, pose.copy(x = pose.x + x, y = pose.y + y))
+internal fun moved(thing: SheetThing, pose: Pose, x: Double, y: Double): SessionInput =
+    placing(thing, pose.copy(x = pose.x + x, y = pose.y + y))
 
 /** Null for a lamp. */
 internal fun turned(thing: SheetThing, pose: Pose, degrees: Double): SessionInput? =

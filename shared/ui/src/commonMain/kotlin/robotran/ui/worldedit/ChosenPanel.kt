@@ -61,7 +61,7 @@ internal fun ChosenPanel(making: Making) {
     }
     val only = editing.only
     Text(
-        if (only != null) thingInWords(editing.world, only) else stringResource(Res.string.worldedit_several_chosen, editing.selection.size),
+        chosenTitle(editing),
         Modifier.testTag("chosen-name").semantics { heading() },
         color = LocalRobotranColours.current.onPane,
         fontSize = 18.sp,
@@ -78,6 +78,12 @@ internal fun ChosenPanel(making: Making) {
         RowHeading(stringResource(if (only != null) Res.string.worldedit_align_paper else Res.string.worldedit_align))
         AlignRow(making)
     }
+}
+
+@Composable
+private fun chosenTitle(editing: WorldEditing): String {
+    val only = editing.only ?: return stringResource(Res.string.worldedit_several_chosen, editing.selection.size)
+    return thingInWords(editing.world, only)
 }
 
 @OptIn(ExperimentalLayoutApi::class)
@@ -118,7 +124,8 @@ private fun Action(icon: Icon, word: StringResource, tag: String, onClick: () ->
 private fun AlignRow(making: Making) {
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         for (side in AlignSide.entries) {
-            IconWord(EditIcons.align(side), stringResource(alignWord(side)), "align-${side.name.lowercase()}", { making.make(Edit.Align(side)) })
+            val tag = "align-${side.name.lowercase()}"
+            IconWord(EditIcons.align(side), stringResource(alignWord(side)), tag, { making.make(Edit.Align(side)) })
         }
     }
 }

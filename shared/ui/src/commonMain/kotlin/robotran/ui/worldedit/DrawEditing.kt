@@ -28,7 +28,9 @@ import robotran.worldediting.piece
 internal fun DrawScope.drawEditing(editing: WorldEditing, transform: SheetTransform, view: EditView, colours: RobotranColours) {
     drawTroubles(editing, transform, colours)
     for (guide in editing.guides) drawGuide(guide.isUpright, guide.at, transform)
-    if (editing.selection.size > 1) for (thing in editing.selection) editing.world.frameOf(setOf(thing))?.let { drawFrame(it, transform, THIN) }
+    if (editing.selection.size > 1) {
+        for (thing in editing.selection) editing.world.frameOf(setOf(thing))?.let { drawFrame(it, transform, THIN) }
+    }
     editing.world.frameOf(editing.selection)?.let { drawFrame(it, transform, THICK) }
     if (editing.gesture == null) drawHandles(handlePlaces(editing, transform, density))
     view.box?.let { box ->
@@ -102,7 +104,11 @@ private fun DrawScope.drawTroubles(editing: WorldEditing, transform: SheetTransf
     for (thing in editing.troubles.mapNotNull { it.thing }.distinct()) {
         val bounds = editing.world.piece(thing)?.form?.bounds ?: continue
         val place = transform.toPixels((bounds.left + bounds.right) / 2, bounds.top) - Offset(0f, 14.dp.toPx())
-        val inside = Offset(place.x.coerceIn(16.dp.toPx(), size.width - 16.dp.toPx()), place.y.coerceIn(16.dp.toPx(), size.height - 16.dp.toPx()))
+        val margin = 16.dp.toPx()
+        val inside = Offset(
+            place.x.coerceIn(margin, maxOf(margin, size.width - margin)),
+            place.y.coerceIn(margin, maxOf(margin, size.height - margin)),
+        )
         drawCircle(colours.mistakePane, 15.dp.toPx(), inside)
         drawCircle(colours.mistake, 15.dp.toPx(), inside, style = Stroke(2.dp.toPx()))
         val unit = 20.dp.toPx() / Icon.UNITS

@@ -76,10 +76,14 @@ import robotran.worldediting.written
 internal fun EditBar(making: Making, view: EditView, withWords: Boolean) {
     val colours = LocalRobotranColours.current
     val editing = making.editing
-    Row(Modifier.fillMaxWidth().background(colours.pane).padding(horizontal = 4.dp, vertical = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+    Row(Modifier.fillMaxWidth().background(colours.pane).padding(4.dp), verticalAlignment = Alignment.CenterVertically) {
         Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()), verticalAlignment = Alignment.CenterVertically) {
-            Step(EditIcons.UNDO, stringResource(Res.string.worldedit_undo), "edit-undo", editing.history.canUndo, withWords) { making.make(Edit.Undo) }
-            Step(EditIcons.REDO, stringResource(Res.string.worldedit_redo), "edit-redo", editing.history.canRedo, withWords) { making.make(Edit.Redo) }
+            Step(EditIcons.UNDO, stringResource(Res.string.worldedit_undo), "edit-undo", editing.history.canUndo, withWords) {
+                making.make(Edit.Undo)
+            }
+            Step(EditIcons.REDO, stringResource(Res.string.worldedit_redo), "edit-redo", editing.history.canRedo, withWords) {
+                making.make(Edit.Redo)
+            }
             Toggle(EditIcons.SEVERAL, stringResource(Res.string.worldedit_several), "edit-several", editing.several, withWords) {
                 making.make(Edit.ChooseSeveral(!editing.several))
             }
@@ -127,14 +131,26 @@ private fun EditMenu(making: Making, view: EditView, withWords: Boolean) {
         DropdownMenu(open, { open = false }, Modifier.widthIn(min = 260.dp), containerColor = LocalRobotranColours.current.pane) {
             MenuItem(stringResource(Res.string.worldedit_choose_all), "menu-all") { choose { making.make(Edit.ChooseAll) } }
             MenuItem(stringResource(Res.string.worldedit_copy), "menu-copy") { choose { making.make(Edit.Copy) } }
-            MenuItem(stringResource(Res.string.worldedit_paste), "menu-paste") { choose { making.make(Edit.Paste(view.middle(making.world.paper))) } }
+            MenuItem(stringResource(Res.string.worldedit_paste), "menu-paste") {
+                choose { making.make(Edit.Paste(view.middle(making.world.paper))) }
+            }
             MenuItem(stringResource(Res.string.worldedit_whole_sheet), "menu-fit") { choose { view.camera = SheetCamera.FITTING } }
-            MenuItem(stringResource(Res.string.worldedit_zoom_in), "menu-zoom-in") { choose { view.zoomBy(ZOOM, view.pane.center, making.world.paper) } }
-            MenuItem(stringResource(Res.string.worldedit_zoom_out), "menu-zoom-out") { choose { view.zoomBy(1 / ZOOM, view.pane.center, making.world.paper) } }
+            MenuItem(stringResource(Res.string.worldedit_zoom_in), "menu-zoom-in") {
+                choose { view.zoomBy(ZOOM, view.pane.center, making.world.paper) }
+            }
+            MenuItem(stringResource(Res.string.worldedit_zoom_out), "menu-zoom-out") {
+                choose { view.zoomBy(1 / ZOOM, view.pane.center, making.world.paper) }
+            }
             MenuDivider()
             for (grid in GRIDS) {
-                val words = if (grid > 0) stringResource(Res.string.worldedit_grid, written(grid)) else stringResource(Res.string.worldedit_grid_off)
-                MenuItem(checked(words, snapping.grid == grid), "menu-grid-$grid") { choose { making.make(Edit.Snap(snapping.copy(grid = grid))) } }
+                val words = if (grid > 0) {
+                    stringResource(Res.string.worldedit_grid, written(grid))
+                } else {
+                    stringResource(Res.string.worldedit_grid_off)
+                }
+                MenuItem(checked(words, snapping.grid == grid), "menu-grid-${written(grid)}") {
+                    choose { making.make(Edit.Snap(snapping.copy(grid = grid))) }
+                }
             }
             MenuItem(checked(stringResource(Res.string.worldedit_snap_angle), snapping.angle > 0), "menu-angle") {
                 choose { making.make(Edit.Snap(snapping.copy(angle = if (snapping.angle > 0) 0.0 else Snapping().angle))) }
@@ -143,7 +159,9 @@ private fun EditMenu(making: Making, view: EditView, withWords: Boolean) {
                 choose { making.make(Edit.Snap(snapping.copy(toOthers = !snapping.toOthers))) }
             }
             MenuDivider()
-            MenuItem(stringResource(Res.string.worldedit_discard), "menu-discard") { choose { making.perform(WorldEditEvent.EditsDiscarded) } }
+            MenuItem(stringResource(Res.string.worldedit_discard), "menu-discard") {
+                choose { making.perform(WorldEditEvent.EditsDiscarded) }
+            }
         }
     }
 }

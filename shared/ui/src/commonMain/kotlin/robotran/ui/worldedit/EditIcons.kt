@@ -76,7 +76,7 @@ internal fun DrawScope.drawPaletteItem(item: PaletteItem, ink: Color) {
         PaletteItem.CORNERED_BARRIER -> solid(cornered())
         PaletteItem.BLOCK -> wooden(Path().apply { addBox(4f, 4f, 16f, 16f) })
         PaletteItem.ROUND_BLOCK -> wooden(Path().apply { addDisc() })
-        PaletteItem.LINE -> drawPath(zigzag(), Color.Black, style = Stroke(3.4f, cap = StrokeCap.Round, join = StrokeJoin.Round)).also { rim(ink) }
+        PaletteItem.LINE -> line(ink)
         PaletteItem.AREA -> printed(Path().apply { addBox(3f, 6f, 18f, 12f) }, ink)
         PaletteItem.DOT -> printed(Path().apply { addDisc() }, ink)
         PaletteItem.CORNERED_AREA -> printed(cornered(), ink)
@@ -126,7 +126,10 @@ private fun DrawScope.printed(path: Path, ink: Color) {
     drawPath(path, ink, style = Stroke(1f))
 }
 
-private fun DrawScope.rim(ink: Color) = drawPath(zigzag(), ink, style = Stroke(1f, cap = StrokeCap.Round, join = StrokeJoin.Round))
+private fun DrawScope.line(ink: Color) {
+    drawPath(zigzag(), ink, style = Stroke(5f, cap = StrokeCap.Round, join = StrokeJoin.Round))
+    drawPath(zigzag(), Color.Black, style = Stroke(3f, cap = StrokeCap.Round, join = StrokeJoin.Round))
+}
 
 private fun DrawScope.lamp() {
     drawCircle(SheetColours.LAMP, 5.5f, Offset(12f, 12f))

@@ -13,7 +13,6 @@ import androidx.compose.ui.input.pointer.PointerInputScope
 import androidx.compose.ui.input.pointer.changedToUp
 import androidx.compose.ui.input.pointer.isShiftPressed
 import androidx.compose.ui.input.pointer.positionChanged
-import androidx.compose.ui.unit.dp
 import robotran.world.Bounds
 import robotran.world.Point
 import robotran.worldediting.Edit
@@ -25,7 +24,8 @@ import robotran.worldediting.thingsAt
 internal suspend fun PointerInputScope.editByTouch(view: EditView, making: () -> Making, onTouched: () -> Unit) = awaitEachGesture {
     val down = awaitFirstDown()
     onTouched()
-    with(SheetFinger(view, making(), this, making)) { follow(down.position, currentEvent.keyboardModifiers.isShiftPressed) }
+    val finger = SheetFinger(view, making(), density, making)
+    with(finger) { follow(down.position, currentEvent.keyboardModifiers.isShiftPressed) }
 }
 
 /** The wheel of a mouse zooms where the mouse is. */
@@ -43,15 +43,15 @@ internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () ->
 private class SheetFinger(
     private val view: EditView,
     private val making: Making,
-    scope: AwaitPointerEventScope,
+    private val density: Float,
     private val latest: () -> Making,
 ) {
     private val transform = view.transform(making.world.paper)
-    private val reach = transform.toCentimetres(with(scope) { 12.dp.toPx() })
+    private val reach = transform.toCentimetres(FINGER * density)
 
     suspend fun AwaitPointerEventScope.follow(down: Offset, adding: Boolean) {
         val handles = handlePlaces(making.editing, transform, density)
-        val handle = handleAt(handles, down, 24.dp.toPx())
+        val handle = handleAt(handles, down, HANDLE * density)
         val there = making.world.thingsAt(centimetres(down), reach)
         when {
             making.editing.tool != Tool.CHOOSE -> draw(down)
@@ -154,3 +154,7 @@ private class SheetFinger(
 }
 
 private const val WHEEL_ZOOM = 1.2
+
+/** How inexact a finger is with things and with handles, in dp. */
+private const val FINGER = 12f
+private const val HANDLE = 24f

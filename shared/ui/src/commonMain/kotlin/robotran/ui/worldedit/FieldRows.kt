@@ -92,6 +92,7 @@ internal fun NumberRow(
     val accepted = { number: Double? -> number?.takeIf { it in range && (!isWhole || it % 1.0 == 0.0) } }
     val isWrong = draft != null && accepted(readFigure(draft.orEmpty())) == null
     val label = if (unit.isEmpty()) title else "$title ($unit)"
+    val wrong = stringResource(Res.string.worldedit_range, written(range.start), written(range.endInclusive)).takeIf { isWrong }
     val stepped = { by: Double ->
         draft = null
         onChange((value + by).coerceIn(range.start, range.endInclusive))
@@ -106,7 +107,7 @@ internal fun NumberRow(
                     text = draft ?: written(value),
                     label = label,
                     tag = tag,
-                    wrong = if (isWrong) stringResource(Res.string.worldedit_range, written(range.start), written(range.endInclusive)) else null,
+                    wrong = wrong,
                     onText = { text ->
                         draft = text
                         accepted(readFigure(text))?.let(onChange)
@@ -120,7 +121,7 @@ internal fun NumberRow(
             }
             IconTouch(EditIcons.LARGER, stringResource(Res.string.worldedit_more, label), "$tag-more", { stepped(step) })
         }
-        if (isWrong) Wrong(stringResource(Res.string.worldedit_range, written(range.start), written(range.endInclusive)))
+        if (wrong != null) Wrong(wrong)
         if (slider != null) {
             FigureSlider(label, value, slider, step, "$tag-slider", {
                 draft = null

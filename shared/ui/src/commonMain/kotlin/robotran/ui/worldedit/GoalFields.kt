@@ -154,8 +154,8 @@ private fun TemplateFields(sender: GoalSender, goal: Goal.DrawTemplate) = Column
 
 @Composable
 private fun ToleranceField(sender: GoalSender, tolerance: Double, onChange: (Double) -> Unit) = NumberRow(
-    stringResource(Res.string.worldedit_tolerance), tolerance, WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_TOLERANCE, "field-tolerance",
-    onChange, sender::settle, step = 0.5, unit = "cm", slider = 0.5f..10f,
+    stringResource(Res.string.worldedit_tolerance), tolerance, WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_TOLERANCE,
+    "field-tolerance", onChange, sender::settle, step = 0.5, unit = "cm", slider = 0.5f..10f,
 )
 
 @Composable
@@ -165,13 +165,19 @@ private fun InkFields(sender: GoalSender, goal: Goal.InkLength) = Column(Modifie
         sender.once(goal.copy(atLeast = if (on) minOf(USUAL_INK, goal.atMost ?: USUAL_INK) else null))
     }
     goal.atLeast?.let { least ->
-        NumberRow(stringResource(Res.string.worldedit_length), least, range, "field-least", { sender.change(goal.copy(atLeast = it)) }, sender::settle, step = 10.0, unit = "cm")
+        NumberRow(
+            stringResource(Res.string.worldedit_length), least, range, "field-least",
+            { sender.change(goal.copy(atLeast = it)) }, sender::settle, step = 10.0, unit = "cm",
+        )
     }
     SwitchRow(stringResource(Res.string.worldedit_at_most), goal.atMost != null, "field-has-most") { on ->
         sender.once(goal.copy(atMost = if (on) maxOf(USUAL_INK, goal.atLeast ?: USUAL_INK) else null))
     }
     goal.atMost?.let { most ->
-        NumberRow(stringResource(Res.string.worldedit_length), most, range, "field-most", { sender.change(goal.copy(atMost = it)) }, sender::settle, step = 10.0, unit = "cm")
+        NumberRow(
+            stringResource(Res.string.worldedit_length), most, range, "field-most",
+            { sender.change(goal.copy(atMost = it)) }, sender::settle, step = 10.0, unit = "cm",
+        )
     }
 }
 
@@ -197,8 +203,12 @@ private fun SoundFields(sender: GoalSender, goal: Goal.PlaySound) = Column(Modif
         stringResource(Res.string.worldedit_times), goal.times.toDouble(), 1.0..WorldLimits.MAXIMUM_SOUNDS.toDouble(), "field-times",
         { sender.change(goal.copy(times = it.toInt())) }, sender::settle, isWhole = true,
     )
-    ToneField(sender, Res.string.worldedit_lowest, goal.lowest, "lowest", minOf(USUAL_TONE, goal.highest ?: USUAL_TONE)) { sender.change(goal.copy(lowest = it)) }
-    ToneField(sender, Res.string.worldedit_highest, goal.highest, "highest", maxOf(USUAL_TONE, goal.lowest ?: USUAL_TONE)) { sender.change(goal.copy(highest = it)) }
+    ToneField(sender, Res.string.worldedit_lowest, goal.lowest, "lowest", minOf(USUAL_TONE, goal.highest ?: USUAL_TONE)) {
+        sender.change(goal.copy(lowest = it))
+    }
+    ToneField(sender, Res.string.worldedit_highest, goal.highest, "highest", maxOf(USUAL_TONE, goal.lowest ?: USUAL_TONE)) {
+        sender.change(goal.copy(highest = it))
+    }
 }
 
 @Composable
@@ -210,7 +220,9 @@ private fun ToneField(sender: GoalSender, title: StringResource, hertz: Int?, ta
     }
     if (hertz == null) return
     NumberRow(
-        stringResource(Res.string.worldedit_pitch), hertz.toDouble(), WorldLimits.LOWEST_TONE.toDouble()..WorldLimits.HIGHEST_TONE.toDouble(), "field-$tag",
+        stringResource(Res.string.worldedit_pitch), hertz.toDouble(),
+        WorldLimits.LOWEST_TONE.toDouble()..WorldLimits.HIGHEST_TONE.toDouble(),
+        "field-$tag",
         { onChange(it.toInt()) }, sender::settle, step = 10.0, unit = "Hz", isWhole = true,
     )
 }
@@ -233,7 +245,10 @@ private fun WhoField(sender: GoalSender, goal: Goal) {
     }
 }
 
-/** Gives [thing] its word from [words] for a name if it has none, since goals know things by their names, and goes on with that as one step. */
+/**
+ * Gives [thing] its word from [words] for a name if it has none, since goals know things by their names, and goes on with that as one
+ * step.
+ */
 private fun Making.nameAnd(thing: Thing, words: List<Pair<Thing, String>>, next: (String) -> Edit) {
     val piece = world.piece(thing) ?: return
     val known = piece.name

@@ -79,7 +79,8 @@ private fun ChosenGoal(making: Making, number: Int, goal: Goal, onChosen: () -> 
 }
 
 @Composable
-private fun GoalAction(icon: Icon, word: StringResource, tag: String, onClick: () -> Unit) = IconWord(icon, stringResource(word), tag, onClick)
+private fun GoalAction(icon: Icon, word: StringResource, tag: String, onClick: () -> Unit) =
+    IconWord(icon, stringResource(word), tag, onClick)
 
 /** @param into the group that a new goal is put into; null for none. */
 @Composable
@@ -106,7 +107,8 @@ private fun newGoals(world: World): List<Goal> {
     val region = Shape.Rectangle(Point(world.paper.width * PLACE, world.paper.height / 2), REGION, REGION)
     val sound = Goal.PlaySound()
     return listOf(
-        Goal.Reach(region), Goal.StayOut(region), Goal.StayIn(region), Goal.NeverTouch(), Goal.DrawTemplate(), Goal.InkLength(USUAL_INK, null),
+        Goal.Reach(region), Goal.StayOut(region), Goal.StayIn(region), Goal.NeverTouch(), Goal.DrawTemplate(),
+        Goal.InkLength(USUAL_INK, null),
         Goal.FollowLine(line = "-"), Goal.EndWithin(world.timeLimit), Goal.ShowOnDisplay("42"), sound,
         Goal.InOrder(listOf(sound)), Goal.All(listOf(sound)), Goal.AnyOf(listOf(sound)),
     )

@@ -1,6 +1,5 @@
 package robotran.ui.worldedit
 
-import androidx.compose.runtime.Composable
 import androidx.compose.runtime.Immutable
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorldEditEvent
@@ -31,6 +30,3 @@ internal class Making(val editing: WorldEditing, private val onEvent: (WorkshopE
 
     fun perform(event: WorldEditEvent) = onEvent(event)
 }
-
-/** A part of the editor. */
-internal typealias MakingPart = @Composable (Making) -> Unit

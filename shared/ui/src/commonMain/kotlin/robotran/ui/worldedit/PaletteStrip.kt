@@ -59,22 +59,35 @@ import robotran.worldediting.named
 import robotran.worldediting.nextRobotColour
 import robotran.worldediting.piece
 
-/** All that can be put on the paper: a tap puts it into the middle of what is seen, and it can be dragged out of the strip to where it belongs. */
+/**
+ * All that can be put on the paper: a tap puts it into the middle of what is seen, and it can be dragged out of the strip to where it
+ * belongs.
+ *
+ * @param columns how many things are beside each other in an upright strip; null for a strip that lies.
+ */
 @Composable
-internal fun PaletteStrip(making: Making, view: EditView, upright: Boolean, onPut: () -> Unit, modifier: Modifier = Modifier) {
-    val items: @Composable () -> Unit = {
-        for (item in PaletteItem.entries) PaletteButton(making, view, item, upright, onPut)
-        for ((tool, word) in HAND_TOOLS) {
-            IconWord(EditIcons.PENCIL, stringResource(word), "tool-${tool.name.lowercase()}", {
-                making.make(Edit.ChooseTool(if (making.editing.tool == tool) Tool.CHOOSE else tool))
-            }, Modifier.width(itemWidth()), chosen = making.editing.tool == tool)
+internal fun PaletteStrip(making: Making, view: EditView, columns: Int?, onPut: () -> Unit, modifier: Modifier = Modifier) {
+    val items: List<@Composable () -> Unit> =
+        PaletteItem.entries.map { item -> @Composable { PaletteButton(making, view, item, columns != null, onPut) } } +
+            HAND_TOOLS.map { (tool, word) -> @Composable { HandTool(making, tool, stringResource(word)) } }
+    if (columns == null) {
+        Row(modifier.testTag("palette").horizontalScroll(rememberScrollState()).padding(4.dp), Arrangement.spacedBy(2.dp)) {
+            for (item in items) item()
+        }
+    } else {
+        Column(modifier.testTag("palette").verticalScroll(rememberScrollState()).padding(4.dp), Arrangement.spacedBy(2.dp)) {
+            for (row in items.chunked(columns)) Row(horizontalArrangement = Arrangement.spacedBy(2.dp)) { for (item in row) item() }
         }
     }
-    if (upright) {
-        Column(modifier.testTag("palette").verticalScroll(rememberScrollState()).padding(4.dp), Arrangement.spacedBy(2.dp)) { items() }
-    } else {
-        Row(modifier.testTag("palette").horizontalScroll(rememberScrollState()).padding(4.dp), Arrangement.spacedBy(2.dp)) { items() }
-    }
+}
+
+/** A pencil that draws on the sheet until it is put down. */
+@Composable
+private fun HandTool(making: Making, tool: Tool, word: String) {
+    val isTaken = making.editing.tool == tool
+    IconWord(EditIcons.PENCIL, word, "tool-${tool.name.lowercase()}", {
+        making.make(Edit.ChooseTool(if (isTaken) Tool.CHOOSE else tool))
+    }, Modifier.width(itemWidth()), chosen = isTaken)
 }
 
 @Composable

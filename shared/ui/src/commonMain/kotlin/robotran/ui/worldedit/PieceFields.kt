@@ -106,8 +106,8 @@ private fun MarkFields(making: Making, thing: Thing, piece: Piece.OfMark) {
 
 @Composable
 private fun ThicknessField(making: Making, value: Double, onChange: (Double) -> Unit) = NumberRow(
-    stringResource(Res.string.worldedit_thickness), value, WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_WALL_THICKNESS, "field-thickness",
-    onChange, making::settle, step = 0.5, unit = "cm", slider = 0.5f..10f,
+    stringResource(Res.string.worldedit_thickness), value, WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_WALL_THICKNESS,
+    "field-thickness", onChange, making::settle, step = 0.5, unit = "cm", slider = 0.5f..10f,
 )
 
 @Composable
@@ -115,7 +115,9 @@ private fun LampFields(making: Making, thing: Thing, piece: Piece.OfLamp) {
     val lamp = piece.lamp
     val change = { changed: Lamp -> making.change(thing, Piece.OfLamp(changed)) }
     NameField(making, thing, piece)
-    SwitchRow(stringResource(Res.string.worldedit_lamp_on), lamp.on, "field-on") { making.changeAtOnce(thing, Piece.OfLamp(lamp.copy(on = it))) }
+    SwitchRow(stringResource(Res.string.worldedit_lamp_on), lamp.on, "field-on") {
+        making.changeAtOnce(thing, Piece.OfLamp(lamp.copy(on = it)))
+    }
     NumberRow(
         stringResource(Res.string.worldedit_brightness), lamp.brightness, 0.0..WorldLimits.MAXIMUM_BRIGHTNESS, "field-brightness",
         { change(lamp.copy(brightness = it)) }, making::settle, step = 0.5, slider = 0f..10f,

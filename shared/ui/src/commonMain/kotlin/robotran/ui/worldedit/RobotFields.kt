@@ -72,7 +72,11 @@ private fun PortFields(robot: RobotPlace, onChange: (List<List<PortSensor>>) -> 
             val title = stringResource(if (place == 0) Res.string.worldedit_port else Res.string.worldedit_port_second, port + 1)
             val free = choices.filter { (other, _) -> other == null || other == sensor || other !in sensors }
             MenuRow(title, free, choices.first { it.first == sensor }.second, "port-${port + 1}-$place") { wanted ->
-                val changed = if (place < sensors.size) sensors.mapIndexed { at, old -> if (at == place) wanted else old } else sensors + wanted
+                val changed = if (place < sensors.size) {
+                    sensors.mapIndexed { at, old -> if (at == place) wanted else old }
+                } else {
+                    sensors + wanted
+                }
                 onChange(robot.ports.mapIndexed { at, old -> if (at == port) changed.filterNotNull() else old })
             }
         }

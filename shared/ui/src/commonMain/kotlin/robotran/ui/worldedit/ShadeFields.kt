@@ -76,7 +76,9 @@ internal fun ShadeFields(making: Making, shade: Shade, onChange: (Shade) -> Unit
 
             is Shade.Colour -> {
                 PartField(making, stringResource(Res.string.worldedit_red_part), shade.red, "red") { onChange(shade.copy(red = it)) }
-                PartField(making, stringResource(Res.string.worldedit_green_part), shade.green, "green") { onChange(shade.copy(green = it)) }
+                PartField(making, stringResource(Res.string.worldedit_green_part), shade.green, "green") {
+                    onChange(shade.copy(green = it))
+                }
                 PartField(making, stringResource(Res.string.worldedit_blue_part), shade.blue, "blue") { onChange(shade.copy(blue = it)) }
             }
         }
@@ -86,8 +88,8 @@ internal fun ShadeFields(making: Making, shade: Shade, onChange: (Shade) -> Unit
 
 @Composable
 private fun PartField(making: Making, title: String, value: Int, tag: String, onChange: (Int) -> Unit) = NumberRow(
-    title, value.toDouble(), 0.0..MOST_PART, "field-$tag", { onChange(it.toInt()) }, making::settle, step = 5.0, isWhole = true,
-    slider = 0f..MOST_PART.toFloat(),
+    title, value.toDouble(), 0.0..MOST_PART, "field-$tag", { onChange(it.toInt()) }, making::settle, step = 5.0,
+    isWhole = true, slider = 0f..MOST_PART.toFloat(),
 )
 
 /** A colour with its name. */

@@ -75,7 +75,8 @@ internal fun WorldEditPane(state: WorldEditState, session: SessionState, onEvent
             EditHints(state, making)
             val put = { focus.requestFocus() }
             if (this@BoxWithConstraints.maxWidth >= WIDE + PANEL_WIDTH * (scale - 1)) {
-                Beside(making, view, newTitle, put, panelWidth(scale), sheet)
+                val columns = if (this@BoxWithConstraints.maxWidth >= TWO_COLUMNS * scale) 2 else 1
+                Beside(making, view, newTitle, put, panelWidth(scale), columns, sheet)
             } else {
                 Below(making, view, newTitle, put, this@BoxWithConstraints.maxHeight, sheet)
             }
@@ -86,12 +87,20 @@ internal fun WorldEditPane(state: WorldEditState, session: SessionState, onEvent
 
 /** Tablet and laptop: palette, sheet, panel. */
 @Composable
-private fun Beside(making: Making, view: EditView, newTitle: String, onPut: () -> Unit, panel: Dp, sheet: @Composable (Modifier) -> Unit) {
+private fun Beside(
+    making: Making,
+    view: EditView,
+    newTitle: String,
+    onPut: () -> Unit,
+    panel: Dp,
+    columns: Int,
+    sheet: @Composable (Modifier) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     var tab by remember { mutableStateOf(EditTab.CHOSEN) }
     FollowSelection(making, tab) { tab = it }
     Row(Modifier.fillMaxSize()) {
-        PaletteStrip(making, view, upright = true, onPut, Modifier.fillMaxHeight().background(colours.pane))
+        PaletteStrip(making, view, columns, onPut, Modifier.fillMaxHeight().background(colours.pane))
         VerticalDivider(color = colours.line)
         sheet(Modifier.weight(1f))
         VerticalDivider(color = colours.line)
@@ -111,7 +120,7 @@ private fun Below(making: Making, view: EditView, newTitle: String, onPut: () ->
     Column(Modifier.fillMaxSize()) {
         sheet(Modifier.weight(1f))
         HorizontalDivider(color = colours.line)
-        PaletteStrip(making, view, upright = false, onPut, Modifier.fillMaxWidth().background(colours.pane))
+        PaletteStrip(making, view, columns = null, onPut, Modifier.fillMaxWidth().background(colours.pane))
         HorizontalDivider(color = colours.line)
         EditTabs(tab) { tab = if (tab == it) null else it }
         tab?.let { open -> EditPanel(making, open, { tab = it }, newTitle, Modifier.height(height * PANEL_SHARE)) }
@@ -146,5 +155,6 @@ private fun panelWidth(scale: Float): Dp = PANEL_WIDTH * (1 + (scale - 1) / 2)
 private val PANEL_WIDTH = 340.dp
 private val WIDE = 800.dp
 private val WORDS_WIDTH = 900.dp
+private val TWO_COLUMNS = 1200.dp
 private const val PANEL_SHARE = 0.42f
 private val CARRIED = 44.dp

@@ -55,12 +55,14 @@ internal fun WorldPanel(making: Making, newTitle: String) {
         { change(figures.copy(ambientLight = it)) }, making::settle, step = 0.1, slider = 0f..2f,
     )
     NumberRow(
-        stringResource(Res.string.worldedit_temperature), figures.temperature, WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE,
-        "field-temperature", { change(figures.copy(temperature = it)) }, making::settle, unit = "°C", slider = -20f..50f,
+        stringResource(Res.string.worldedit_temperature), figures.temperature,
+        WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE, "field-temperature",
+        { change(figures.copy(temperature = it)) }, making::settle, unit = "°C", slider = -20f..50f,
     )
     RowHeading(stringResource(Res.string.worldedit_run))
     NumberRow(
-        stringResource(Res.string.worldedit_time_limit), figures.timeLimit.toDouble(), 1.0..WorldLimits.MAXIMUM_SECONDS.toDouble(), "field-time-limit",
+        stringResource(Res.string.worldedit_time_limit), figures.timeLimit.toDouble(),
+        1.0..WorldLimits.MAXIMUM_SECONDS.toDouble(), "field-time-limit",
         { change(figures.copy(timeLimit = it.toInt())) }, making::settle, step = 10.0, unit = "s", isWhole = true, slider = 10f..300f,
     )
     NumberRow(

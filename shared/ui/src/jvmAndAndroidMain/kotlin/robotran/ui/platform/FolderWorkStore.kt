@@ -31,7 +31,8 @@ import kotlin.io.path.readText
 class FolderWorkStore(private val folder: Path, private val reading: CoroutineContext = Dispatchers.IO) : WorkStore {
     override suspend fun names(): List<String> = withContext(reading) {
         try {
-            folder.listDirectoryEntries("*$TEXT").filter { it.isRegularFile() && !it.name.startsWith(".") }.map { it.name.removeSuffix(TEXT) }
+            val files = folder.listDirectoryEntries("*$TEXT").filter { it.isRegularFile() && !it.name.startsWith(".") }
+            files.map { it.name.removeSuffix(TEXT) }
         } catch (_: IOException) {
             emptyList()
         }

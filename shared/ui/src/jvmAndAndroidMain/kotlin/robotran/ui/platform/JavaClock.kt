@@ -14,7 +14,8 @@ object JavaClock : WallClock {
     override fun describe(milliseconds: Long, language: String): String {
         val time = Instant.ofEpochMilli(milliseconds).atZone(ZoneId.systemDefault())
         val isToday = time.toLocalDate() == LocalDate.now()
-        val format = if (isToday) DateTimeFormatter.ofLocalizedTime(FormatStyle.SHORT) else DateTimeFormatter.ofLocalizedDate(FormatStyle.MEDIUM)
+        val ofToday = DateTimeFormatter.ofLocalizedTime(FormatStyle.SHORT)
+        val format = if (isToday) ofToday else DateTimeFormatter.ofLocalizedDate(FormatStyle.MEDIUM)
         return time.format(format.withLocale(localeOf(language)))
     }
 

@@ -1,6 +1,7 @@
 package robotran.ui.desktop
 
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyShortcut
 import androidx.compose.ui.window.FrameWindowScope
@@ -57,6 +58,8 @@ fun FrameWindowScope.WorkshopMenuBar(
     openAnother: () -> Unit,
     close: () -> Unit,
 ) {
+    // A window that is on the screen already does not make room for its menu by itself.
+    LaunchedEffect(window) { window.rootPane.revalidate() }
     InLanguage(state.settings.language) {
         MenuBar {
             Menu(stringResource(Res.string.documents_menu_file)) { FileItems(onEvent, openAnother, close) }

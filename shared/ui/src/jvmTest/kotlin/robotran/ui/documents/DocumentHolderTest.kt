@@ -9,7 +9,7 @@ import robotran.projects.readProject
 import robotran.ui.platform.Arrival
 import robotran.ui.platform.OpenedFile
 import robotran.ui.resources.Res
-import robotran.ui.resources.documents_back
+import robotran.ui.resources.documents_back_unnamed
 import robotran.ui.resources.documents_open_elsewhere
 import robotran.ui.resources.documents_saved
 import robotran.ui.resources.documents_save_full
@@ -41,7 +41,7 @@ class DocumentHolderTest {
         machine.window().write("forward 7")
         val killed = machine.afterKill()
         assertEquals("forward 7", killed.state.programText)
-        assertEquals(Res.string.documents_back, killed.state.notice?.text)
+        assertEquals(Res.string.documents_back_unnamed, killed.state.notice?.text)
     }
 
     @Test

@@ -22,7 +22,8 @@ class DocumentPictures {
     fun `all dialogs about the work can be photographed`() {
         for ((name, width, height) in SCREENS) {
             for (dark in listOf(false, true)) {
-                val picture = { what: String, workshop: Workshop -> photograph(workshop, width, height, dark, "documents-$name-${theme(dark)}-$what") }
+                val prefix = "documents-$name-${theme(dark)}"
+                val picture = { what: String, workshop: Workshop -> photograph(workshop, width, height, dark, "$prefix-$what") }
                 val machine = Machine()
                 val workshop = machine.window(Arrival.OfFiles(listOf(projectFile("forward 20\nbeep\n"))))
                 workshop.handle(DocumentEvent.Renamed("The maze behind the house"))

@@ -34,6 +34,7 @@ import kotlin.test.assertTrue
 @OptIn(ExperimentalTestApi::class)
 class WorkMenuTest {
     private val machine = Machine()
+    private val opened = Arrival.OfFiles(listOf(projectFile("beep")))
 
     @Test
     fun `the name of the work opens the menu, and everything in it is large enough for a finger`() = shown {
@@ -114,7 +115,7 @@ class WorkMenuTest {
     }
 
     @Test
-    fun `a work with changes that are not in its file shows a dot and can be saved`() = shown(Arrival.OfFiles(listOf(projectFile("beep")))) {
+    fun `a work with changes that are not in its file shows a dot and can be saved`() = shown(opened) {
         it.handle(ProgramEvent.ProgramEdited("beep beep"))
         it.keep()
         waitForIdle()
@@ -136,7 +137,7 @@ class WorkMenuTest {
     }
 
     @Test
-    fun `a file that somebody else has changed is not written over without an answer`() = shown(Arrival.OfFiles(listOf(projectFile("beep")))) {
+    fun `a file that somebody else has changed is not written over without an answer`() = shown(opened) {
         machine.files.disk["/home/maze.robotran"] = projectFile("buzz").bytes
         it.handle(ProgramEvent.ProgramEdited("forward 7"))
         it.handle(DocumentEvent.SaveWanted)

@@ -151,6 +151,16 @@ class LearningHolderTest {
     }
 
     @Test
+    fun `watching the solution does not do the task`() {
+        val workshop = workshop()
+        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.SolutionWanted(true))
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(4000)
+        assertFalse(workshop.learning.isStepDone)
+    }
+
+    @Test
     fun `drawings are judged when the program is over`() {
         val workshop = workshop()
         workshop.handle(LearningEvent.TutorialBegun)

@@ -101,9 +101,9 @@ class LearningScreenTest {
     fun `any step can be chosen from the list`() = onEither { workshop ->
         workshop.handle(LearningEvent.TutorialBegun)
         pass(100)
-        onNodeWithTag("steps").assertLargeEnough().performClick()
+        onNodeWithTag("tutorial-steps").assertLargeEnough().performClick()
         pass(300)
-        onNodeWithTag("step-6").performClick()
+        onNodeWithTag("tutorial-step-6").performClick()
         pass(300)
         onNodeWithTag("step-title").assertTextContains("Feeling the way")
     }
@@ -115,7 +115,7 @@ class LearningScreenTest {
         onNodeWithTag("fold-tutorial").assertLargeEnough().performClick()
         pass(100)
         onNodeWithTag("tutorial").assertDoesNotExist()
-        onNodeWithTag("steps").assertIsDisplayed().assertTextContains("Step 1 of 10: A first drive")
+        onNodeWithTag("tutorial-steps").assertIsDisplayed().assertTextContains("Step 1 of 10: A first drive")
         onNodeWithTag("fold-tutorial").performClick()
         pass(100)
         onNodeWithTag("tutorial").assertIsDisplayed()

@@ -80,6 +80,6 @@ class KeyboardTest {
 
     private companion object {
         /** More than there are things to focus. */
-        const val STEPS = 20
+        const val STEPS = 60
     }
 }

@@ -59,7 +59,8 @@ class SheetSvgTest {
 
     @Test
     fun `figures have no more decimals than they need`() {
-        assertEquals(listOf("0", "12", "-0.5", "3.142", "0", "-1000.001"), listOf(0.0, 12.0, -0.5, 3.14159, -0.0001, -1000.0011).map(::figure))
+        val numbers = listOf(0.0, 12.0, -0.5, 3.14159, -0.0001, -1000.0011)
+        assertEquals(listOf("0", "12", "-0.5", "3.142", "0", "-1000.001"), numbers.map(::figure))
     }
 
     private fun assertNear(expected: Color, colour: Color) {
@@ -67,9 +68,11 @@ class SheetSvgTest {
         assertTrue(difference < 0.03, "$colour is not $expected")
     }
 
-    private fun read(text: String): Document = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(InputSource(StringReader(text)))
+    private fun read(text: String): Document =
+        DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(InputSource(StringReader(text)))
 
-    private fun Document.elements(name: String): List<Element> = getElementsByTagName(name).let { list -> List(list.length) { list.item(it) as Element } }
+    private fun Document.elements(name: String): List<Element> =
+        getElementsByTagName(name).let { list -> List(list.length) { list.item(it) as Element } }
 
     private companion object {
         const val WIDTH = 1240

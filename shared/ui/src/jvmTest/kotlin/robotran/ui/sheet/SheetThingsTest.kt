@@ -20,6 +20,7 @@ import robotran.world.RobotPlace
 import robotran.world.Shade
 import robotran.world.Shape
 import robotran.world.Template
+import robotran.world.TrailPiece
 import robotran.world.Wall
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -149,7 +150,8 @@ class SheetThingsTest {
     @Test
     fun `what is wanted is drawn over the sheet, and goals are not if they are not wanted`() {
         val world = with { copy(goals = listOf(Goal.Reach(box(60.0, 20.0, 20.0)))) }
-        val state = SheetScenes.state(world).copy(trail = listOf(robotran.world.TrailPiece(0, listOf(Point(30.0, 40.0), Point(50.0, 40.0)))))
+        val way = TrailPiece(0, listOf(Point(30.0, 40.0), Point(50.0, 40.0)))
+        val state = SheetScenes.state(world).copy(trail = listOf(way))
         val plain = renderOn(world, 2000) { drawSheet(it, state, SheetColours.LIGHT, shown = emptySet()) }
         assertEquals(paper, plain.at(52.0, 12.0))
         assertEquals(setOf(paper), plain.coloursAround(40.0, 40.0, 2.0))

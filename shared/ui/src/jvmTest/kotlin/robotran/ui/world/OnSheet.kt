@@ -33,7 +33,7 @@ internal val handyWorld = World(
     title = "Handy",
     paper = Paper(100.0, 80.0),
     robots = listOf(
-        RobotPlace(Pose(30.0, 40.0, 0.0), ports = listOf(listOf(PortSensor.LEFT_BUMPER), listOf(PortSensor.LIGHT), listOf(PortSensor.TEMPERATURE))),
+        RobotPlace(Pose(30.0, 40.0, 0.0), ports = listOf(PortSensor.LEFT_BUMPER, PortSensor.LIGHT, PortSensor.TEMPERATURE).map { listOf(it) }),
         RobotPlace(Pose(80.0, 60.0, 90.0), "red", RobotColour.RED),
     ),
     barriers = listOf(Barrier(Shape.Rectangle(Point(60.0, 10.0), 10.0, 4.0))),
@@ -65,7 +65,9 @@ internal class SheetOnScreen(private val test: ComposeUiTest, val workshop: Work
         get() {
             val size = sheet.fetchSemanticsNode().size
             val upright = size.width.toFloat() / size.height > workshop.state.world.paper.run { width / height }
-            val window = if (upright) Rect(64f, 0f, size.width.toFloat(), size.height.toFloat()) else Rect(0f, 0f, size.width.toFloat(), size.height - 64f)
+            val width = size.width.toFloat()
+            val height = size.height.toFloat()
+            val window = if (upright) Rect(64f, 0f, width, height) else Rect(0f, 0f, width, height - 64f)
             return camera.transform(workshop.state.world.paper, window)
         }
 

@@ -11,6 +11,7 @@ import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.EncodedImageFormat
+import robotran.language.Language
 import robotran.projects.Project
 import robotran.ui.RobotranApp
 import robotran.ui.sheet.SheetCamera

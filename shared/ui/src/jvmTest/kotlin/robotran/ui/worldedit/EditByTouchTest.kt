@@ -191,7 +191,7 @@ class EditByTouchTest {
     @Test
     fun `everything that can be pressed is large enough for a finger`() = onEditor {
         put(PaletteItem.DOT, 80.0, 60.0)
-        val tags = listOf("edit-undo", "edit-redo", "edit-several", "edit-menu", "edit-try", "edit-done", "palette-wall", "delete", "duplicate", "shade-0")
+        val tags = listOf("edit-undo", "edit-redo", "edit-several", "edit-menu", "edit-try", "edit-done", "palette-wall", "delete")
         for (tag in tags + listOf("tab-edit-chosen", "tab-edit-world")) {
             val size = screen.onNodeWithTag(tag).fetchSemanticsNode().touchBoundsInRoot
             assertTrue(size.width >= 48f && size.height >= 48f, "$tag is only ${size.size}")

@@ -62,7 +62,8 @@ class EditPictures {
     private fun build(workshop: Workshop) {
         fun make(edit: Edit) = workshop.handle(WorldEditEvent.Edited(edit))
 
-        fun put(item: PaletteItem, x: Double, y: Double) = make(Edit.Put(item.piece(checkNotNull(workshop.state.worldEdit).world), Point(x, y)))
+        fun put(item: PaletteItem, x: Double, y: Double) =
+            make(Edit.Put(item.piece(checkNotNull(workshop.state.worldEdit).world), Point(x, y)))
         put(PaletteItem.LINE, 70.0, 20.0)
         put(PaletteItem.GOAL_AREA, 85.0, 65.0)
         put(PaletteItem.LAMP, 20.0, 60.0)

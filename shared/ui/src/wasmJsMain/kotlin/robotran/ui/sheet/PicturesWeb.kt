@@ -7,8 +7,13 @@ import androidx.compose.ui.text.font.createFontFamilyResolver
 import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image
 
-actual fun pngOf(picture: ImageBitmap): ByteArray = Image.makeFromBitmap(picture.asSkiaBitmap()).use { image ->
-    checkNotNull(image.encodeToData(EncodedImageFormat.PNG)) { "Skia could not encode the picture" }.bytes
+actual fun pngOf(picture: ImageBitmap): ByteArray {
+    val image = Image.makeFromBitmap(picture.asSkiaBitmap())
+    try {
+        return checkNotNull(image.encodeToData(EncodedImageFormat.PNG)) { "Skia could not encode the picture" }.bytes
+    } finally {
+        image.close()
+    }
 }
 
 internal actual fun pictureFonts(): FontFamily.Resolver? = createFontFamilyResolver()

@@ -1,56 +1,34 @@
 package robotran.ui.program.editor
 
-import androidx.compose.foundation.gestures.Orientation
-import androidx.compose.foundation.gestures.rememberScrollableState
-import androidx.compose.foundation.gestures.scrollable
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.offset
+import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
-import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.focus.FocusDirection
 import androidx.compose.ui.focus.FocusRequester
-import androidx.compose.ui.focus.focusRequester
-import androidx.compose.ui.focus.onFocusChanged
 import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.input.key.Key
-import androidx.compose.ui.input.key.KeyEvent
-import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.key.key
-import androidx.compose.ui.input.key.onPreviewKeyEvent
-import androidx.compose.ui.input.key.type
 import androidx.compose.ui.input.pointer.PointerIcon
 import androidx.compose.ui.input.pointer.pointerHoverIcon
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.LocalClipboardManager
-import androidx.compose.ui.platform.LocalFocusManager
-import androidx.compose.ui.platform.LocalSoftwareKeyboardController
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.CustomAccessibilityAction
 import androidx.compose.ui.semantics.clearAndSetSemantics
-import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.customActions
-import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.IntOffset
+import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
-import org.jetbrains.compose.resources.stringResource
-import robotran.editing.CodeLanguage
 import robotran.editing.Draft
 import robotran.editing.TextSelection
 import robotran.editing.TextSpan
 import robotran.editing.code.CodePieces
 import robotran.programs.Mistake
-import robotran.ui.resources.Res
-import robotran.ui.resources.editor_breakpoint
-import robotran.ui.resources.program_label
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.ProgramNote
 
@@ -91,7 +69,7 @@ internal fun CodeEditor(
     val paint = remember(draft, marks, hasFocus, composing) { EditorPaint(draft, marks.copy(composing = composing), hasFocus) }
     val touch = rememberTouch(control, view, layouts, pieces, draft, focus, onBreakpoint, onZoom)
     KeepInSight(view, draft, layouts, pieces, marks.runningLine, hasFocus)
-    Box(modifier) {
+    Box(modifier.padding(top = 6.dp)) {
         EditorField(
             draft, control, view, layouts, { composing = it },
             Modifier.fillMaxSize().editorInput(control, focus, draft, onCommand, onBreakpoint) {
@@ -116,134 +94,6 @@ internal fun CodeEditor(
         }
         if (draft.text.isEmpty()) Hint(hint, codeSize, view)
         Overlays(control, view, draft, layouts, pieces, codeSize, hasFocus, onCommand)
-    }
-}
-
-/** What a keyboard and a screen reader find in an editor. */
-@Composable
-private fun Modifier.editorInput(
-    control: EditorControl,
-    focus: FocusRequester,
-    draft: Draft,
-    onCommand: (EditorCommand) -> Unit,
-    onBreakpoint: (Int) -> Unit,
-    onFocus: (Boolean) -> Unit,
-): Modifier {
-    val label = stringResource(Res.string.program_label)
-    val stopHere = stringResource(Res.string.editor_breakpoint)
-    val focusManager = LocalFocusManager.current
-    val line = draft.lines.lineOf(draft.selection.caret) + 1
-    return focusRequester(focus)
-        .onFocusChanged { onFocus(it.hasFocus) }
-        .testTag("program")
-        .semantics {
-            contentDescription = label
-            customActions = listOf(
-                CustomAccessibilityAction(stopHere) {
-                    onBreakpoint(line)
-                    true
-                },
-            )
-        }
-        .onPreviewKeyEvent { event -> handleKey(event, control, onCommand) { focusManager.moveFocus(it) } }
-}
-
-private fun handleKey(
-    event: KeyEvent,
-    control: EditorControl,
-    onCommand: (EditorCommand) -> Unit,
-    onLeave: (FocusDirection) -> Unit,
-): Boolean {
-    val command = commandFor(event)
-    val isEnter = event.key == Key.Enter || event.key == Key.NumPadEnter
-    val isTab = event.key == Key.Tab
-    if (event.type != KeyEventType.KeyDown) return isTab || (command != null && !leavesToField(command, control))
-    if (control.performOnOffered(command, isEnter && command == null)) return true
-    return when {
-        isTab && !control.isAtWork -> {
-            onLeave(if (command == EditorCommand.Plain.UNINDENT) FocusDirection.Previous else FocusDirection.Next)
-            true
-        }
-
-        command == null || leavesToField(command, control) -> false
-
-        command == EditorCommand.Plain.LEAVE -> {
-            onCommand(command)
-            control.isAtWork = false
-            true
-        }
-
-        else -> {
-            if (!control.perform(command)) onCommand(command)
-            true
-        }
-    }
-}
-
-/** In a browser only the field itself may use the clipboard; it can where it holds all that is selected. */
-private fun leavesToField(command: EditorCommand, control: EditorControl): Boolean =
-    command in CLIPBOARD && control.link.holdsSelection
-
-private val CLIPBOARD = setOf<EditorCommand>(EditorCommand.Plain.CUT, EditorCommand.Plain.COPY, EditorCommand.Plain.PASTE)
-
-/** What a finger or a wheel scrolls. */
-@Composable
-internal fun Modifier.scrolls(view: EditorView): Modifier {
-    val down = rememberScrollableState { -view.scrollDown(-it) }
-    val right = rememberScrollableState { -view.scrollRight(-it) }
-    return scrollable(down, Orientation.Vertical).scrollable(right, Orientation.Horizontal)
-}
-
-@Composable
-private fun rememberTouch(
-    control: EditorControl,
-    view: EditorView,
-    layouts: LineLayouts,
-    pieces: CodePieces,
-    draft: Draft,
-    focus: FocusRequester,
-    onBreakpoint: (Int) -> Unit,
-    onZoom: (Float) -> Unit,
-): EditorTouch {
-    val keyboard = LocalSoftwareKeyboardController.current
-    val now by rememberUpdatedState(Triple(draft, layouts, pieces))
-    val breakpoint by rememberUpdatedState(onBreakpoint)
-    val zoom by rememberUpdatedState(onZoom)
-    return remember(control, view) {
-        object : EditorTouch {
-            override fun tapped(position: Offset, times: Int, selecting: Boolean, byFinger: Boolean) {
-                val line = view.geometry.lineAt(position.y + view.scrollY) + 1
-                if (position.x < view.gutter - GUTTER_EDGE) {
-                    breakpoint(line)
-                    return
-                }
-                focus.requestFocus()
-                if (byFinger) keyboard?.show()
-                control.isTouched = byFinger
-                val offset = offsetAt(position)
-                val isAgainAtCaret = byFinger && times == 1 && control.draft.selection == TextSelection(offset)
-                control.tapped(offset, times, selecting)
-                control.showsSelectionBar = byFinger && (times > 1 || isAgainAtCaret)
-            }
-
-            override fun longPressed(position: Offset) {
-                focus.requestFocus()
-                control.tapped(offsetAt(position), 2, selecting = false)
-                control.showsSelectionBar = true
-            }
-
-            override fun draggedTo(position: Offset) {
-                val hadBar = control.showsSelectionBar
-                val beyond = position.y - position.y.coerceIn(0f, view.size.height.toFloat())
-                if (beyond != 0f) view.scrollDown(beyond)
-                control.tapped(offsetAt(position), 1, selecting = true)
-                control.showsSelectionBar = hadBar
-            }
-
-            override fun zoomed(factor: Float) = zoom(factor)
-
-            private fun offsetAt(position: Offset) = now.let { (text, lines, parts) -> view.offsetAt(position, text, lines, parts) }
-        }
     }
 }
 
@@ -331,6 +181,3 @@ private const val SLOW = 150L
 
 /** More mistakes at once help nobody. */
 private const val MOST_NOTES = 30
-
-/** Pixels left of the text that still belong to it. */
-private const val GUTTER_EDGE = 4f

@@ -3,6 +3,7 @@ package robotran.ui.program.editor
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -19,6 +20,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
 import androidx.compose.ui.draw.shadow
 import androidx.compose.ui.focus.focusProperties
+import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.layout.layout
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
@@ -76,7 +78,7 @@ private fun CompletionRow(item: Completion, isChosen: Boolean, size: Float, onCh
             .focusProperties { canFocus = false }
             .clickable(role = Role.Button, onClick = onChoose)
             .padding(horizontal = 12.dp, vertical = 6.dp),
-        verticalArrangement = androidx.compose.foundation.layout.Arrangement.Center,
+        verticalArrangement = Arrangement.Center,
     ) {
         Text(item.label, style = editorStyle(size), maxLines = 1, overflow = TextOverflow.Ellipsis)
         item.help?.let {
@@ -87,7 +89,7 @@ private fun CompletionRow(item: Completion, isChosen: Boolean, size: Float, onCh
 
 /** Where the caret is among the pixels of an editor, asked for when it is placed. */
 internal fun interface CaretPlace {
-    fun now(): androidx.compose.ui.geometry.Rect
+    fun now(): Rect
 }
 
 private fun Modifier.besideCaret(caret: CaretPlace) = layout { measurable, constraints ->

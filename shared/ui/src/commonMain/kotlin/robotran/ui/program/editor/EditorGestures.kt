@@ -14,6 +14,7 @@ import androidx.compose.ui.input.pointer.PointerInputScope
 import androidx.compose.ui.input.pointer.PointerType
 import androidx.compose.ui.input.pointer.isCtrlPressed
 import androidx.compose.ui.input.pointer.isShiftPressed
+import androidx.compose.ui.unit.dp
 import kotlin.math.abs
 
 /** What fingers and mice do to an editor. */
@@ -90,6 +91,6 @@ internal suspend fun PointerInputScope.listenForZoom(touch: EditorTouch) = await
     }
 }
 
-private val NEAR = androidx.compose.ui.unit.Dp(24f)
+private val NEAR = 24.dp
 private const val MOST_TAPS = 3
 private const val WHEEL = 1.08f

@@ -2,6 +2,7 @@ package robotran.ui.program.editor
 
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
+import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.SpanStyle
@@ -14,6 +15,7 @@ import androidx.compose.ui.unit.sp
 import robotran.editing.CodeLanguage
 import robotran.editing.code.piecesOf
 import robotran.ui.theme.codeStyle
+import kotlin.math.ceil
 
 /** How lines of code look: laid out when they are first needed, and kept for when they are drawn again. */
 internal class LineLayouts(
@@ -26,7 +28,7 @@ internal class LineLayouts(
     private val kept = HashMap<LineKey, LaidOutLine>()
 
     /** Pixels from line to line, a whole number so that they stay sharp. */
-    val lineHeight: Float = with(density) { style.lineHeight.toPx() }.let { kotlin.math.ceil(it) }
+    val lineHeight: Float = with(density) { style.lineHeight.toPx() }.let { ceil(it) }
 
     /** Pixels that an ordinary character takes. */
     val characterWidth: Float by lazy(LazyThreadSafetyMode.NONE) { measurer.measure(SAMPLE, style).size.width / SAMPLE.length.toFloat() }
@@ -64,7 +66,7 @@ internal class LaidOutLine(private val shown: ShownLine, val layout: TextLayoutR
 
     /** The column whose left edge is nearest to [x]. */
     fun column(x: Float): Int {
-        val offset = layout.getOffsetForPosition(androidx.compose.ui.geometry.Offset(x, 1f))
+        val offset = layout.getOffsetForPosition(Offset(x, 1f))
         return shown.sourceColumn(offset)
     }
 }

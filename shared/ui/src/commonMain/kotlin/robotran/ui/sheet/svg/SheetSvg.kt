@@ -22,7 +22,8 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
         val wide = paper.width + 2 * MARGIN
         val high = paper.height + 2 * MARGIN
         svg.element(
-            "svg", "xmlns" to "http://www.w3.org/2000/svg", "viewBox" to "${figure(-MARGIN)} ${figure(-MARGIN)} ${figure(wide)} ${figure(high)}",
+            "svg", "xmlns" to "http://www.w3.org/2000/svg",
+            "viewBox" to "${figure(-MARGIN)} ${figure(-MARGIN)} ${figure(wide)} ${figure(high)}",
             "width" to WIDTH, "height" to WIDTH * high / wide, "role" to "img", "font-family" to "sans-serif",
         ) {
             svg.words("title", world.title)

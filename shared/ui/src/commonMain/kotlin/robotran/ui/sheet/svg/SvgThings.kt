@@ -196,7 +196,8 @@ internal class SvgThings(private val svg: SvgWriter, private val shapes: SvgShap
         "fill" to hex(SheetColours.LABEL), "stroke" to "#ffffff", "stroke-width" to size / 6, "paint-order" to "stroke",
     )
 
-    private fun outline(colour: Color, width: Double) = arrayOf<Pair<String, Any?>>("fill" to "none", "stroke" to hex(colour), "stroke-width" to width)
+    private fun outline(colour: Color, width: Double) =
+        arrayOf<Pair<String, Any?>>("fill" to "none", "stroke" to hex(colour), "stroke-width" to width)
 
     private companion object {
         const val HATCHING_STEP = 0.5

@@ -1,0 +1,92 @@
+package robotran.ui.program.editor
+
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusDirection
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.focus.onFocusChanged
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEvent
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.LocalFocusManager
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.CustomAccessibilityAction
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.customActions
+import androidx.compose.ui.semantics.semantics
+import org.jetbrains.compose.resources.stringResource
+import robotran.editing.Draft
+import robotran.ui.resources.Res
+import robotran.ui.resources.editor_breakpoint
+import robotran.ui.resources.program_label
+
+/** What a keyboard and a screen reader find in an editor. */
+@Composable
+internal fun Modifier.editorInput(
+    control: EditorControl,
+    focus: FocusRequester,
+    draft: Draft,
+    onCommand: (EditorCommand) -> Unit,
+    onBreakpoint: (Int) -> Unit,
+    onFocus: (Boolean) -> Unit,
+): Modifier {
+    val label = stringResource(Res.string.program_label)
+    val stopHere = stringResource(Res.string.editor_breakpoint)
+    val focusManager = LocalFocusManager.current
+    val line = draft.lines.lineOf(draft.selection.caret) + 1
+    return focusRequester(focus)
+        .onFocusChanged { onFocus(it.hasFocus) }
+        .testTag("program")
+        .semantics {
+            contentDescription = label
+            customActions = listOf(
+                CustomAccessibilityAction(stopHere) {
+                    onBreakpoint(line)
+                    true
+                },
+            )
+        }
+        .onPreviewKeyEvent { event -> handleKey(event, control, onCommand) { focusManager.moveFocus(it) } }
+}
+
+private fun handleKey(
+    event: KeyEvent,
+    control: EditorControl,
+    onCommand: (EditorCommand) -> Unit,
+    onLeave: (FocusDirection) -> Unit,
+): Boolean {
+    val command = commandFor(event)
+    val isEnter = event.key == Key.Enter || event.key == Key.NumPadEnter
+    val isTab = event.key == Key.Tab
+    if (event.type != KeyEventType.KeyDown) return isTab || (command != null && !leavesToField(command, control))
+    if (control.performOnOffered(command, isEnter && command == null)) return true
+    return when {
+        isTab && !control.isAtWork -> {
+            onLeave(if (command == EditorCommand.Plain.UNINDENT) FocusDirection.Previous else FocusDirection.Next)
+            true
+        }
+
+        command == null || leavesToField(command, control) -> false
+
+        command == EditorCommand.Plain.LEAVE -> {
+            onCommand(command)
+            control.isAtWork = false
+            true
+        }
+
+        else -> {
+            if (!control.perform(command)) onCommand(command)
+            true
+        }
+    }
+}
+
+/** In a browser only the field itself may use the clipboard; it can where it holds all that is selected. */
+private fun leavesToField(command: EditorCommand, control: EditorControl): Boolean =
+    command in CLIPBOARD && control.link.holdsSelection
+
+private val CLIPBOARD = setOf<EditorCommand>(EditorCommand.Plain.CUT, EditorCommand.Plain.COPY, EditorCommand.Plain.PASTE)

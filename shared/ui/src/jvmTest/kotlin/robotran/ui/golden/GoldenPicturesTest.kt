@@ -1,0 +1,112 @@
+package robotran.ui.golden
+
+import androidx.compose.ui.ImageComposeScene
+import androidx.compose.ui.unit.Density
+import kotlinx.coroutines.runBlocking
+import org.jetbrains.skia.Image
+import robotran.language.Language
+import robotran.ui.RobotranApp
+import robotran.ui.openWorkshop
+import robotran.ui.workshop.AppTheme
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningPage
+import robotran.ui.workshop.Pane
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.Settings
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.Workshop
+import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorldEditEvent
+import kotlin.test.Test
+
+/** Every part of the app on every size of screen in every look, as it was looked at and found good. */
+class GoldenPicturesTest {
+    @Test
+    fun `the first screen looks as it did`() = everywhere("first") { }
+
+    @Test
+    fun `the program looks as it did`() = everywhere("program") { handle(WorkshopEvent.PaneChosen(Pane.PROGRAM)) }
+
+    @Test
+    fun `the brick looks as it did`() = everywhere("brick") {
+        runAWhile()
+        handle(WorkshopEvent.PaneChosen(Pane.BRICK))
+    }
+
+    @Test
+    fun `a run looks as it did`() = everywhere("run") { runAWhile() }
+
+    @Test
+    fun `mistakes look as they did`() = everywhere("mistakes") {
+        handle(ProgramEvent.ProgramEdited("pen down\nrepaet 4 times\n  forwrd 20\n  turn left\nend\nbeep beep\n"))
+        handle(RunEvent.RunPressed)
+    }
+
+    @Test
+    fun `the world editor looks as it did`() = everywhere("world-editor") {
+        handle(LearningEvent.WorldChosen("maze"))
+        handle(WorldEditEvent.EditorOpened)
+    }
+
+    @Test
+    fun `a world with lamps and blocks looks as it did`() = everywhere("block-push") {
+        handle(LearningEvent.WorldChosen("block-push"))
+        handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+    }
+
+    @Test
+    fun `the tutorial looks as it did`() = everywhere("tutorial") { handle(LearningEvent.TutorialBegun) }
+
+    @Test
+    fun `the first page looks as it did`() = everywhere("first-page") { handle(LearningEvent.PageWanted(LearningPage.FIRST_RUN)) }
+
+    @Test
+    fun `the settings look as they did`() = everywhere("settings") { handle(SettingsEvent.SettingsShown(true)) }
+
+    private fun everywhere(scene: String, prepare: Workshop.() -> Unit) {
+        for (look in Look.entries) {
+            for (screen in Screen.entries) {
+                val workshop = runBlocking { openWorkshop() }
+                try {
+                    workshop.handle(SettingsEvent.SettingsChanged(Settings(language = look.language, theme = look.theme, lessMotion = true)))
+                    workshop.prepare()
+                    GoldenPicture.check("$scene-${screen.name.lowercase()}-${look.name.lowercase()}", photograph(workshop, screen))
+                } finally {
+                    workshop.close()
+                }
+            }
+        }
+    }
+
+    private fun Workshop.runAWhile() {
+        handle(RunEvent.RunPressed)
+        advance(HALF_DRAWN)
+    }
+
+    private fun photograph(workshop: Workshop, screen: Screen): Image {
+        val scene = ImageComposeScene(screen.width, screen.height, Density(1f)) { RobotranApp(workshop, dark = false) }
+        return try {
+            scene.render()
+            scene.render(nanoTime = SECOND)
+            scene.render(nanoTime = 2 * SECOND)
+        } finally {
+            scene.close()
+        }
+    }
+
+    private enum class Screen(val width: Int, val height: Int) { PHONE(411, 891), TABLET(1280, 800), LAPTOP(1440, 900) }
+
+    private enum class Look(val theme: AppTheme, val language: Language) {
+        LIGHT(AppTheme.LIGHT, Language.ENGLISH),
+        DARK(AppTheme.DARK, Language.ENGLISH),
+        HIGH_CONTRAST(AppTheme.HIGH_CONTRAST, Language.ENGLISH),
+        GERMAN(AppTheme.LIGHT, Language.GERMAN),
+    }
+
+    private companion object {
+        /** Milliseconds into the square: somewhere on its third side. */
+        const val HALF_DRAWN = 3900
+        const val SECOND = 1_000_000_000L
+    }
+}
