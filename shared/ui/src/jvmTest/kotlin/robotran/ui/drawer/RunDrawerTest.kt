@@ -98,7 +98,7 @@ class RunDrawerTest {
 
     @Test
     fun `the chart shows the power of a motor, and its lanes can be hidden`() = onTablet { workshop ->
-        workshop.with("forward 20")
+        workshop.with("forward 60")
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.CHART))
         workshop.handle(RunEvent.RunPressed)
         pass(1_000)
