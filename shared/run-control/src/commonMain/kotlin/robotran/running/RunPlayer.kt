@@ -173,6 +173,7 @@ class RunPlayer(
     private fun move(next: Motion) {
         stop = null
         val now = motion
+        if (now == Motion.Still) pace.rest()
         motion = if (now is Motion.Seeking) now.copy(then = next) else next
         smooth.jump()
     }

@@ -151,7 +151,7 @@ private fun LogEntries(entries: List<RomLogEntry>, modifier: Modifier) {
 private fun FollowEnd(list: LazyListState, size: Int) {
     val isAtEnd by remember(list) { derivedStateOf { !list.canScrollForward } }
     val wasAtEnd = isAtEnd
-    LaunchedEffect(size) { if (wasAtEnd && size > 0) list.scrollToItem(size - 1) }
+    LaunchedEffect(size) { if (wasAtEnd && size > 0) list.requestScrollToItem(size - 1) }
 }
 
 @Composable
