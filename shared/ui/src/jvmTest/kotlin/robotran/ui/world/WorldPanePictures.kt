@@ -22,7 +22,6 @@ import robotran.ui.sheet.SheetThingKind
 import robotran.ui.sheet.pngOf
 import robotran.ui.sheet.renderSheet
 import robotran.ui.theme.RobotranColours
-import robotran.language.Language
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.Settings
 import robotran.ui.workshop.SheetEvent
