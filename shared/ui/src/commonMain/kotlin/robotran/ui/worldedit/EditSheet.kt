@@ -4,6 +4,7 @@ import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.focusable
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.ui.Modifier
@@ -68,4 +69,5 @@ internal fun EditSheet(making: Making, view: EditView, session: SessionState, fo
         drawSheet(zoom.at(transform.pixelsPerCentimetre, settled = true), resting, sheetColours, labels, shown, transform)
         drawEditing(making.editing, transform, view, colours)
     }
+    LaunchedEffect(focus) { focus.requestFocus() }
 }

@@ -57,7 +57,6 @@ internal fun WorldEditPane(state: WorldEditState, session: SessionState, onEvent
     val title = stringResource(Res.string.edit_world)
     val newTitle = stringResource(Res.string.worldedit_new_title)
     var corner by remember { mutableStateOf(Offset.Zero) }
-    LaunchedEffect(Unit) { focus.requestFocus() }
     BoxWithConstraints(
         modifier
             .fillMaxSize()
