@@ -3,6 +3,7 @@ package robotran.ui.workshop
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
@@ -31,6 +32,7 @@ class DocumentHolder(private val bench: Bench) {
     private val keeper = DocumentKeeper(bench)
     private val files = DocumentFiles(bench, keeper, ::show, ::replaceWork)
     private val exports = DocumentExports(bench, keeper, ::show)
+    private val changes = Channel<Unit>(Channel.CONFLATED)
     private var afterLoss: (suspend () -> Unit)? = null
 
     var state: DocumentState by mutableStateOf(DocumentState(hasShareSheet = bench.platform.sharing.hasShareSheet))
@@ -107,10 +109,18 @@ class DocumentHolder(private val bench: Bench) {
     suspend fun keepKeeping() = coroutineScope {
         launch { while (true) receive(bench.platform.arrivals.take()) }
         while (true) {
-            keeper.keepIfDue()?.let(::tell)
-            refresh()
-            delay(KeepingTimes.LOOK)
+            do {
+                keeper.keepIfDue()?.let(::tell)
+                refresh()
+                if (!keeper.isKept) delay(KeepingTimes.LOOK)
+            } while (!keeper.isKept)
+            changes.receive()
         }
+    }
+
+    /** Something may have been done to the work. */
+    fun lookAgain() {
+        changes.trySend(Unit)
     }
 
     /** Keeps at once what has changed; false if it cannot be kept. */
@@ -321,6 +331,9 @@ class DocumentHolder(private val bench: Bench) {
     }
 
     private fun launch(work: suspend () -> Unit) {
-        bench.scope.launch { work() }
+        bench.scope.launch {
+            work()
+            lookAgain()
+        }
     }
 }

@@ -38,7 +38,8 @@ internal class DocumentKeeper(private val bench: Bench) {
     /** Whether nothing has changed since the work was opened, begun or written to its file. */
     val isSaved: Boolean get() = savedProject == bench.project
 
-    private val isKept: Boolean get() = keptProject == bench.project && keptName == name && keptFile == file
+    /** Whether all there is has been kept as it is now. */
+    val isKept: Boolean get() = keptProject == bench.project && keptName == name && keptFile == file
 
     /** What is on the screen now is a work that was never kept, called [name]; nothing is kept until it changes. */
     fun beginWith(name: String) {

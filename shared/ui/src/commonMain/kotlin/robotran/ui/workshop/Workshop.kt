@@ -77,6 +77,7 @@ class Workshop(
             WorkshopEvent.NoticeDismissed -> notice = null
             WorkshopEvent.NoticeTaken -> takeNotice()
         }
+        document.lookAgain()
     }
 
     /** Goes on with learning where somebody has stopped; on the very first start, says what there is to be tried if [welcoming]. */
@@ -130,6 +131,7 @@ class Workshop(
         run.changeWorld(project.worldToRun, project.inputs)
         learning.refresh()
         sheet.worldChanged()
+        document.lookAgain()
     }
 
     override fun beginWork(name: String, project: Project, into: String?, onBegun: (left: String?, begun: String?) -> Unit) =
@@ -143,6 +145,7 @@ class Workshop(
         run.changeWorld(opened.worldToRun)
         learning.refresh()
         sheet.worldChanged()
+        document.lookAgain()
     }
 
     override fun keepWorld(world: World) {
@@ -151,12 +154,14 @@ class Workshop(
         // A robot with another name would be one without programs.
         val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
         if (isRenamed) programs.worldChanged(world)
+        document.lookAgain()
     }
 
     override fun changeProjectSettings(settings: ProjectSettings) {
         opened = opened.copy(settings = settings)
         programs.runJava(settings.java)
         run.changeWorld(opened.worldToRun)
+        document.lookAgain()
     }
 
     override fun addProgram(program: PupilProgram, replacing: Boolean) {
