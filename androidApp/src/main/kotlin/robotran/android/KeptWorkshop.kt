@@ -50,7 +50,9 @@ class KeptWorkshop(
             }
         val text = intent.takeIf { it.action == Intent.ACTION_SEND }?.getStringExtra(Intent.EXTRA_TEXT)
         if (text != null && isLink(text)) platform.arrivals.bring(Arrival.OfLink(text))
-        if (file != null) viewModelScope.launch { platform.files.readFile(file)?.let { platform.arrivals.bring(Arrival.OfFiles(listOf(it))) } }
+        if (file != null) {
+            viewModelScope.launch { platform.files.readFile(file)?.let { platform.arrivals.bring(Arrival.OfFiles(listOf(it))) } }
+        }
     }
 
     override fun onCleared() {

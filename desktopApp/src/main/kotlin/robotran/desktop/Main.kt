@@ -5,8 +5,7 @@ import robotran.desktop.cli.ProcessConsole
 import java.io.File
 import kotlin.system.exitProcess
 
-/** `robotran` and `robotran app [FILE..]` open the window, and so do files alone, as a double click on one gives them; everything else is the
- * command line's. */
+/** `robotran` and `robotran app` open the window, and so do files alone, as a double click on one gives them; all else is the command line's. */
 fun main(vararg arguments: String) {
     val words = arguments.toList()
     val status = CommandLine(ProcessConsole, ::openApp).execute(if (isOpenedFile(words.firstOrNull())) listOf("app") + words else words)

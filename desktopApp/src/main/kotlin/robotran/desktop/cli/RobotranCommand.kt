@@ -28,7 +28,10 @@ internal class RobotranCommand(
 internal class AppCommand(
     private val openWindow: (List<String>) -> ExitCode,
 ) : CoreCliktCommand("app") {
-    private val files by argument("FILE", help = "programs, worlds and projects to open (.robo, .java, .world.json, .robotran), or a link").multiple()
+    private val files by argument(
+        "FILE",
+        help = "programs, worlds and projects to open (.robo, .java, .world.json, .robotran), or a link",
+    ).multiple()
 
     override fun help(context: Context) = "Opens the desktop app."
 

@@ -1,7 +1,7 @@
 package robotran.desktop.window
 
-import androidx.compose.foundation.draganddrop.dragAndDropTarget
 import androidx.compose.foundation.ExperimentalFoundationApi
+import androidx.compose.foundation.draganddrop.dragAndDropTarget
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.ExperimentalComposeUiApi

@@ -122,7 +122,8 @@ abstract class PackageDesktopApp
             val MODULES =
                 listOf(
                     "java.base", "java.compiler", "java.datatransfer", "java.desktop", "java.instrument", "java.logging",
-                    "java.management", "java.naming", "java.prefs", "java.sql", "java.xml", "jdk.accessibility", "jdk.localedata", "jdk.unsupported", "jdk.zipfs",
+                    "java.management", "java.naming", "java.prefs", "java.sql", "java.xml", "jdk.accessibility",
+                    "jdk.localedata", "jdk.unsupported", "jdk.zipfs",
                 )
         }
     }

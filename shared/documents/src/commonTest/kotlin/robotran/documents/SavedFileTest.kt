@@ -1,8 +1,8 @@
 package robotran.documents
 
+import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectLimits
 import robotran.projects.readProject
-import robotran.projects.ProjectFileResult
 import robotran.rom.BrickButton
 import robotran.world.RecordedInput
 import robotran.world.SessionInput

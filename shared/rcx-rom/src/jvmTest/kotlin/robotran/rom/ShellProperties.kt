@@ -36,9 +36,7 @@ class ShellProperties : StringSpec({
                 deed(brick)
                 val state = brick.state
                 if (!state.poweredOn) state.run shouldBe RunState.Idle
-                if (state.explanation !=
-                    null
-                ) {
+                if (state.explanation != null) {
                     (state.poweredOn && (state.run is RunState.Failed || state.run == RunState.Ended(false))) shouldBe true
                 }
                 (state.selectedSlot in 0..2) shouldBe true

@@ -46,7 +46,13 @@ internal class FramePace {
 
     private fun adapt(passed: Long) {
         if (!wasFull) return
-        most = if (passed > SLOW_FRAME * NANOSECONDS) most * 2 / 3 else if (passed < GOOD_FRAME * NANOSECONDS) most * 3 / 2 else most
+        most = if (passed > SLOW_FRAME * NANOSECONDS) {
+            most * 2 / 3
+        } else if (passed < GOOD_FRAME * NANOSECONDS) {
+            most * 3 / 2
+        } else {
+            most
+        }
         most = most.coerceIn(MOST)
     }
 

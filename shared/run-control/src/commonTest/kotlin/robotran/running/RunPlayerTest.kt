@@ -110,6 +110,7 @@ class RunPlayerTest {
     fun `steps go into a procedure, over it and out of it while time passes bit by bit`() = runTest {
         val player = started(BUSY)
         player.pause()
+
         fun step(kind: StepKind): Int {
             player.step(kind)
             player.untilStill()

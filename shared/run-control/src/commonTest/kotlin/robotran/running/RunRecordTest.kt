@@ -93,6 +93,7 @@ class RunRecordTest {
         val player = started(BUSY)
         val filter = RomLogFilter(groups = setOf(RomGroup.MOTORS))
         val calls = FilteredRomCalls(filter)
+
         fun expected() = player.romCalls.entries.filter(filter::accepts)
         for (time in listOf(1_000L, 3_000L, 6_000L, 2_000L, 2_500L, 6_000L)) {
             if (time > player.length) player.pass((time - player.length).toInt()) else player.seek(time)
@@ -125,6 +126,7 @@ class RunRecordTest {
     fun `nothing is awake when a robot stands still, and everything while one runs`() = runTest {
         val player = RunPlayer(setupOf("wait 3 seconds"))
         val rest = RestWatch()
+
         fun pass(milliseconds: Int) = repeat(milliseconds / 20) {
             player.pass(20)
             rest.passed(player.state)

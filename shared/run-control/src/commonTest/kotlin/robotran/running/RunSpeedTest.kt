@@ -28,7 +28,10 @@ class RunSpeedTest {
     @Test
     fun `as fast as it goes asks for more while frames come in time, and for less when they are late`() = runTest {
         val pace = FramePace()
-        fun frames(from: Long, milliseconds: Long) = List(20) { pace.millisecondsTo((from + it * milliseconds) * 1_000_000, RunSpeed.FASTEST) }
+
+        fun frames(from: Long, milliseconds: Long) = List(20) {
+            pace.millisecondsTo((from + it * milliseconds) * 1_000_000, RunSpeed.FASTEST)
+        }
         val quick = frames(0, 16)
         assertTrue(quick.last() > quick[1] && quick.last() <= 5_000, "$quick")
         val late = frames(320, 60)

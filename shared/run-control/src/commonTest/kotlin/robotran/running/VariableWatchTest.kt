@@ -13,7 +13,9 @@ class VariableWatchTest {
         watch.goesOn(session)
         step(kind)
         untilStill()
-        return watch.look(session, DebuggableRun.FIRST_THREAD, 0).flatMap { it.variables }.filter { it.changed }.map { "${it.name} ${it.value}" }
+        return watch.look(session, DebuggableRun.FIRST_THREAD, 0).flatMap {
+            it.variables
+        }.filter { it.changed }.map { "${it.name} ${it.value}" }
     }
 
     @Test

@@ -30,7 +30,9 @@ class RunPlayerProperties : StringSpec({
         Arb.int(1..13).map { line -> { breakpoints = setOf(Breakpoint(line)) } },
         Arb.constant { breakpoints = emptySet() },
         Arb.constant { frames(7) },
-        Arb.bind(Arb.int(20..80), Arb.int(20..40)) { x, y -> { apply(SessionInput.PlaceRobot(0, Pose(x.toDouble(), y.toDouble(), x.toDouble()))) } },
+        Arb.bind(Arb.int(20..80), Arb.int(20..40)) { x, y ->
+            { apply(SessionInput.PlaceRobot(0, Pose(x.toDouble(), y.toDouble(), x.toDouble()))) }
+        },
         Arb.constant { apply(SessionInput.Stop) },
         Arb.constant { pressRun() },
     )

@@ -90,9 +90,13 @@ private fun WorldEditing.restacked(order: StackOrder): Outcome? {
 private fun restackedPlaces(count: Int, chosen: Set<Int>, order: StackOrder): List<Int> {
     val all = (0..<count).toMutableList()
     return when (order) {
-        StackOrder.TO_BACK -> all.filter { it in chosen } + all.filter { it !in chosen }
+        StackOrder.TO_BACK -> {
+            all.filter { it in chosen } + all.filter { it !in chosen }
+        }
 
-        StackOrder.TO_FRONT -> all.filter { it !in chosen } + all.filter { it in chosen }
+        StackOrder.TO_FRONT -> {
+            all.filter { it !in chosen } + all.filter { it in chosen }
+        }
 
         StackOrder.FORWARD -> {
             for (place in count - 2 downTo 0) if (all[place] in chosen && all[place + 1] !in chosen) all.swap(place)

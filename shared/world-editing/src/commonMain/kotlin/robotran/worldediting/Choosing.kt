@@ -1,12 +1,16 @@
 package robotran.worldediting
 
 internal fun WorldEditing.chosen(edit: Edit): WorldEditing = when (edit) {
-    is Edit.TapAt -> tapped(edit)
+    is Edit.TapAt -> {
+        tapped(edit)
+    }
 
-    is Edit.Choose -> when {
-        edit.thing == null -> if (edit.adding) this else copy(selection = emptySet())
-        world.piece(edit.thing) == null -> this
-        else -> choosing(setOf(edit.thing), edit.adding)
+    is Edit.Choose -> {
+        when {
+            edit.thing == null -> if (edit.adding) this else copy(selection = emptySet())
+            world.piece(edit.thing) == null -> this
+            else -> choosing(setOf(edit.thing), edit.adding)
+        }
     }
 
     is Edit.ChooseWithin -> {
@@ -14,11 +18,17 @@ internal fun WorldEditing.chosen(edit: Edit): WorldEditing = when (edit) {
         copy(selection = before + withGroups(world.thingsWithin(edit.area), groups))
     }
 
-    Edit.ChooseAll -> copy(selection = world.listed().filter { world.piece(it)?.form != null }.toSet())
+    Edit.ChooseAll -> {
+        copy(selection = world.listed().filter { world.piece(it)?.form != null }.toSet())
+    }
 
-    is Edit.ChooseNext -> next(edit.backwards)
+    is Edit.ChooseNext -> {
+        next(edit.backwards)
+    }
 
-    else -> this
+    else -> {
+        this
+    }
 }
 
 private fun WorldEditing.tapped(edit: Edit.TapAt): WorldEditing {

@@ -1,8 +1,8 @@
 package robotran.worldediting
 
 import robotran.world.Goal
-import robotran.world.WorldLimits
 import robotran.world.World
+import robotran.world.WorldLimits
 
 /** Everything that has a name, with it. */
 internal fun World.names(): Map<Thing, String> = buildMap {

@@ -28,13 +28,21 @@ private val MarkFigure.form: Form
 
 /** The same piece elsewhere or in another shape; [form] must be of the sort that it has. Its figures are rounded to thousandths. */
 fun Piece.withForm(form: Form): Piece = when (val rounded = form.rounded()) {
-    is Form.Area -> withShape(rounded.shape)
+    is Form.Area -> {
+        withShape(rounded.shape)
+    }
 
-    is Form.Way -> withWay(rounded)
+    is Form.Way -> {
+        withWay(rounded)
+    }
 
-    is Form.Start -> if (this is Piece.OfRobot) copy(robot.copy(start = rounded.pose)) else this
+    is Form.Start -> {
+        if (this is Piece.OfRobot) copy(robot.copy(start = rounded.pose)) else this
+    }
 
-    is Form.Light -> if (this is Piece.OfLamp) copy(lamp.copy(place = rounded.place, direction = rounded.direction)) else this
+    is Form.Light -> {
+        if (this is Piece.OfLamp) copy(lamp.copy(place = rounded.place, direction = rounded.direction)) else this
+    }
 
     is Form.Picture -> {
         val map = (this as? Piece.OfMark)?.mark?.figure as? MarkFigure.GreyMap
@@ -51,16 +59,22 @@ private fun Piece.withShape(shape: Shape): Piece = when (this) {
 }
 
 private fun Piece.withWay(way: Form.Way): Piece = when (this) {
-    is Piece.OfWall -> copy(wall.copy(from = way.points.first(), to = way.points.last()))
+    is Piece.OfWall -> {
+        copy(wall.copy(from = way.points.first(), to = way.points.last()))
+    }
 
     is Piece.OfMark -> {
         val line = mark.figure as? MarkFigure.Line
         if (line == null) this else copy(mark.copy(figure = line.copy(points = way.points)))
     }
 
-    is Piece.OfStroke -> copy(points = way.points)
+    is Piece.OfStroke -> {
+        copy(points = way.points)
+    }
 
-    is Piece.OfRobot, is Piece.OfBarrier, is Piece.OfBlock, is Piece.OfLamp, is Piece.OfGoal -> this
+    is Piece.OfRobot, is Piece.OfBarrier, is Piece.OfBlock, is Piece.OfLamp, is Piece.OfGoal -> {
+        this
+    }
 }
 
 private val Mark.shape: Shape? get() = (figure as? MarkFigure.Area)?.shape

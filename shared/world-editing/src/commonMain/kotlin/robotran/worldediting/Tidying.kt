@@ -20,14 +20,21 @@ internal fun Mark.tidied(): Mark {
 }
 
 internal fun Goal.tidied(): Goal = when (this) {
-    is Goal.DrawTemplate ->
+    is Goal.DrawTemplate -> {
         copy(tolerance = nearestDecimal(tolerance), coverage = nearestDecimal(coverage), excess = nearestDecimal(excess))
+    }
 
-    is Goal.InkLength -> copy(atLeast = atLeast?.let(::nearestDecimal), atMost = atMost?.let(::nearestDecimal))
+    is Goal.InkLength -> {
+        copy(atLeast = atLeast?.let(::nearestDecimal), atMost = atMost?.let(::nearestDecimal))
+    }
 
-    is Goal.FollowLine -> copy(laps = nearestDecimal(laps), tolerance = nearestDecimal(tolerance))
+    is Goal.FollowLine -> {
+        copy(laps = nearestDecimal(laps), tolerance = nearestDecimal(tolerance))
+    }
 
     is Goal.Reach, is Goal.StayOut, is Goal.StayIn, is Goal.NeverTouch, is Goal.EndWithin, is Goal.ShowOnDisplay, is Goal.PlaySound,
     is Goal.InOrder, is Goal.All, is Goal.AnyOf,
-    -> this
+    -> {
+        this
+    }
 }

@@ -37,19 +37,12 @@ fun World.piece(thing: Thing): Piece? = when (thing.kind) {
 /** This world with [piece] where [number] of its kind was; the parts of a group of goals stay as they are. */
 internal fun World.with(number: Int, piece: Piece): World = when (piece) {
     is Piece.OfRobot -> copy(robots = robots.with(number, piece.robot))
-
     is Piece.OfWall -> copy(walls = walls.with(number, piece.wall))
-
     is Piece.OfBarrier -> copy(barriers = barriers.with(number, piece.barrier))
-
     is Piece.OfBlock -> copy(blocks = blocks.with(number, piece.block))
-
     is Piece.OfMark -> copy(marks = marks.with(number, piece.mark))
-
     is Piece.OfLamp -> copy(lamps = lamps.with(number, piece.lamp))
-
     is Piece.OfStroke -> copy(template = template?.copy(strokes = strokes.with(number, piece.points)))
-
     is Piece.OfGoal -> copy(goals = goals.changed { place, goal -> if (place == number) piece.goal.withParts(goal.parts) else goal })
 }
 

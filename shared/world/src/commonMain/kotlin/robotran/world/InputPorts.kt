@@ -70,9 +70,7 @@ internal class InputPorts(
             temperature = celsius
             temperatureRaw = TemperatureSensor.raw(celsius)
         }
-        return if (realism ==
-            0.0
-        ) {
+        return if (realism == 0.0) {
             temperatureRaw
         } else {
             rounded(temperatureRaw + realism * Realism.TEMPERATURE_NOISE * temperatureNoise.normal())

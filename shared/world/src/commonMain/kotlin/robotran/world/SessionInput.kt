@@ -47,15 +47,10 @@ sealed interface SessionInput {
 /** The input with its places, angles and amounts in thousandths, as a file can keep them, so that a run is the same after it was saved. */
 internal fun SessionInput.inThousandths(): SessionInput = when (this) {
     is SessionInput.PlaceRobot -> copy(pose = pose.inThousandths())
-
     is SessionInput.PlaceBlock -> copy(pose = pose.inThousandths())
-
     is SessionInput.MoveLamp -> copy(place = Point(roundToThousandths(place.x), roundToThousandths(place.y)))
-
     is SessionInput.ChangeAmbientLight -> copy(light = roundToThousandths(light))
-
     is SessionInput.ChangeTemperature -> copy(celsius = roundToThousandths(celsius))
-
     is SessionInput.Press, is SessionInput.Release, is SessionInput.SwitchLamp, is SessionInput.TouchSensor, SessionInput.Stop -> this
 }
 

@@ -82,9 +82,7 @@ internal class NameAdvisor(
         val message = messages.unknownVariable(shortened(name))
         otherWord(problem, source, name, message)?.let { return it }
         val near = nearest(name, nearNames.namesIn(source) + library.simpleNames)
-        return if (near ==
-            null
-        ) {
+        return if (near == null) {
             Advice(message, messages.declareIt(shortened(name)))
         } else {
             nearNames.suggested(problem, source, message, near)

@@ -18,9 +18,7 @@ private val PIECES: List<String> = listOf(
 fun arbitraryText(random: Random): String = buildString {
     repeat(random.nextInt(LONGEST)) {
         append(
-            if (random.nextInt(4) ==
-                0
-            ) {
+            if (random.nextInt(4) == 0) {
                 random.nextInt(0x10000).toChar()
             } else {
                 random.nextInt(32, 127).toChar()

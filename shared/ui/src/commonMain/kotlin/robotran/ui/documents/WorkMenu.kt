@@ -35,7 +35,9 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.platform.FileKind
 import robotran.ui.resources.Res
+import robotran.ui.resources.documents_drawing
 import robotran.ui.resources.documents_kit
 import robotran.ui.resources.documents_menu
 import robotran.ui.resources.documents_my_work
@@ -60,15 +62,12 @@ import robotran.ui.workshop.DocumentState
 /**
  * The name of the work, which opens the menu with all that can be done with it as a whole. A dot before the name says that not everything is in its
  * file yet.
- *
- * @param onPicture saves a picture of the sheet; null where there is nothing to save one with.
  */
 @Composable
 internal fun WorkMenu(
     state: DocumentState,
     onEvent: (DocumentEvent) -> Unit,
     modifier: Modifier = Modifier,
-    onPicture: (() -> Unit)? = null,
 ) {
     var open by remember { mutableStateOf(false) }
     Box(modifier) {
@@ -79,7 +78,7 @@ internal fun WorkMenu(
             modifier = Modifier.widthIn(min = 240.dp).testTag("work-menu-items"),
             containerColor = LocalRobotranColours.current.pane,
         ) {
-            WorkMenuItems(state, onEvent, { open = false }, onPicture)
+            WorkMenuItems(state, onEvent, { open = false })
         }
     }
 }
@@ -90,7 +89,6 @@ internal fun WorkMenuItems(
     state: DocumentState,
     onEvent: (DocumentEvent) -> Unit,
     close: () -> Unit,
-    onPicture: (() -> Unit)? = null,
 ) {
     val choose = { event: DocumentEvent ->
         close()
@@ -106,12 +104,8 @@ internal fun WorkMenuItems(
     WorkMenuItem(Res.string.documents_save_as, "save-as") { choose(DocumentEvent.SaveAsWanted) }
     WorkMenuItem(Res.string.documents_share, "share-link") { choose(DocumentEvent.LinkWanted) }
     HorizontalDivider(color = LocalRobotranColours.current.line)
-    if (onPicture != null) {
-        WorkMenuItem(Res.string.documents_picture, "picture") {
-            close()
-            onPicture()
-        }
-    }
+    WorkMenuItem(Res.string.documents_picture, "picture") { choose(DocumentEvent.PictureWanted(FileKind.PNG)) }
+    WorkMenuItem(Res.string.documents_drawing, "drawing") { choose(DocumentEvent.PictureWanted(FileKind.SVG)) }
     WorkMenuItem(Res.string.documents_replay, "replay") { choose(DocumentEvent.ReplayWanted) }
     WorkMenuItem(Res.string.documents_program_file, "program-file") { choose(DocumentEvent.ProgramFileWanted) }
     WorkMenuItem(Res.string.documents_kit, "kit") { choose(DocumentEvent.KitWanted) }

@@ -62,7 +62,9 @@ internal fun WorksDialog(dialog: DocumentDialog.Works, onEvent: (DocumentEvent) 
         val works = dialog.works
         when {
             works == null -> Explanation(stringResource(Res.string.documents_works_loading))
+
             works.isEmpty() -> Explanation(stringResource(Res.string.documents_works_empty), Modifier.testTag("works-empty"))
+
             else -> works.forEachIndexed { number, work ->
                 if (number > 0) HorizontalDivider(color = LocalRobotranColours.current.line)
                 if (work.entry.id == dialog.deleting?.entry?.id) Deleting(work, onEvent) else WorkRow(work, onEvent)

@@ -101,12 +101,15 @@ private fun signed(line: ChartLine, value: Int) = if (line.lane.isMotor && value
 
 private fun DrawScope.drawLane(line: ChartLine, window: ChartWindow, at: Long, now: Long, colours: RobotranColours) {
     val range = rangeOf(line)
-    fun y(value: Int) = size.height - PAD.toPx() - (size.height - 2 * PAD.toPx()) * (value - range.first) / (range.last - range.first).coerceAtLeast(1)
+
+    fun y(value: Int) =
+        size.height - PAD.toPx() - (size.height - 2 * PAD.toPx()) * (value - range.first) / (range.last - range.first).coerceAtLeast(1)
     drawRect(colours.line.copy(alpha = 0.25f), Offset.Zero, Size(size.width, size.height))
     drawLine(colours.line, Offset(0f, y(0)), Offset(size.width, y(0)), 1.dp.toPx())
     drawValues(line, window, colours.onPane, ::y)
     val x = window.shareOf(now) * size.width
-    drawLine(colours.focus, Offset(x, 0f), Offset(x, size.height), 1.5.dp.toPx(), pathEffect = PathEffect.dashPathEffect(floatArrayOf(6f, 4f)))
+    val dashes = PathEffect.dashPathEffect(floatArrayOf(6f, 4f))
+    drawLine(colours.focus, Offset(x, 0f), Offset(x, size.height), 1.5.dp.toPx(), pathEffect = dashes)
     if (at != now) {
         val touched = window.shareOf(at) * size.width
         drawLine(colours.onPane, Offset(touched, 0f), Offset(touched, size.height), 1.5.dp.toPx())

@@ -25,9 +25,9 @@ import robotran.running.ChartLane
 import robotran.running.ChartLine
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_chart_all_hidden
+import robotran.ui.resources.run_chart_coarser
 import robotran.ui.resources.run_chart_empty
 import robotran.ui.resources.run_chart_finer
-import robotran.ui.resources.run_chart_coarser
 import robotran.ui.resources.run_chart_motor
 import robotran.ui.resources.run_chart_sensor
 import robotran.ui.runbar.Chip

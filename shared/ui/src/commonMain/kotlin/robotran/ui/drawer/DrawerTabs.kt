@@ -71,7 +71,8 @@ private fun TabName(tab: DrawerTab, selected: Boolean, onClick: () -> Unit) {
                 if (!selected) return@drawBehind
                 val height = 4.dp.toPx()
                 val inset = 12.dp.toPx()
-                drawRoundRect(RobotranColours.YELLOW, Offset(inset, size.height - height), Size(size.width - 2 * inset, height), CornerRadius(height / 2))
+                val bar = Size(size.width - 2 * inset, height)
+                drawRoundRect(RobotranColours.YELLOW, Offset(inset, size.height - height), bar, CornerRadius(height / 2))
             }
             .padding(horizontal = 12.dp),
         Alignment.Center,

@@ -113,7 +113,9 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
         }
         for (group in RomGroup.entries) {
             val only = filter.groups.size < RomGroup.entries.size && group in filter.groups
-            Chip(stringResource(group.word), only, "log-${group.name.lowercase()}") { onEvent(RunEvent.LogFiltered(filter.switched(group))) }
+            Chip(stringResource(group.word), only, "log-${group.name.lowercase()}") {
+                onEvent(RunEvent.LogFiltered(filter.switched(group)))
+            }
         }
     }
 }
@@ -170,10 +172,15 @@ private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
             style = if (troubled) style.copy(color = colours.mistake) else style,
         )
         if (showsCode) {
-            Text(callText(entry), Modifier.weight(1f), style = style.copy(color = colours.quiet), maxLines = 1, overflow = TextOverflow.Ellipsis)
+            val quiet = style.copy(color = colours.quiet)
+            Text(callText(entry), Modifier.weight(1f), style = quiet, maxLines = 1, overflow = TextOverflow.Ellipsis)
         }
         Text(
-            if (entry.sourceLine == 0) stringResource(Res.string.run_log_firmware) else stringResource(Res.string.run_log_line, entry.sourceLine),
+            if (entry.sourceLine == 0) {
+                stringResource(Res.string.run_log_firmware)
+            } else {
+                stringResource(Res.string.run_log_line, entry.sourceLine)
+            },
             Modifier.width(84.dp * scale),
             style = style.copy(color = colours.quiet),
             maxLines = 1,

@@ -75,7 +75,8 @@ internal fun RunDrawer(
         DrawerTabs(tab, { onEvent(RunEvent.DrawerChosen(it)) })
         if (tab != null) {
             HorizontalDivider(color = colours.line)
-            DrawerContent(tab, state, onEvent, Modifier.fillMaxWidth().height(height.coerceIn(LEAST_HEIGHT, maxOf(LEAST_HEIGHT, most.value)).dp))
+            val shownHeight = height.coerceIn(LEAST_HEIGHT, maxOf(LEAST_HEIGHT, most.value)).dp
+            DrawerContent(tab, state, onEvent, Modifier.fillMaxWidth().height(shownHeight))
         }
         HorizontalDivider(color = colours.line)
     }
@@ -139,7 +140,8 @@ private fun DrawerGrip(height: Float, most: Float, onHeight: (Float) -> Unit) {
                 drawLine(colours.line, Offset(0f, 0f), Offset(size.width, 0f), 1.dp.toPx())
                 val width = 40.dp.toPx()
                 val thick = 6.dp.toPx()
-                drawRoundRect(colours.quiet, Offset((size.width - width) / 2, (size.height - thick) / 2), Size(width, thick), CornerRadius(thick / 2))
+                val corner = Offset((size.width - width) / 2, (size.height - thick) / 2)
+                drawRoundRect(colours.quiet, corner, Size(width, thick), CornerRadius(thick / 2))
             },
     )
 }

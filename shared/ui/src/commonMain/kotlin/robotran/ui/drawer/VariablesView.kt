@@ -82,7 +82,9 @@ private fun Calls(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: 
         if (state.threads.size > 1) {
             SectionName(stringResource(Res.string.run_threads))
             for (thread in state.threads) {
-                Chip(threadText(thread), thread.number == state.thread, "thread-${thread.number}") { onEvent(RunEvent.FrameChosen(thread.number, 0)) }
+                Chip(threadText(thread), thread.number == state.thread, "thread-${thread.number}") {
+                    onEvent(RunEvent.FrameChosen(thread.number, 0))
+                }
             }
         }
         SectionName(stringResource(Res.string.run_calls))

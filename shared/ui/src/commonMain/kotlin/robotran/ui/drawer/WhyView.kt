@@ -31,10 +31,16 @@ internal fun WhyView(state: RunPaneState, modifier: Modifier = Modifier) {
     val several = state.world.robots.size > 1
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(12.dp)) {
         if (why.influences.isNotEmpty()) SectionName(stringResource(Res.string.run_why_influences))
-        for (influence in why.influences) Sentence(if (several) "${influence.robot}: ${influence.sentence}" else influence.sentence, "influence")
+        for (influence in why.influences) {
+            Sentence(if (several) "${influence.robot}: ${influence.sentence}" else influence.sentence, "influence")
+        }
         if (why.remarks.isNotEmpty()) SectionName(stringResource(Res.string.run_why_remarks))
         for (remark in why.remarks) {
-            val text = if (remark.sourceLine == 0) remark.message else stringResource(Res.string.run_why_line, remark.sourceLine, remark.message)
+            val text = if (remark.sourceLine == 0) {
+                remark.message
+            } else {
+                stringResource(Res.string.run_why_line, remark.sourceLine, remark.message)
+            }
             Sentence(text, "why-remark")
         }
     }

@@ -68,7 +68,14 @@ internal fun BarButton(
 
 /** A sign without a frame that can be touched; [name] says what it does. */
 @Composable
-internal fun QuietButton(icon: RunIcon, name: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier, enabled: Boolean = true) {
+internal fun QuietButton(
+    icon: RunIcon,
+    name: String,
+    tag: String,
+    onClick: () -> Unit,
+    modifier: Modifier = Modifier,
+    enabled: Boolean = true,
+) {
     val colours = LocalRobotranColours.current
     IconButton(
         onClick = onClick,

@@ -98,7 +98,8 @@ private fun shape(place: Offset, unit: Float, vararg corners: Float): Path = Pat
 
 private fun star(place: Offset, unit: Float): Path = shape(
     place, unit,
-    0f, -1f, 0.24f, -0.32f, 0.95f, -0.31f, 0.38f, 0.12f, 0.59f, 0.81f, 0f, 0.4f, -0.59f, 0.81f, -0.38f, 0.12f, -0.95f, -0.31f, -0.24f, -0.32f,
+    0f, -1f, 0.24f, -0.32f, 0.95f, -0.31f, 0.38f, 0.12f, 0.59f, 0.81f,
+    0f, 0.4f, -0.59f, 0.81f, -0.38f, 0.12f, -0.95f, -0.31f, -0.24f, -0.32f,
 )
 
 /** How far down the line is; the marks stand above it. */

@@ -75,7 +75,13 @@ private fun Controls(state: WorkshopState, cursor: Breakpoint, room: BarRoom, on
 /** The line in which somebody writes, to be run to. */
 private fun cursorLine(state: WorkshopState): Breakpoint {
     val programs = state.programs
-    return Breakpoint(programs.draft.lines.lineOf(programs.draft.selection.caret) + 1, programs.file.name.takeIf { programs.program.files.size > 1 })
+    return Breakpoint(
+        programs.draft.lines.lineOf(programs.draft.selection.caret) + 1,
+        programs.file.name.takeIf {
+            programs.program.files.size >
+                1
+        },
+    )
 }
 
 /**

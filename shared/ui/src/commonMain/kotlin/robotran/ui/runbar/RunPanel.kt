@@ -63,6 +63,7 @@ import robotran.world.Breakpoint
 @Composable
 internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEvent) -> Unit, onClose: () -> Unit) {
     val colours = LocalRobotranColours.current
+
     fun andClose(event: RunEvent) {
         onEvent(event)
         onClose()
@@ -91,7 +92,9 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
             }
             Section(Res.string.run_speed) {
                 for (speed in RunSpeed.entries) {
-                    Chip(stringResource(speed.word), speed == state.speed, "panel-speed-${speed.name.lowercase()}") { onEvent(RunEvent.SpeedChosen(speed)) }
+                    Chip(stringResource(speed.word), speed == state.speed, "panel-speed-${speed.name.lowercase()}") {
+                        onEvent(RunEvent.SpeedChosen(speed))
+                    }
                 }
             }
             if (state.world.robots.size > 1) {
@@ -103,12 +106,18 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
             }
             Section(Res.string.run_look) {
                 for (tab in DrawerTab.entries) {
-                    Chip(stringResource(tab.word), tab == state.drawer.tab, "panel-${tab.name.lowercase()}") { andClose(RunEvent.DrawerChosen(tab)) }
+                    Chip(stringResource(tab.word), tab == state.drawer.tab, "panel-${tab.name.lowercase()}") {
+                        andClose(RunEvent.DrawerChosen(tab))
+                    }
                 }
             }
             Section(Res.string.run_steps) {
-                PanelAction(Res.string.run_step_over, Res.string.run_step_over_help, "panel-step-over") { andClose(RunEvent.StepPressed(StepKind.OVER)) }
-                PanelAction(Res.string.run_step_out, Res.string.run_step_out_help, "panel-step-out") { andClose(RunEvent.StepPressed(StepKind.OUT)) }
+                PanelAction(Res.string.run_step_over, Res.string.run_step_over_help, "panel-step-over") {
+                    andClose(RunEvent.StepPressed(StepKind.OVER))
+                }
+                PanelAction(Res.string.run_step_out, Res.string.run_step_out_help, "panel-step-out") {
+                    andClose(RunEvent.StepPressed(StepKind.OUT))
+                }
                 PanelAction(Res.string.run_to_line, Res.string.run_to_line_help, "panel-to-line") { andClose(RunEvent.RunToLine(cursor)) }
                 PanelAction(Res.string.run_start_over, Res.string.run_start_over_help, "start-over") { andClose(RunEvent.StartedOver) }
                 if (state.hasRecording) {

@@ -57,13 +57,17 @@ import kotlin.math.roundToInt
 @Composable
 internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
     val settings = state.settings
+
     fun change(to: ProjectSettings) = onEvent(RunEvent.RunSettingsChanged(to))
     Column(verticalArrangement = Arrangement.spacedBy(20.dp)) {
         Realism(state.world.realism) { change(settings.copy(realism = it)) }
         Seed(state.world.seed) { change(settings.copy(seed = it)) }
         Column {
             SectionName(stringResource(Res.string.run_java))
-            Setting(Res.string.run_java_forgiving, Res.string.run_java_forgiving_help, "java-forgiving", settings.java.mode == TinyVmMode.FORGIVING) {
+            Setting(
+                Res.string.run_java_forgiving, Res.string.run_java_forgiving_help, "java-forgiving",
+                settings.java.mode == TinyVmMode.FORGIVING,
+            ) {
                 change(settings.copy(java = settings.java.copy(mode = if (it) TinyVmMode.FORGIVING else TinyVmMode.BRICK)))
             }
             Setting(Res.string.run_java_fast, Res.string.run_java_fast_help, "java-fast", settings.java.speed == TinyVmSpeed.UNLIMITED) {
@@ -111,7 +115,15 @@ private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
                 singleLine = true,
                 keyboardOptions = KeyboardOptions(keyboardType = KeyboardType.Number),
             )
-            QuietButton(RunIcon.NEXT, stringResource(Res.string.run_seed_next), "seed-next", { onSeed(if (seed == Int.MAX_VALUE) 1 else seed + 1) })
+            QuietButton(RunIcon.NEXT, stringResource(Res.string.run_seed_next), "seed-next", {
+                onSeed(
+                    if (seed == Int.MAX_VALUE) {
+                        1
+                    } else {
+                        seed + 1
+                    },
+                )
+            })
         }
         Help(Res.string.run_seed_help)
     }

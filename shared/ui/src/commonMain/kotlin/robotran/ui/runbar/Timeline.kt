@@ -90,13 +90,14 @@ private fun Track(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifi
             .pointerInput(plan) {
                 awaitEachGesture {
                     val down = awaitFirstDown().also { it.consume() }
+
                     fun timeAt(x: Float) = plan.timeAt(x, size.width.toFloat(), now.length)
                     scrub(nearMark(plan, now, down.position.x, size.width.toFloat()) ?: timeAt(down.position.x))
                     do {
                         val event = awaitPointerEvent()
                         val change = event.changes.firstOrNull { it.id == down.id } ?: break
                         val moved = abs(change.position.x - down.position.x) > viewConfiguration.touchSlop
-                        if (change.pressed && (moved || change.previousPosition != change.position && plan.isDragged)) {
+                        if (change.pressed && (moved || (change.previousPosition != change.position && plan.isDragged))) {
                             plan.isDragged = true
                             scrub(timeAt(change.position.x))
                         }

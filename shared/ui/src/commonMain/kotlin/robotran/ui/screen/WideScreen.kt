@@ -121,7 +121,9 @@ private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifie
                         { port, pressed -> onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed))) },
                     )
                 } else {
-                    BrickStrip(state.run.brick, state.down, { onEvent(RunEvent.ButtonPressed(it)) }, { onEvent(RunEvent.ButtonReleased(it)) })
+                    BrickStrip(state.run.brick, state.down, {
+                        onEvent(RunEvent.ButtonPressed(it))
+                    }, { onEvent(RunEvent.ButtonReleased(it)) })
                 }
             }
         }

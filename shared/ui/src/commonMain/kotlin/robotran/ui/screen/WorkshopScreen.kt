@@ -23,9 +23,11 @@ import robotran.ui.worldedit.WorldEditPane
 /** The one screen: side by side where there is room, one pane at a time where there is not; pages lie over it. */
 @Composable
 internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
-    BoxWithConstraints(modifier.fillMaxSize().background(LocalRobotranColours.current.pane).onPreviewKeyEvent { event ->
+    BoxWithConstraints(
+        modifier.fillMaxSize().background(LocalRobotranColours.current.pane).onPreviewKeyEvent { event ->
             documentShortcut(event)?.let(onEvent) != null
-        }) {
+        },
+    ) {
         // Larger text needs the room of a larger screen.
         val scale = state.settings.textScale.coerceAtMost(LocalDensity.current.fontScale)
         val isWide = maxWidth >= Measures.WIDE_WIDTH * widthScale(scale) && maxHeight >= Measures.WIDE_HEIGHT

@@ -45,24 +45,19 @@ fun thingAt(
 /** How far the point is from each thing of a kind, 0 or less inside it. */
 private fun distances(kind: SheetThingKind, world: World, state: SessionState, point: Point): List<Double> = when (kind) {
     SheetThingKind.MARK -> world.marks.map { distanceTo(it, point) }
-
     SheetThingKind.TEMPLATE -> world.template?.strokes.orEmpty().map { distanceToLine(it, point) }
-
     SheetThingKind.REGION -> goalRegions(world.goals).map { it.shape.distanceTo(point) }
-
     SheetThingKind.WALL -> world.walls.map { distanceInto(it.corners(), point) }
-
     SheetThingKind.BARRIER -> world.barriers.map { it.shape.distanceTo(point) }
-
     SheetThingKind.BLOCK -> world.blocks.zip(state.blocks) { block, moved -> block.shape.distanceTo(movedBack(point, block.shape, moved)) }
-
     SheetThingKind.ROBOT -> state.robots.map { distanceToRobot(it.robot.pose, point) }
-
     SheetThingKind.LAMP -> state.lamps.map { hypot(it.place.x - point.x, it.place.y - point.y) - LAMP_RADIUS }
 }
 
 private fun distanceTo(mark: Mark, point: Point): Double = when (val figure = mark.figure) {
-    is MarkFigure.Area -> figure.shape.distanceTo(point)
+    is MarkFigure.Area -> {
+        figure.shape.distanceTo(point)
+    }
 
     is MarkFigure.Line -> {
         val points = if (figure.closed) figure.points + figure.points.first() else figure.points

@@ -6,6 +6,7 @@ import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.ui.platform.Platform
 import robotran.world.RecordedInput
+import robotran.world.SessionState
 import robotran.world.World
 
 /** What one pane may ask of the others. */
@@ -23,6 +24,9 @@ interface Bench {
 
     /** What was done to the session that is on the desk, so far. */
     val inputs: List<RecordedInput>
+
+    /** What is to be seen on the desk now. */
+    val session: SessionState
 
     /** What the app shows and does on this machine. */
     val settings: Settings

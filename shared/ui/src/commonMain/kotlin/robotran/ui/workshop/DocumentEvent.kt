@@ -1,5 +1,6 @@
 package robotran.ui.workshop
 
+import robotran.ui.platform.FileKind
 import robotran.ui.platform.OpenedFile
 
 /** Something a person does with the project as a whole. */
@@ -47,6 +48,9 @@ sealed interface DocumentEvent : WorkshopEvent {
 
     /** A link is to be pasted and opened. */
     data object LinkPastingWanted : DocumentEvent
+
+    /** The sheet as it is now is to be saved as a picture of [kind], PNG or SVG. */
+    data class PictureWanted(val kind: FileKind) : DocumentEvent
 
     /** A project file that makes the same run again is wanted. */
     data object ReplayWanted : DocumentEvent

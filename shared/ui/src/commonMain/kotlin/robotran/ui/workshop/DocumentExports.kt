@@ -20,8 +20,10 @@ import robotran.ui.resources.documents_not_copied
 import robotran.ui.resources.documents_replay_empty
 import robotran.ui.resources.documents_saved
 import robotran.ui.resources.documents_too_long
+import robotran.ui.sheet.worldPicturePng
+import robotran.ui.sheet.worldPictureSvg
 
-/** Gives the work away: as a link, as a replay, as programs for elsewhere. */
+/** Gives the work away: as a link, as a picture, as a replay, as programs for elsewhere. */
 internal class DocumentExports(
     private val bench: Bench,
     private val keeper: DocumentKeeper,
@@ -50,6 +52,17 @@ internal class DocumentExports(
         bench.platform.sharing.share(sharing.link ?: return)
     }
 
+    /** The sheet as it is now, as a picture of [kind]. */
+    suspend fun savePicture(kind: FileKind) {
+        val world = bench.project.world
+        val state = bench.session
+        val bytes = when (kind) {
+            FileKind.SVG -> worldPictureSvg(world, state).encodeToByteArray()
+            else -> worldPicturePng(world, state)
+        }
+        save(title(), kind, bytes)
+    }
+
     suspend fun saveReplay() {
         val inputs = bench.inputs
         if (inputs.isEmpty()) return bench.say(Notice(Res.string.documents_replay_empty))
@@ -75,7 +88,9 @@ internal class DocumentExports(
         if (program.language == ProgramLanguage.JAVA) return saveProgram()
         val text = program.files.single().text
         when (val result = readRobolang(program.name, text, PENBOT_CALIBRATION)) {
-            is RobolangResult.Mistaken -> say(Res.string.documents_kit_mistake, result.diagnostics.first().range.line)
+            is RobolangResult.Mistaken -> {
+                say(Res.string.documents_kit_mistake, result.diagnostics.first().range.line)
+            }
 
             is RobolangResult.Ready -> {
                 val files = kitFiles(translateRobolang(result.program), program.name, text)

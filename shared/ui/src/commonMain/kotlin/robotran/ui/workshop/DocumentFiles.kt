@@ -62,7 +62,9 @@ internal class DocumentFiles(
                 take(opening)
             }
 
-            is Opening.Refused -> show(DocumentDialog.PastingLink((opening.trouble as? OpeningTrouble.InLink)?.message))
+            is Opening.Refused -> {
+                show(DocumentDialog.PastingLink((opening.trouble as? OpeningTrouble.InLink)?.message))
+            }
         }
     }
 
@@ -161,9 +163,13 @@ internal class DocumentFiles(
                 }
             }
 
-            Saving.GivenUp -> Unit
+            Saving.GivenUp -> {
+                Unit
+            }
 
-            is Saving.Failed -> bench.sayNotSaved(saving)
+            is Saving.Failed -> {
+                bench.sayNotSaved(saving)
+            }
         }
         return saving is Saving.Saved
     }

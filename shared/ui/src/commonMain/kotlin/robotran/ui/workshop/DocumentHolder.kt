@@ -40,44 +40,81 @@ class DocumentHolder(private val bench: Bench) {
 
     fun handle(event: DocumentEvent) {
         when (event) {
-            DocumentEvent.NewWanted -> launch { replaceWork { begin() } }
+            DocumentEvent.NewWanted -> {
+                launch { replaceWork { begin() } }
+            }
 
-            DocumentEvent.OpenWanted -> launch { files.choose() }
+            DocumentEvent.OpenWanted -> {
+                launch { files.choose() }
+            }
 
-            is DocumentEvent.FilesBrought -> launch { files.open(event.files) }
+            is DocumentEvent.FilesBrought -> {
+                launch { files.open(event.files) }
+            }
 
-            is DocumentEvent.LinkOpened -> launch { files.openLink(event.link) }
+            is DocumentEvent.LinkOpened -> {
+                launch { files.openLink(event.link) }
+            }
 
             is DocumentEvent.WorksWanted, is DocumentEvent.WorkOpened,
             is DocumentEvent.WorkDeletionWanted, is DocumentEvent.WorkDeletionAnswered,
-            ->
+            -> {
                 launch { handleWorks(event) }
+            }
 
-            DocumentEvent.SaveWanted -> launch { files.save() }
+            DocumentEvent.SaveWanted -> {
+                launch { files.save() }
+            }
 
-            DocumentEvent.SaveAsWanted -> launch { files.saveAs() }
+            DocumentEvent.SaveAsWanted -> {
+                launch { files.saveAs() }
+            }
 
-            DocumentEvent.RenameWanted -> show(DocumentDialog.Renaming(keeper.name))
+            DocumentEvent.RenameWanted -> {
+                show(DocumentDialog.Renaming(keeper.name))
+            }
 
-            is DocumentEvent.Renamed -> rename(event.name)
+            is DocumentEvent.Renamed -> {
+                rename(event.name)
+            }
 
-            DocumentEvent.LinkWanted -> launch { exports.makeLink() }
+            DocumentEvent.LinkWanted -> {
+                launch { exports.makeLink() }
+            }
 
-            DocumentEvent.LinkCopied -> launch { exports.copyLink(state.dialog) }
+            DocumentEvent.LinkCopied -> {
+                launch { exports.copyLink(state.dialog) }
+            }
 
-            DocumentEvent.LinkShared -> launch { exports.shareLink(state.dialog) }
+            DocumentEvent.LinkShared -> {
+                launch { exports.shareLink(state.dialog) }
+            }
 
-            DocumentEvent.LinkPastingWanted -> show(DocumentDialog.PastingLink())
+            DocumentEvent.LinkPastingWanted -> {
+                show(DocumentDialog.PastingLink())
+            }
 
-            DocumentEvent.ReplayWanted -> launch { exports.saveReplay() }
+            is DocumentEvent.PictureWanted -> launch { exports.savePicture(event.kind) }
 
-            DocumentEvent.ProgramFileWanted -> launch { exports.saveProgram() }
+            DocumentEvent.ReplayWanted -> {
+                launch { exports.saveReplay() }
+            }
 
-            DocumentEvent.KitWanted -> launch { exports.saveKit() }
+            DocumentEvent.ProgramFileWanted -> {
+                launch { exports.saveProgram() }
+            }
 
-            is DocumentEvent.Answered -> launch { answer(event.answer) }
+            DocumentEvent.KitWanted -> {
+                launch { exports.saveKit() }
+            }
 
-            DocumentEvent.DialogClosed -> closeDialog()
+            is DocumentEvent.Answered -> {
+                launch { answer(event.answer) }
+            }
+
+            DocumentEvent.DialogClosed -> {
+                closeDialog()
+            }
         }
     }
 
@@ -253,10 +290,12 @@ class DocumentHolder(private val bench: Bench) {
             return
         }
         when (val reading = keeper.shelf.read(id)) {
-            is WorkReading.Found -> replaceWork {
-                bench.openProject(reading.work.project)
-                keeper.tookUp(reading.work, claim)
-                show(null)
+            is WorkReading.Found -> {
+                replaceWork {
+                    bench.openProject(reading.work.project)
+                    keeper.tookUp(reading.work, claim)
+                    show(null)
+                }
             }
 
             is WorkReading.Unusable -> {

@@ -41,9 +41,13 @@ internal class DrawerFilling {
     fun fill(drawer: DrawerState, player: RunPlayer): DrawerState = when (drawer.tab) {
         // On the way to another time the program is somewhere that nobody wants to see.
         DrawerTab.VARIABLES -> if (player.motion is Motion.Seeking) drawer else drawer.copy(variables = lookAtVariables(player))
+
         DrawerTab.LOG -> drawer.copy(log = lookAtLog(player))
+
         DrawerTab.CHART -> drawer.copy(chart = drawer.chart.copy(lines = ChartLane.entries.map(player::chart)))
+
         DrawerTab.WHY -> drawer.copy(why = WhyState(player.session.explain(), player.state.robots[player.watched].remarks))
+
         DrawerTab.GOALS, null -> drawer
     }
 

@@ -4,10 +4,10 @@ import robotran.learning.WordHelp
 import robotran.learning.helpOn
 import robotran.learning.javaToTry
 import robotran.learning.wordAt
-import robotran.projects.ProgramLanguage as CodeLanguage
 import robotran.rom.Brick
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_help_no_room
+import robotran.projects.ProgramLanguage as CodeLanguage
 
 /** Finds the help on words, and lets their examples be tried. */
 internal class HelpFinder(private val bench: Bench) {

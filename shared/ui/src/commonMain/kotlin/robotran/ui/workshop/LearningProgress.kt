@@ -1,7 +1,7 @@
 package robotran.ui.workshop
 
-import kotlinx.serialization.SerializationException
 import kotlinx.serialization.Serializable
+import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import robotran.ui.platform.WorkStore
 

@@ -20,9 +20,7 @@ internal fun newClass(program: PupilProgram): ProgramFile {
 
 private fun freeName(name: String, language: ProgramLanguage, taken: List<String>): String =
     generateSequence(1) { it + 1 }.map {
-        if (it ==
-            1
-        ) {
+        if (it == 1) {
             "$name${language.extension}"
         } else {
             "$name$it${language.extension}"

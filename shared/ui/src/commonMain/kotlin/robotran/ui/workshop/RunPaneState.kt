@@ -61,7 +61,7 @@ data class RunPaneState(
     val inPast: Boolean get() = time < length
 
     /** Whether time can be made to stand still, or to go on. */
-    val pausable: Boolean get() = pace != Pace.GOING || running || awake && inPast
+    val pausable: Boolean get() = pace != Pace.GOING || running || (awake && inPast)
 
     /** Whether the line that runs can be followed with the eyes. */
     val lineIsLit: Boolean get() = pace != Pace.GOING || !speed.isFast

@@ -13,6 +13,7 @@ import robotran.ui.platform.MemoryPlatform
 import robotran.ui.platform.Platform
 import robotran.world.RecordedInput
 import robotran.world.RunReport
+import robotran.world.SessionState
 import robotran.world.World
 import robotran.world.physics.PhysicsEngine
 
@@ -60,6 +61,7 @@ class Workshop(
     override val project: Project get() = opened.copy(robots = programs.projectRobots(opened.world), inputs = emptyList())
     override val shownProgram: PupilProgram get() = programs.state.program
     override val inputs: List<RecordedInput> get() = run.inputs
+    override val session: SessionState get() = run.state.session
     override val settings: Settings get() = settingsHolder.state
     override val language: Language get() = spokenLanguage(settings.language)
 

@@ -79,8 +79,15 @@ data class WorkshopState(
 
     private fun runStatus(now: RunState): WorkshopStatus = when (now) {
         RunState.Idle -> WorkshopStatus.Ready
-        is RunState.Running -> if (run.pace == Pace.PAUSED) WorkshopStatus.Paused(now.sourceLine) else WorkshopStatus.Running(now.sourceLine)
+
+        is RunState.Running -> if (run.pace == Pace.PAUSED) {
+            WorkshopStatus.Paused(now.sourceLine)
+        } else {
+            WorkshopStatus.Running(now.sourceLine)
+        }
+
         is RunState.Ended -> WorkshopStatus.Ended(now.stopped)
+
         is RunState.Failed -> with(now.failure) { WorkshopStatus.Failed(sourceLine, message, sourceFile) }
     }
 }

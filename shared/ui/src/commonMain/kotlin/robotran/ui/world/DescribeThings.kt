@@ -25,7 +25,9 @@ import robotran.world.World
 /** Something movable in words: what it is, where, and how it stands. */
 @Composable
 internal fun describeThing(thing: SheetThing, pose: Pose, world: World, session: SessionState): String = when (thing.kind) {
-    SheetThingKind.ROBOT -> stringResource(Res.string.sheet_robot, world.robots[thing.number].name, poseWords(pose))
+    SheetThingKind.ROBOT -> {
+        stringResource(Res.string.sheet_robot, world.robots[thing.number].name, poseWords(pose))
+    }
 
     SheetThingKind.BLOCK -> {
         val name = world.blocks[thing.number].name

@@ -28,7 +28,11 @@ import robotran.world.centre
 @Composable
 internal fun describeWorld(world: World, session: SessionState): String {
     val robots = world.robots.zip(session.robots).map { (place, robot) ->
-        if (session.robots.size == 1) robotWords(robot) else stringResource(Res.string.sheet_robot_of_several, place.name, robotWords(robot))
+        if (session.robots.size == 1) {
+            robotWords(robot)
+        } else {
+            stringResource(Res.string.sheet_robot_of_several, place.name, robotWords(robot))
+        }
     }
     val ink = stringResource(Res.string.ink_length, stringResource(Res.string.centimetres, oneDecimal(session.ink.lengthCentimetres)))
     val regions = goalRegions(world.goals).map { regionWords(it, session) }
@@ -52,16 +56,21 @@ private fun regionWords(region: GoalRegion, session: SessionState): String {
     val place = placeWords(region.shape.centre)
     val number = region.number
     val words = when (region.kind) {
-        RegionKind.REACH ->
+        RegionKind.REACH -> {
             if (number == null) {
                 stringResource(Res.string.sheet_region_reach, place)
             } else {
                 stringResource(Res.string.sheet_region_reach_numbered, number, place)
             }
+        }
 
-        RegionKind.STAY_OUT -> stringResource(Res.string.sheet_region_stay_out, place)
+        RegionKind.STAY_OUT -> {
+            stringResource(Res.string.sheet_region_stay_out, place)
+        }
 
-        RegionKind.STAY_IN -> stringResource(Res.string.sheet_region_stay_in, place)
+        RegionKind.STAY_IN -> {
+            stringResource(Res.string.sheet_region_stay_in, place)
+        }
     }
     return if (region.isMet(session.goals)) stringResource(Res.string.sheet_region_met, words) else words
 }

@@ -36,12 +36,17 @@ internal fun poseOf(thing: SheetThing, world: World, session: SessionState): Pos
 
 /** How far something movable reaches from there. */
 internal fun reachOf(thing: SheetThing, world: World): Double = when (thing.kind) {
-    SheetThingKind.ROBOT -> Penbot.BUMPER_FRONT + 1
+    SheetThingKind.ROBOT -> {
+        Penbot.BUMPER_FRONT + 1
+    }
 
-    SheetThingKind.BLOCK ->
+    SheetThingKind.BLOCK -> {
         world.blocks.getOrNull(thing.number)?.shape?.let { shape -> shape.corners().maxOf { distance(it, shape.centre) } } ?: 0.0
+    }
 
-    else -> LAMP_REACH
+    else -> {
+        LAMP_REACH
+    }
 }
 
 /** Where the handle is by which a robot or a block is turned; null for what cannot be turned. */

@@ -9,8 +9,8 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.sheet_follow
-import robotran.ui.resources.sheet_nearer
 import robotran.ui.resources.sheet_further
+import robotran.ui.resources.sheet_nearer
 import robotran.ui.resources.sheet_whole
 import robotran.ui.sheet.KEY_ZOOM
 import robotran.ui.sheet.SheetCamera

@@ -26,12 +26,19 @@ internal fun inputOf(event: KeyEvent, thing: SheetThing, pose: Pose): SessionInp
     return when {
         // A German keyboard writes brackets with Alt Gr.
         event.isLeftTurn -> turned(thing, pose, turn)
+
         event.isRightTurn -> turned(thing, pose, -turn)
+
         event.isAltPressed -> null
+
         event.key == Key.DirectionLeft -> moved(thing, pose, -step, 0.0)
+
         event.key == Key.DirectionRight -> moved(thing, pose, step, 0.0)
+
         event.key == Key.DirectionUp -> moved(thing, pose, 0.0, step)
+
         event.key == Key.DirectionDown -> moved(thing, pose, 0.0, -step)
+
         else -> null
     }
 }

@@ -89,8 +89,10 @@ internal fun EditBar(making: Making, view: EditView, withWords: Boolean) {
             }
             EditMenu(making, view, withWords)
         }
-        IconTouch(EditIcons.PLAY, stringResource(Res.string.worldedit_try_help), "edit-try", { making.perform(WorldEditEvent.TriedOut) },
-            label = stringResource(Res.string.worldedit_try).takeIf { withWords })
+        IconTouch(
+            EditIcons.PLAY, stringResource(Res.string.worldedit_try_help), "edit-try", { making.perform(WorldEditEvent.TriedOut) },
+            label = stringResource(Res.string.worldedit_try).takeIf { withWords },
+        )
         Button(
             { making.perform(WorldEditEvent.EditorClosed) },
             Modifier.padding(start = 4.dp).testTag("edit-done").focusRing().defaultMinSize(minHeight = Measures.TARGET),
@@ -126,8 +128,10 @@ private fun EditMenu(making: Making, view: EditView, withWords: Boolean) {
     }
     val snapping = making.editing.snapping
     Box {
-        IconTouch(EditIcons.MORE, stringResource(Res.string.worldedit_more_menu), "edit-menu", { open = true },
-            label = stringResource(Res.string.worldedit_more_menu).takeIf { withWords })
+        IconTouch(
+            EditIcons.MORE, stringResource(Res.string.worldedit_more_menu), "edit-menu", { open = true },
+            label = stringResource(Res.string.worldedit_more_menu).takeIf { withWords },
+        )
         DropdownMenu(open, { open = false }, Modifier.widthIn(min = 260.dp), containerColor = LocalRobotranColours.current.pane) {
             MenuItem(stringResource(Res.string.worldedit_choose_all), "menu-all") { choose { making.make(Edit.ChooseAll) } }
             MenuItem(stringResource(Res.string.worldedit_copy), "menu-copy") { choose { making.make(Edit.Copy) } }

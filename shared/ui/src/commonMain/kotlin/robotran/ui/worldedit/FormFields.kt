@@ -43,9 +43,13 @@ import robotran.worldediting.withForm
 internal fun FormFields(making: Making, thing: Thing, piece: Piece) {
     val change = { form: Form -> making.change(thing, piece.withForm(form)) }
     when (val form = piece.form) {
-        is Form.Area -> ShapeFields(making, thing, form.shape) { change(Form.Area(it)) }
+        is Form.Area -> {
+            ShapeFields(making, thing, form.shape) { change(Form.Area(it)) }
+        }
 
-        is Form.Way -> CornerFields(making, thing, form.corners, canGrow = form.isBent)
+        is Form.Way -> {
+            CornerFields(making, thing, form.corners, canGrow = form.isBent)
+        }
 
         is Form.Start -> {
             PlaceFields(making, Point(form.pose.x, form.pose.y)) { change(Form.Start(Pose(it.x, it.y, form.pose.heading))) }
@@ -54,9 +58,13 @@ internal fun FormFields(making: Making, thing: Thing, piece: Piece) {
             }
         }
 
-        is Form.Light -> PlaceFields(making, form.place) { change(form.copy(place = it)) }
+        is Form.Light -> {
+            PlaceFields(making, form.place) { change(form.copy(place = it)) }
+        }
 
-        is Form.Picture -> PlaceFields(making, form.corner) { change(form.copy(corner = it)) }
+        is Form.Picture -> {
+            PlaceFields(making, form.corner) { change(form.copy(corner = it)) }
+        }
 
         null -> {}
     }
@@ -79,7 +87,9 @@ private fun ShapeFields(making: Making, thing: Thing, shape: Shape, onChange: (S
             MakeCorners(making, thing)
         }
 
-        is Shape.Polygon -> CornerFields(making, thing, shape.corners, canGrow = true)
+        is Shape.Polygon -> {
+            CornerFields(making, thing, shape.corners, canGrow = true)
+        }
     }
 }
 

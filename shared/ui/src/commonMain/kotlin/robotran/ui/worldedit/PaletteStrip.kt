@@ -27,7 +27,6 @@ import androidx.compose.ui.layout.positionInRoot
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import kotlin.math.abs
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
@@ -58,6 +57,7 @@ import robotran.worldediting.freeName
 import robotran.worldediting.named
 import robotran.worldediting.nextRobotColour
 import robotran.worldediting.piece
+import kotlin.math.abs
 
 /**
  * All that can be put on the paper: a tap puts it into the middle of what is seen, and it can be dragged out of the strip to where it

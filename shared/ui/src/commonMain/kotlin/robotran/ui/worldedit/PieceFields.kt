@@ -32,7 +32,9 @@ import robotran.worldediting.named
 @Composable
 internal fun PieceFields(making: Making, thing: Thing, piece: Piece) {
     when (piece) {
-        is Piece.OfRobot -> RobotFields(making, thing, piece)
+        is Piece.OfRobot -> {
+            RobotFields(making, thing, piece)
+        }
 
         is Piece.OfWall -> {
             FormFields(making, thing, piece)
@@ -50,13 +52,21 @@ internal fun PieceFields(making: Making, thing: Thing, piece: Piece) {
             FormFields(making, thing, piece)
         }
 
-        is Piece.OfMark -> MarkFields(making, thing, piece)
+        is Piece.OfMark -> {
+            MarkFields(making, thing, piece)
+        }
 
-        is Piece.OfLamp -> LampFields(making, thing, piece)
+        is Piece.OfLamp -> {
+            LampFields(making, thing, piece)
+        }
 
-        is Piece.OfStroke -> FormFields(making, thing, piece)
+        is Piece.OfStroke -> {
+            FormFields(making, thing, piece)
+        }
 
-        is Piece.OfGoal -> GoalFields(making, thing, piece)
+        is Piece.OfGoal -> {
+            GoalFields(making, thing, piece)
+        }
     }
 }
 
@@ -89,9 +99,13 @@ private fun MarkFields(making: Making, thing: Thing, piece: Piece.OfMark) {
     val mark = piece.mark
     NameField(making, thing, piece)
     when (val figure = mark.figure) {
-        is MarkFigure.GreyMap -> Remark(stringResource(Res.string.worldedit_grey_map_help))
+        is MarkFigure.GreyMap -> {
+            Remark(stringResource(Res.string.worldedit_grey_map_help))
+        }
 
-        is MarkFigure.Area -> ShadeFields(making, mark.shade) { making.change(thing, Piece.OfMark(mark.copy(shade = it))) }
+        is MarkFigure.Area -> {
+            ShadeFields(making, mark.shade) { making.change(thing, Piece.OfMark(mark.copy(shade = it))) }
+        }
 
         is MarkFigure.Line -> {
             ShadeFields(making, mark.shade) { making.change(thing, Piece.OfMark(mark.copy(shade = it))) }

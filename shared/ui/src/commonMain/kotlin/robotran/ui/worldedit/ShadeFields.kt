@@ -27,7 +27,6 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import kotlin.math.roundToInt
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
@@ -51,6 +50,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.world.Shade
+import kotlin.math.roundToInt
 
 /** What a mark is printed in: a swatch, any grey, or any colour in figures; and how light it looks to the robot. */
 @Composable
@@ -69,10 +69,12 @@ internal fun ShadeFields(making: Making, shade: Shade, onChange: (Shade) -> Unit
             onceChanged,
         )
         when (shade) {
-            is Shade.Grey -> NumberRow(
-                stringResource(Res.string.worldedit_grey), shade.reflectance, 0.0..1.0, "field-grey",
-                { onChange(Shade.Grey(it)) }, making::settle, step = 0.05, slider = 0f..1f,
-            )
+            is Shade.Grey -> {
+                NumberRow(
+                    stringResource(Res.string.worldedit_grey), shade.reflectance, 0.0..1.0, "field-grey",
+                    { onChange(Shade.Grey(it)) }, making::settle, step = 0.05, slider = 0f..1f,
+                )
+            }
 
             is Shade.Colour -> {
                 PartField(making, stringResource(Res.string.worldedit_red_part), shade.red, "red") { onChange(shade.copy(red = it)) }

@@ -1,7 +1,6 @@
 package robotran.ui.worldedit
 
 import androidx.compose.runtime.Composable
-import kotlin.math.round
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
@@ -56,6 +55,7 @@ import robotran.worldediting.WorldEditing
 import robotran.worldediting.name
 import robotran.worldediting.piece
 import robotran.worldediting.written
+import kotlin.math.round
 
 /** What a person calls [thing], such as `wall 3, 40 cm`. */
 @Composable
@@ -63,17 +63,22 @@ internal fun thingInWords(world: World, thing: Thing): String {
     val piece = world.piece(thing) ?: return ""
     val number = thing.number + 1
     return when (piece) {
-        is Piece.OfRobot -> stringResource(Res.string.worldedit_robot_named, piece.robot.name)
+        is Piece.OfRobot -> {
+            stringResource(Res.string.worldedit_robot_named, piece.robot.name)
+        }
 
         is Piece.OfWall -> {
             val length = length(piece.wall.to.x - piece.wall.from.x, piece.wall.to.y - piece.wall.from.y)
             stringResource(Res.string.worldedit_wall_numbered, number, written(round(length * 10) / 10))
         }
 
-        is Piece.OfGoal -> piece.goal.says ?: stringResource(goalTitle(piece.goal))
+        is Piece.OfGoal -> {
+            piece.goal.says ?: stringResource(goalTitle(piece.goal))
+        }
 
-        is Piece.OfBarrier, is Piece.OfBlock, is Piece.OfMark, is Piece.OfLamp, is Piece.OfStroke ->
+        is Piece.OfBarrier, is Piece.OfBlock, is Piece.OfMark, is Piece.OfLamp, is Piece.OfStroke -> {
             piece.name ?: stringResource(Res.string.worldedit_numbered, stringResource(kindOf(piece)), number)
+        }
     }
 }
 

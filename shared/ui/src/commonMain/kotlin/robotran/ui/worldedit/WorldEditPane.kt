@@ -36,7 +36,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
-import kotlin.math.roundToInt
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.edit_world
@@ -47,6 +46,7 @@ import robotran.ui.workshop.WorldEditState
 import robotran.world.SessionState
 import robotran.worldediting.Thing
 import robotran.worldediting.ThingKind
+import kotlin.math.roundToInt
 
 /** Where the world is built, in place of the workshop: the palette, the sheet and what there is to say of the things on it. */
 @Composable

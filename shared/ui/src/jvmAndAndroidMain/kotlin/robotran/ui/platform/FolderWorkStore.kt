@@ -64,10 +64,14 @@ class FolderWorkStore(private val folder: Path, private val reading: CoroutineCo
         val file = folder.resolve("claims").resolve("${checked(name)}.lock").toAbsolutePath()
         if (CLAIMED.putIfAbsent(file, NOTHING) != null) return@withContext null
         when (val lock = lock(file)) {
-            Locking.Taken -> null.also { CLAIMED.remove(file) }
+            Locking.Taken -> {
+                null.also { CLAIMED.remove(file) }
+            }
 
             // Where nothing can be locked, at least the windows of this process keep apart.
-            Locking.Impossible -> WorkClaim { CLAIMED.remove(file) }
+            Locking.Impossible -> {
+                WorkClaim { CLAIMED.remove(file) }
+            }
 
             is Locking.Locked -> {
                 CLAIMED[file] = lock.channel

@@ -25,10 +25,20 @@ class BrickPictureTest {
     @Test
     fun `a bumper that is pushed in lights its port, a light sensor in the dark does not`() {
         val brick = Brick(emptyList())
-        assertEquals(listOf(false, false, false), brick.state.sensors.map { PluggedSensor.of(RobotPlace.PENBOT_PORTS[it.port - 1]).isPressed(it) })
+        assertEquals(
+            listOf(false, false, false),
+            brick.state.sensors.map {
+                PluggedSensor.of(RobotPlace.PENBOT_PORTS[it.port - 1]).isPressed(it)
+            },
+        )
         repeat(3) { brick.setRawSensorValue(it, raw = 0) }
         repeat(4) { brick.tick() }
-        assertEquals(listOf(true, false, true), brick.state.sensors.map { PluggedSensor.of(RobotPlace.PENBOT_PORTS[it.port - 1]).isPressed(it) })
+        assertEquals(
+            listOf(true, false, true),
+            brick.state.sensors.map {
+                PluggedSensor.of(RobotPlace.PENBOT_PORTS[it.port - 1]).isPressed(it)
+            },
+        )
     }
 
     @Test

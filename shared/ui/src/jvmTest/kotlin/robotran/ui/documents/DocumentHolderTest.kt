@@ -11,8 +11,8 @@ import robotran.ui.platform.OpenedFile
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_back_unnamed
 import robotran.ui.resources.documents_open_elsewhere
-import robotran.ui.resources.documents_saved
 import robotran.ui.resources.documents_save_full
+import robotran.ui.resources.documents_saved
 import robotran.ui.resources.documents_work_elsewhere
 import robotran.ui.workshop.DocumentAnswer
 import robotran.ui.workshop.DocumentDialog

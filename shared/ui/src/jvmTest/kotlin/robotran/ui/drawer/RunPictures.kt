@@ -4,12 +4,12 @@ import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.EncodedImageFormat
+import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.rom.StepKind
 import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
-import robotran.language.Language
 import robotran.ui.workshop.DrawerTab
 import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.RunEvent
@@ -44,7 +44,8 @@ class RunPictures {
     private fun paused(tab: DrawerTab?, settings: Settings = Settings()): Workshop = runBlocking { openWorkshop() }.apply {
         val goals = listOf(Goal.InkLength(40.0, null), Goal.NeverTouch(), Goal.InkLength(400.0, null))
         val world = BuiltInWorlds.plain.copy(goals = goals, realism = 0.6)
-        openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(PupilProgram("rounds.robo", SOURCE).asProject())))))
+        val program = PupilProgram("rounds.robo", SOURCE).asProject()
+        openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
         handle(SettingsEvent.SettingsChanged(settings))
         handle(RunEvent.RunPressed)
         advance(14_000)

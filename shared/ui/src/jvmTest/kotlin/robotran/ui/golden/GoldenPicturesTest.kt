@@ -69,7 +69,8 @@ class GoldenPicturesTest {
             for (screen in Screen.entries) {
                 val workshop = runBlocking { openWorkshop() }
                 try {
-                    workshop.handle(SettingsEvent.SettingsChanged(Settings(language = look.language, theme = look.theme, lessMotion = true)))
+                    val settings = Settings(language = look.language, theme = look.theme, lessMotion = true)
+                    workshop.handle(SettingsEvent.SettingsChanged(settings))
                     workshop.prepare()
                     GoldenPicture.check("$scene-${screen.name.lowercase()}-${look.name.lowercase()}", photograph(workshop, screen))
                 } finally {

@@ -191,7 +191,8 @@ class RunBarTest {
         for (tag in tags) {
             val place = onNodeWithTag(tag).fetchSemanticsNode().touchBoundsInRoot
             assertTrue(place.width >= 48f && place.height >= 48f, "$tag is only ${place.size}")
-            assertTrue(place.left >= 0f && place.right <= screen.right + 0.5f && place.bottom <= screen.bottom + 0.5f, "$tag is at $place of $screen")
+            val isInside = place.left >= 0f && place.right <= screen.right + 0.5f && place.bottom <= screen.bottom + 0.5f
+            assertTrue(isInside, "$tag is at $place of $screen")
         }
     }
 }

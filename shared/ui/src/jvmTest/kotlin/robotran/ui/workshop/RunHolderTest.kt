@@ -25,9 +25,11 @@ import kotlin.test.assertTrue
 
 class RunHolderTest {
     private val shared = mutableListOf<String>()
-    private val platform = MemoryPlatform(sharing = object : Sharing {
-        override suspend fun share(text: String): Boolean = shared.add(text)
-    })
+    private val platform = MemoryPlatform(
+        sharing = object : Sharing {
+            override suspend fun share(text: String): Boolean = shared.add(text)
+        },
+    )
     private val workshop = runBlocking { openWorkshop(listOf(PupilProgram("way.robo", WAY)), platform) }
     private var nanoseconds = 0L
 

@@ -20,8 +20,8 @@ import robotran.world.Goal
 import robotran.world.Lamp
 import robotran.world.Paper
 import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.PortSensor
+import robotran.world.Pose
 import robotran.world.RobotColour
 import robotran.world.RobotPlace
 import robotran.world.Shape
@@ -33,7 +33,12 @@ internal val handyWorld = World(
     title = "Handy",
     paper = Paper(100.0, 80.0),
     robots = listOf(
-        RobotPlace(Pose(30.0, 40.0, 0.0), ports = listOf(PortSensor.LEFT_BUMPER, PortSensor.LIGHT, PortSensor.TEMPERATURE).map { listOf(it) }),
+        RobotPlace(
+            Pose(30.0, 40.0, 0.0),
+            ports = listOf(PortSensor.LEFT_BUMPER, PortSensor.LIGHT, PortSensor.TEMPERATURE).map {
+                listOf(it)
+            },
+        ),
         RobotPlace(Pose(80.0, 60.0, 90.0), "red", RobotColour.RED),
     ),
     barriers = listOf(Barrier(Shape.Rectangle(Point(60.0, 10.0), 10.0, 4.0))),

@@ -103,9 +103,12 @@ class EditPanelTest {
         type("field-time-limit", "30")
         type("field-realism", "50")
         type("field-seed", "7")
-        assertEquals(listOf<Any>("A yard", "Drive.", 150.0, 0.1, -5.0, 30, 0.5, 7), with(world) {
-            listOf(title, task, paper.width, ambientLight, temperature, timeLimit, realism, seed)
-        })
+        assertEquals(
+            listOf<Any>("A yard", "Drive.", 150.0, 0.1, -5.0, 30, 0.5, 7),
+            with(world) {
+                listOf(title, task, paper.width, ambientLight, temperature, timeLimit, realism, seed)
+            },
+        )
         tap("new-world")
         assertEquals("My world", world.title)
         assertEquals(0, world.walls.size)

@@ -153,9 +153,7 @@ class RefusedThingsTest {
 
     @Test
     fun `goals lie in one another four deep at most`() {
-        fun nested(depth: Int): String = if (depth ==
-            1
-        ) {
+        fun nested(depth: Int): String = if (depth == 1) {
             "{ \"kind\": \"drawTemplate\" }"
         } else {
             "{ \"kind\": \"all\", \"goals\": [${nested(depth - 1)}] }"

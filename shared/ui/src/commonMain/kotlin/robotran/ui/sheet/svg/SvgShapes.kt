@@ -12,16 +12,21 @@ internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Do
 
     fun shape(shape: Shape, vararg attributes: Pair<String, Any?>) {
         when (shape) {
-            is Shape.Circle ->
+            is Shape.Circle -> {
                 svg.element("circle", "cx" to shape.centre.x, "cy" to down(shape.centre.y), "r" to shape.radius, *attributes)
+            }
 
-            is Shape.Rectangle -> svg.element(
-                "rect", "x" to shape.centre.x - shape.width / 2, "y" to down(shape.centre.y) - shape.height / 2,
-                "width" to shape.width, "height" to shape.height,
-                "transform" to turned(shape.angle, shape.centre), *attributes,
-            )
+            is Shape.Rectangle -> {
+                svg.element(
+                    "rect", "x" to shape.centre.x - shape.width / 2, "y" to down(shape.centre.y) - shape.height / 2,
+                    "width" to shape.width, "height" to shape.height,
+                    "transform" to turned(shape.angle, shape.centre), *attributes,
+                )
+            }
 
-            is Shape.Polygon -> svg.element("polygon", "points" to figures(down(shape.corners)), *attributes)
+            is Shape.Polygon -> {
+                svg.element("polygon", "points" to figures(down(shape.corners)), *attributes)
+            }
         }
     }
 

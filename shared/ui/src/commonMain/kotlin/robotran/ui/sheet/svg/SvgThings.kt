@@ -69,7 +69,9 @@ internal class SvgThings(private val svg: SvgWriter, private val shapes: SvgShap
                 }
             }
 
-            is MarkFigure.GreyMap -> greyMap(figure)
+            is MarkFigure.GreyMap -> {
+                greyMap(figure)
+            }
         }
     }
 
