@@ -2,6 +2,7 @@ package robotran.benchmarks
 
 import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
+import kotlinx.coroutines.runBlocking
 import robotran.programs.SourceFile
 import robotran.projects.ProgramLanguage
 import robotran.projects.Project
@@ -12,6 +13,7 @@ import robotran.ui.workshop.DrawerTab
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.Workshop
 import robotran.world.physics.loadPhysicsEngine
+import javax.swing.SwingUtilities
 import kotlin.time.Duration
 import kotlin.time.DurationUnit
 import kotlin.time.measureTime
@@ -19,10 +21,17 @@ import kotlin.time.measureTime
 /** What can be measured of the screen, which is drawn on the JVM only. */
 internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Figure> =
     mapOf(
-        "frames-log" to { frameTime(DrawerTab.LOG) },
-        "frames-chart" to { frameTime(DrawerTab.CHART) },
-        "keystroke" to ::keystrokeTime,
+        "frames-log" to { onEventThread { frameTime(DrawerTab.LOG) } },
+        "frames-chart" to { onEventThread { frameTime(DrawerTab.CHART) } },
+        "keystroke" to { onEventThread(::keystrokeTime) },
     )
+
+/** What a screen waits for comes on the event thread; drawn on another one, it may wait for ever. */
+private fun onEventThread(measure: suspend () -> Figure): Figure {
+    var figure: Figure? = null
+    SwingUtilities.invokeAndWait { figure = runBlocking { measure() } }
+    return checkNotNull(figure)
+}
 
 /**
  * How long it takes to let a sixtieth of a second pass in the world full of things and to draw the whole screen of a tablet with [tab] of the drawer open,

@@ -5,6 +5,7 @@ import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
 import robotran.ui.RobotranWindow
 import robotran.ui.openWorkshop
+import javax.swing.SwingUtilities
 
 /**
  * Goes through a start of the app without a display, for `java -XX:ArchiveClassesAtExit`: what is loaded here, Java finds ready-made at every later start
@@ -14,12 +15,17 @@ internal object Rehearsal {
     @JvmStatic
     fun main(arguments: Array<String>) {
         System.setProperty("java.awt.headless", "true")
+        // What a screen waits for comes on the event thread; drawn on another one, it may wait for ever.
+        SwingUtilities.invokeAndWait(::draw)
+        for (name in NEEDS_DISPLAY) Class.forName(name, false, Rehearsal::class.java.classLoader)
+    }
+
+    private fun draw() {
         val workshop = runBlocking { openWorkshop() }
         val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f)) { RobotranWindow(workshop) }
         repeat(FRAMES) { scene.render(nanoTime = it * FRAME_NANOSECONDS) }
         scene.close()
         workshop.close()
-        for (name in NEEDS_DISPLAY) Class.forName(name, false, Rehearsal::class.java.classLoader)
     }
 
     private const val WIDTH = 1280

@@ -31,7 +31,7 @@ fun thingAt(
     for (kind in SheetThingKind.entries.reversed()) {
         if (kind !in kinds) continue
         val distances = distances(kind, world, state, point)
-        for (number in distances.indices.reversed()) {
+        for (number in fromTheTop(kind, distances)) {
             if (distances[number] <= 0) return nearest?.takeIf { distance <= tolerance / 2 } ?: SheetThing(kind, number)
             if (distances[number] < distance) {
                 nearest = SheetThing(kind, number)
@@ -41,6 +41,10 @@ fun thingAt(
     }
     return nearest
 }
+
+/** The last lies on top; a region that lies in another one is what is meant rather than that. */
+private fun fromTheTop(kind: SheetThingKind, distances: List<Double>): List<Int> =
+    if (kind == SheetThingKind.REGION) distances.indices.sortedByDescending { distances[it] } else distances.indices.reversed().toList()
 
 /** How far the point is from each thing of a kind, 0 or less inside it. */
 private fun distances(kind: SheetThingKind, world: World, state: SessionState, point: Point): List<Double> = when (kind) {

@@ -31,6 +31,8 @@ fun RobotranTheme(dark: Boolean = isSystemInDarkTheme(), settings: Settings = Se
         surfaceContainer = colours.pane,
         surfaceContainerHigh = colours.pane,
         onSurfaceVariant = colours.quiet,
+        secondaryContainer = colours.desk,
+        onSecondaryContainer = colours.onPane,
         outline = colours.line,
         outlineVariant = colours.line,
         error = colours.mistake,

@@ -6,6 +6,7 @@ import org.jetbrains.skia.EncodedImageFormat
 import robotran.language.Language
 import robotran.ui.RobotranApp
 import robotran.ui.platform.Arrival
+import robotran.ui.screen.onEventThread
 import robotran.ui.workshop.DocumentEvent
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.SettingsEvent
@@ -66,7 +67,7 @@ class DocumentPictures {
         workshop.close()
     }
 
-    private fun photograph(workshop: Workshop, width: Int, height: Int, dark: Boolean, name: String) {
+    private fun photograph(workshop: Workshop, width: Int, height: Int, dark: Boolean, name: String) = onEventThread {
         val scene = ImageComposeScene(width, height, Density(1f)) { RobotranApp(workshop, dark) }
         try {
             scene.render()

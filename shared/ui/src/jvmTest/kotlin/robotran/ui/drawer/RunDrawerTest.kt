@@ -107,11 +107,11 @@ class RunDrawerTest {
         onNodeWithTag("lane-sensor_3").performClick()
         pass(300)
         assertEquals(setOf(ChartLane.SENSOR_1, ChartLane.SENSOR_2, ChartLane.SENSOR_3), workshop.state.run.drawer.chart.hidden)
-        assertEquals(0, onAllNodesWithTag("chart-sensor_1").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag("chart-sensor_1", useUnmergedTree = true).fetchSemanticsNodes().size)
         onNodeWithTag("value-motor_a", useUnmergedTree = true).assertTextContains("+4")
         onNodeWithTag("chart-finer").performClick()
         pass(200)
-        onNodeWithTag("chart-motor_a").assertIsDisplayed()
+        onNodeWithTag("chart-motor_a", useUnmergedTree = true).assertIsDisplayed()
     }
 
     @Test

@@ -10,6 +10,7 @@ import robotran.projects.ProjectRobot
 import robotran.rom.StepKind
 import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
+import robotran.ui.screen.onEventThread
 import robotran.ui.workshop.DrawerTab
 import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.RunEvent
@@ -55,8 +56,8 @@ class RunPictures {
         repeat(2) { handle(RunEvent.StepPressed(StepKind.INTO)).also { repeat(60) { frame(1_000_000_000L + it * 16_000_000L) } } }
     }
 
-    private fun Workshop.use(name: String, width: Int, height: Int, dark: Boolean = false) {
-        val scene = ImageComposeScene(width, height, Density(1f)) { RobotranApp(this, dark) }
+    private fun Workshop.use(name: String, width: Int, height: Int, dark: Boolean = false) = onEventThread {
+        val scene = ImageComposeScene(width, height, Density(1f)) { RobotranApp(this@use, dark) }
         try {
             scene.render()
             scene.render(nanoTime = 500_000_000)

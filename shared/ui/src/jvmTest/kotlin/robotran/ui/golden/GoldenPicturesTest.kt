@@ -7,6 +7,7 @@ import org.jetbrains.skia.Image
 import robotran.language.Language
 import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
+import robotran.ui.screen.onEventThread
 import robotran.ui.workshop.AppTheme
 import robotran.ui.workshop.LearningEvent
 import robotran.ui.workshop.LearningPage
@@ -85,9 +86,9 @@ class GoldenPicturesTest {
         advance(HALF_DRAWN)
     }
 
-    private fun photograph(workshop: Workshop, screen: Screen): Image {
+    private fun photograph(workshop: Workshop, screen: Screen): Image = onEventThread {
         val scene = ImageComposeScene(screen.width, screen.height, Density(1f)) { RobotranApp(workshop, dark = false) }
-        return try {
+        try {
             scene.render()
             scene.render(nanoTime = SECOND)
             scene.render(nanoTime = 2 * SECOND)

@@ -9,6 +9,7 @@ import robotran.learning.Tutorial
 import robotran.learning.WorldGallery
 import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
+import robotran.ui.screen.onEventThread
 import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.workshop.AppTheme
@@ -60,7 +61,7 @@ class LearningPictures {
         for (world in WorldGallery.worlds) WorldPictures.of(world, SheetColours.of(colours))
     }
 
-    private fun photograph(workshop: Workshop, look: Look, name: String, prepare: Workshop.() -> Unit) {
+    private fun photograph(workshop: Workshop, look: Look, name: String, prepare: Workshop.() -> Unit) = onEventThread {
         workshop.prepare()
         val scene = ImageComposeScene(look.width, look.height, Density(1f)) { RobotranApp(workshop, dark = false) }
         try {

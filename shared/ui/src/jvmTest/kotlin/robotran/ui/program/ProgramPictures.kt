@@ -14,6 +14,7 @@ import robotran.language.Language
 import robotran.ui.RobotranApp
 import robotran.ui.lejosExampleTexts
 import robotran.ui.openWorkshop
+import robotran.ui.screen.onEventThread
 import robotran.ui.workshop.Pane
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.PupilProgram
@@ -56,7 +57,7 @@ class ProgramPictures {
         workshop.handle(ProgramEvent.Written(Draft(draft.text).withCaret(place), EditKind.OTHER))
     }
 
-    private fun photograph(name: String, keys: List<Key> = emptyList(), prepare: (Workshop) -> Unit) {
+    private fun photograph(name: String, keys: List<Key> = emptyList(), prepare: (Workshop) -> Unit) = onEventThread {
         for (screen in Screen.entries) {
             val workshop = runBlocking { openWorkshop() }
             val settings = workshop.state.settings.copy(language = screen.language, textScale = screen.scale)

@@ -115,7 +115,7 @@ class ScreenPictures {
         workshop.close()
     }
 
-    private fun photograph(workshop: Workshop, screen: Screen, dark: Boolean, name: String) {
+    private fun photograph(workshop: Workshop, screen: Screen, dark: Boolean, name: String) = onEventThread {
         val scene = ImageComposeScene(screen.width, screen.height, Density(1f)) { RobotranApp(workshop, dark) }
         try {
             scene.render()

@@ -4,7 +4,6 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.double
-import io.kotest.property.arbitrary.float
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
 import robotran.world.Paper
@@ -22,7 +21,7 @@ class SheetCameraTest {
     fun `without zoom all of the paper is in the window with its margin`() {
         val view = SheetCamera.FITTING.transform(paper, window)
         assertTrue(view.paper.left >= window.left && view.paper.right <= window.right)
-        assertEquals(window.center, view.paper.center)
+        assertTrue((window.center - view.paper.center).getDistance() < 0.01f)
     }
 
     @Test
@@ -71,7 +70,7 @@ class SheetCameraTest {
     }
 
     private fun property(check: (Double, Double, Double) -> Unit) = runBlocking {
-        checkAll(300, Arb.float(1f, 40f), Arb.double(-20.0, 120.0), Arb.double(-20.0, 100.0)) { zoom, x, y -> check(zoom.toDouble(), x, y) }
+        checkAll(300, Arb.double(1.0, 40.0), Arb.double(-20.0, 120.0), Arb.double(-20.0, 100.0)) { zoom, x, y -> check(zoom, x, y) }
         Unit
     }
 

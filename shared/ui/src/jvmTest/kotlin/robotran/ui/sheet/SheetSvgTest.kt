@@ -33,7 +33,7 @@ class SheetSvgTest {
     fun `everything is in it as what it is`() {
         val document = read(svg)
         val lines = document.elements("polyline").filter { it.getAttribute("stroke-width") == "0.3" }
-        assertEquals("5,85 5,65 24,68", lines.first().getAttribute("points"))
+        assertTrue("5,85 5,65 24,68" in lines.map { it.getAttribute("points") })
         assertEquals(2, document.elements("line").count { it.getAttribute("stroke") == "url(#hatching)" })
         assertEquals("-2 -2 124 94", document.documentElement.getAttribute("viewBox"))
         assertEquals(listOf("1", "2", "yellow", "red"), document.elements("text").map { it.textContent })
@@ -75,6 +75,6 @@ class SheetSvgTest {
         getElementsByTagName(name).let { list -> List(list.length) { list.item(it) as Element } }
 
     private companion object {
-        const val WIDTH = 1240
+        const val WIDTH = 1200
     }
 }

@@ -14,6 +14,7 @@ import org.jetbrains.skia.EncodedImageFormat
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.ui.RobotranApp
+import robotran.ui.screen.onEventThread
 import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetLayer
@@ -90,7 +91,7 @@ class WorldPanePictures {
         dark: Boolean,
         events: List<WorkshopEvent>,
         settings: Settings = Settings(),
-    ) {
+    ) = onEventThread {
         val workshop = Workshop(Project(world), physics, settings = settings)
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(RUN_MILLISECONDS)

@@ -7,6 +7,7 @@ import org.jetbrains.skia.EncodedImageFormat
 import robotran.language.Language
 import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
+import robotran.ui.screen.onEventThread
 import robotran.ui.workshop.AppTheme
 import robotran.ui.workshop.Settings
 import robotran.ui.workshop.SettingsEvent
@@ -41,7 +42,7 @@ class EditPictures {
         }
     }
 
-    private fun photograph(width: Int, height: Int, settings: Settings, name: String) {
+    private fun photograph(width: Int, height: Int, settings: Settings, name: String) = onEventThread {
         val workshop = runBlocking { openWorkshop() }
         workshop.handle(SettingsEvent.SettingsChanged(settings))
         workshop.handle(WorldEditEvent.EditorOpened)
