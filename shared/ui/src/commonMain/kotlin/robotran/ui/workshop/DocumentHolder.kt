@@ -94,7 +94,9 @@ class DocumentHolder(private val bench: Bench) {
                 show(DocumentDialog.PastingLink())
             }
 
-            is DocumentEvent.PictureWanted -> launch { exports.savePicture(event.kind) }
+            is DocumentEvent.PictureWanted -> {
+                launch { exports.savePicture(event.kind) }
+            }
 
             DocumentEvent.ReplayWanted -> {
                 launch { exports.saveReplay() }
