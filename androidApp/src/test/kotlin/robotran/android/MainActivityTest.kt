@@ -73,7 +73,7 @@ class MainActivityTest {
         screen.mainClock.advanceTimeBy(SETTLING)
         photograph("phone-bars")
         assertTrue(screen.onNodeWithText("Program").fetchSemanticsNode().boundsInRoot.top >= 90)
-        assertTrue(screen.onNodeWithText("Stop").fetchSemanticsNode().boundsInRoot.bottom <= window.height - 120)
+        assertTrue(screen.onNodeWithTag("stop").fetchSemanticsNode().boundsInRoot.bottom <= window.height - 120)
     }
 
     @Test

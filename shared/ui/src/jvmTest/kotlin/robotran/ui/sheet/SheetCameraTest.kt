@@ -3,7 +3,7 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import io.kotest.property.Arb
-import io.kotest.property.arbitrary.double
+import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
 import robotran.world.Paper
@@ -70,7 +70,7 @@ class SheetCameraTest {
     }
 
     private fun property(check: (Double, Double, Double) -> Unit) = runBlocking {
-        checkAll(300, Arb.double(1.0, 40.0), Arb.double(-20.0, 120.0), Arb.double(-20.0, 100.0)) { zoom, x, y -> check(zoom, x, y) }
+        checkAll(300, Arb.numericDouble(1.0, 40.0), Arb.numericDouble(-20.0, 120.0), Arb.numericDouble(-20.0, 100.0)) { zoom, x, y -> check(zoom, x, y) }
         Unit
     }
 
