@@ -31,7 +31,7 @@ class KeptWorkshop(
         private set
 
     init {
-        viewModelScope.launch { workshop = openWorkshop(platform = platform, scope = viewModelScope) }
+        viewModelScope.launch { workshop = openWorkshop(platform = platform, scope = viewModelScope, welcoming = true) }
     }
 
     /** The app is out of sight and may be ended without a word. */

@@ -34,12 +34,17 @@ class MainActivityTest {
     val resources = ResourcesOfCompose()
 
     @get:Rule(order = 1)
+    val nothingKept = NothingKept()
+
+    @get:Rule(order = 2)
     val screen = createAndroidComposeRule<MainActivity>()
 
     /** While the robot drives there is always a next frame, so the clock is moved by hand. */
     @Before
     fun stopTheClock() {
         screen.mainClock.autoAdvance = false
+        screen.mainClock.advanceTimeBy(SETTLING)
+        screen.onNodeWithTag("first-run-close").performClick()
         screen.mainClock.advanceTimeBy(SETTLING)
     }
 

@@ -51,7 +51,7 @@ internal class OpenWindow(
     init {
         // While the window comes up, another processor gets the rest ready.
         scope.launch(Dispatchers.Default) {
-            val ready = openWorkshop(platform = platform, scope = scope)
+            val ready = openWorkshop(platform = platform, scope = scope, welcoming = true)
             withContext(Dispatchers.Swing) { workshop = ready }
         }
     }

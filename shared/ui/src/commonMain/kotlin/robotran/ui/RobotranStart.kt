@@ -31,21 +31,20 @@ import robotran.ui.workshop.Workshop
  * What every platform's app shows: a word while things get ready, then [RobotranApp] with [programs] or, without any, the square.
  *
  * @param platform what the machine offers; it must stay the same.
+ * @param welcoming see [openWorkshop].
  * @param onOpened is told the workshop once it is there.
  */
 @Composable
 fun RobotranStart(
     programs: List<PupilProgram> = emptyList(),
     platform: Platform = remember { MemoryPlatform() },
+    welcoming: Boolean = false,
     onOpened: (Workshop) -> Unit = {},
 ) {
     val scope = rememberCoroutineScope()
     var workshop by remember { mutableStateOf<Workshop?>(null) }
     LaunchedEffect(programs) {
-        workshop = openWorkshop(programs, platform, scope).also {
-            it.startLearning(welcoming = programs.isEmpty())
-            onOpened(it)
-        }
+        workshop = openWorkshop(programs, platform, scope, welcoming).also(onOpened)
     }
     DisposableEffect(Unit) { onDispose { workshop?.close() } }
     RobotranWindow(workshop)

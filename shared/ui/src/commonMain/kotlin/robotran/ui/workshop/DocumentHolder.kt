@@ -132,6 +132,9 @@ class DocumentHolder(private val bench: Bench) {
         if (back.wasCutShort || back.others > 0) sayBack(back)
     }
 
+    /** Whether nobody has worked on what is open yet. */
+    val isFresh: Boolean get() = keeper.openId == null && keeper.isKept
+
     private fun sayBack(back: ComingBack) {
         val name = back.work.name
         if (back.others > 0) {

@@ -82,14 +82,17 @@ class Workshop(
         document.lookAgain()
     }
 
-    /** Goes on with learning where somebody has stopped; on the very first start, says what there is to be tried if [welcoming]. */
-    suspend fun startLearning(welcoming: Boolean) = learning.start(welcoming)
+    /**
+     * Brings back the work that was open last, or opens what was brought to this window, and goes on with learning; to be called once, before anything is
+     * shown. Where there is no work yet and nobody has been before, says what there is to be tried if [welcoming].
+     */
+    suspend fun start(welcoming: Boolean) {
+        document.start()
+        learning.start(welcoming && document.isFresh)
+    }
 
     /** Compiles Java programs in the pauses of typing, for ever; to be called once, for as long as the workshop is on a screen. */
     suspend fun keepReading() = programs.keepReading()
-
-    /** Brings back the work that was open last, or opens what was brought to this window; to be called once, before anything is shown. */
-    suspend fun startDocument() = document.start()
 
     /** Keeps the work as it changes, for ever; to be called once, for as long as the workshop is on a screen. */
     suspend fun keepDocument() = document.keepKeeping()

@@ -25,10 +25,7 @@ class LearningHolderTest {
     private val opened = mutableListOf<Workshop>()
 
     private fun workshop(welcoming: Boolean = false): Workshop = runBlocking {
-        openWorkshop(platform = platform).also {
-            it.startLearning(welcoming)
-            opened += it
-        }
+        openWorkshop(platform = platform, welcoming = welcoming).also { opened += it }
     }
 
     private val Workshop.learning: LearningState get() = state.learning

@@ -1,0 +1,11 @@
+package robotran.android
+
+import org.junit.rules.ExternalResource
+import org.robolectric.RuntimeEnvironment
+
+/** Each test begins as on a machine on which nobody has worked: Robolectric keeps an app's files from one test to the next. */
+class NothingKept : ExternalResource() {
+    override fun before() {
+        RuntimeEnvironment.getApplication().filesDir.deleteRecursively()
+    }
+}
