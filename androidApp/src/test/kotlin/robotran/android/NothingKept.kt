@@ -6,6 +6,8 @@ import org.robolectric.RuntimeEnvironment
 /** Each test begins as on a machine on which nobody has worked: Robolectric keeps an app's files from one test to the next. */
 class NothingKept : ExternalResource() {
     override fun before() {
-        RuntimeEnvironment.getApplication().filesDir.deleteRecursively()
+        val files = RuntimeEnvironment.getApplication().filesDir
+        println("KEPT $files ${files.walk().toList()}")
+        files.deleteRecursively()
     }
 }

@@ -6,12 +6,12 @@ import kotlinx.coroutines.DelicateCoroutinesApi
 import kotlinx.coroutines.GlobalScope
 import kotlinx.coroutines.promise
 import robotran.programs.ProgramReader
-import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.RobotLoads
+import robotran.projects.forFirstRobot
 import robotran.projects.readProject
 import robotran.projects.readRobotLoads
 import robotran.ui.workshop.PENBOT_CALIBRATION
@@ -44,13 +44,14 @@ private fun promiseRun(
     GlobalScope.promise {
         val source =
             if (name.endsWith(JAVA)) ProgramSource.Java(name, listOf(SourceFile(name, program))) else ProgramSource.Robolang(name, program)
-        when (val result = reader.read(source)) {
-            is ProgramResult.Mistaken -> {
+        val world = BuiltInWorlds.plain
+        when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
+            is RobotLoads.Mistaken -> {
                 refusal(result.mistakes.first().let { mistake -> mistake.range?.let { "Line ${it.line}: " }.orEmpty() + mistake.message })
             }
 
-            is ProgramResult.Ready -> {
-                val session = Session(BuiltInWorlds.plain, listOf(result.program), loadPhysicsEngine())
+            is RobotLoads.Ready -> {
+                val session = Session(world, result.loads, loadPhysicsEngine())
                 session.runUnattended(milliseconds)
                 session.close()
                 runResult(session.report().toJson(), session.romLog.entries.joinToString("") { it.text + "\n" })
