@@ -12,6 +12,8 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.safeDrawingPadding
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import androidx.lifecycle.viewmodel.initializer
+import androidx.lifecycle.viewmodel.viewModelFactory
 import robotran.ui.RobotranApp
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
@@ -19,7 +21,7 @@ import robotran.ui.workshop.Workshop
 
 /** The one activity: the workshop from edge to edge, with nothing to touch under the system's bars or a camera's cut-out. */
 class MainActivity : ComponentActivity() {
-    private val kept: KeptWorkshop by viewModels()
+    private val kept: KeptWorkshop by viewModels { viewModelFactory { initializer { KeptWorkshop(application) } } }
 
     override fun onCreate(savedInstanceState: Bundle?) {
         enableEdgeToEdge()

@@ -34,9 +34,6 @@ class MainActivityTest {
     val resources = ResourcesOfCompose()
 
     @get:Rule(order = 1)
-    val nothingKept = NothingKept()
-
-    @get:Rule(order = 2)
     val screen = createAndroidComposeRule<MainActivity>()
 
     /** While the robot drives there is always a next frame, so the clock is moved by hand. */
