@@ -12,16 +12,17 @@ import robotran.web.platform.WebPlatform
 import robotran.web.platform.askBeforeLosing
 import robotran.web.platform.onOutOfSight
 
-/** Puts the workshop into the page, in place of the words that are shown while it loads. */
+/** Puts the workshop into the page, and takes away the words that are shown while it loads once it is there. */
 @OptIn(ExperimentalComposeUiApi::class)
 fun main() {
     val page = checkNotNull(document.body) { "The page has no body." }
-    document.getElementById("loading")?.remove()
+    findResourcesInSite()
     val platform = WebPlatform(WebSpeaker())
     ComposeViewport(page) {
         RobotranStart(platform = platform, onOpened = { workshop ->
             openPageInterface(workshop)
             keepWork(workshop)
+            sayThatAppIsThere()
         })
     }
 }
