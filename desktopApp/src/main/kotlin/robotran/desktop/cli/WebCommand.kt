@@ -23,7 +23,11 @@ internal class WebCommand(
 ) : CoreCliktCommand("web") {
     private val port by option("--port", metavar = "N", help = "the port, $USUAL_PORT if not given; 0 for any that is free")
         .int().restrictTo(0..HIGHEST_PORT).default(USUAL_PORT)
-    private val site by option("--site", metavar = "FOLDER", help = "the site to serve, as ./gradlew :webApp:dist makes it; that of this source tree if not given")
+    private val site by option(
+        "--site",
+        metavar = "FOLDER",
+        help = "the site to serve, as ./gradlew :webApp:dist makes it; that of this source tree if not given",
+    )
 
     private val spoken by LanguageOption()
     private val console get() = process.speaking(spoken.language)
@@ -53,6 +57,8 @@ internal class WebCommand(
         private const val HIGHEST_PORT = 65_535
 
         /** As a server is stopped: by the keyboard, or by whoever started it. */
-        fun waitForEver(@Suppress("UNUSED_PARAMETER") server: SiteServer) = Thread.sleep(Long.MAX_VALUE)
+        fun waitForEver(
+            @Suppress("UNUSED_PARAMETER") server: SiteServer,
+        ) = Thread.sleep(Long.MAX_VALUE)
     }
 }

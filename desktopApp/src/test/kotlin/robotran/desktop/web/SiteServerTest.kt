@@ -1,7 +1,7 @@
 package robotran.desktop.web
 
-import java.net.ServerSocket
 import java.net.InetAddress
+import java.net.ServerSocket
 import java.net.URI
 import java.net.http.HttpClient
 import java.net.http.HttpRequest
@@ -61,9 +61,8 @@ class SiteServerTest {
 
     @Test
     fun `what is not there, or lies outside of the folder, is not found`() = serving { server ->
-        for (path in listOf("/nothing.js", "/files", "/files/", "/../secret.txt", "/%2e%2e/secret.txt", "/files/..%2f..%2fsecret.txt", "/%00", "//secret.txt")) {
-            assertEquals(404, ask(server, path).statusCode(), path)
-        }
+        val outside = listOf("/../secret.txt", "/%2e%2e/secret.txt", "/files/..%2f..%2fsecret.txt", "//secret.txt")
+        for (path in listOf("/nothing.js", "/files", "/files/", "/%00") + outside) assertEquals(404, ask(server, path).statusCode(), path)
     }
 
     @Test

@@ -6,7 +6,6 @@ import org.gradle.api.tasks.TaskProvider
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 import org.jetbrains.kotlin.gradle.targets.js.webpack.KotlinWebpack
-import org.jetbrains.kotlin.gradle.targets.wasm.binaryen.BinaryenExec
 import robotran.build.site.AssembleSite
 
 /** The web page: one Kotlin/Wasm executable with its page, the folder to put on a web server, and tests that drive it in a real browser. */
@@ -37,7 +36,7 @@ class WebAppPlugin : Plugin<Project> {
                 binaries.executable()
             }
         }
-        project.tasks.withType(BinaryenExec::class.java).configureEach { it.binaryenArguments.set(WASM_OPT) }
+        WasmOptimisation.use(project)
         // A map is as large as what it maps, and would make code of texts.
         project.tasks.withType(KotlinWebpack::class.java).configureEach { it.sourceMaps = false }
     }
@@ -84,21 +83,5 @@ class WebAppPlugin : Plugin<Project> {
             task.node.set(WebTools.node(project).path)
             task.modules.set(WebTools.directory(project).resolve("node_modules").path)
         }
-    }
-
-    private companion object {
-        /**
-         * What binaryen does to the app, docs/hosting.md says with which effect. Unlike Kotlin's own choice it does not reorder floating-point
-         * arithmetic, since runs are the same everywhere to the last bit.
-         */
-        val WASM_OPT =
-            listOf(
-                "--enable-gc", "--enable-reference-types", "--enable-exception-handling", "--enable-bulk-memory", "--enable-multivalue",
-                "--enable-nontrapping-float-to-int", "--enable-stack-switching",
-                // Kotlin's own code looks for these by name.
-                "--no-inline=kotlin.wasm.internal.throwValue", "--no-inline=kotlin.wasm.internal.getKotlinException",
-                "--no-inline=kotlin.wasm.internal.jsToKotlinStringAdapter",
-                "--closed-world", "--traps-never-happen", "-O1",
-            )
     }
 }

@@ -12,8 +12,8 @@ import org.gradle.api.tasks.TaskAction
 import java.io.File
 
 /**
- * Makes the folder that is put on a web server, docs/hosting.md says how: `index.html`, `manifest.webmanifest` and `service-worker.js`, and all else in
- * `files` under names that say what is in it. The same built page gives the same folder, byte for byte.
+ * Makes the folder that is put on a web server, docs/hosting.md says how: `index.html`, `manifest.webmanifest` and `service-worker.js`, and
+ * all else in `files` under names that say what is in it. The same built page gives the same folder, byte for byte.
  */
 @CacheableTask
 abstract class AssembleSite : DefaultTask() {
@@ -43,7 +43,7 @@ abstract class AssembleSite : DefaultTask() {
         val addresses = icons.associate { it.content.name to it.address }
         val manifest = filled("manifest.webmanifest", addresses)
         val version = versionOf(files, manifest)
-        val html = page(builtApp, version, addresses)
+        val html = htmlOf(builtApp, version, addresses)
         output.resolve("index.html").writeText(html)
         output.resolve("manifest.webmanifest").writeText(manifest)
         val kept =
@@ -52,7 +52,7 @@ abstract class AssembleSite : DefaultTask() {
         output.resolve("service-worker.js").writeText(filled("service-worker.js", mapOf("version" to version, "files" to json(kept))))
     }
 
-    private fun page(app: BuiltApp, version: String, addresses: Map<String, String>): String {
+    private fun htmlOf(app: BuiltApp, version: String, addresses: Map<String, String>): String {
         val script = filled("start.js", emptyMap())
         val style = filled("page.css", emptyMap())
         val site =

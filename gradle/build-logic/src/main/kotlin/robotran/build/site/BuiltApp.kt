@@ -26,7 +26,8 @@ internal class BuiltApp(folder: File) {
     /** What the first picture cannot be drawn without; the compiler for Java, for one, can wait. */
     val neededFirst: List<SiteFile> =
         FIRST_MODULES.map { stem ->
-            code.firstOrNull { it.name.startsWith("$stem.") && it.content.extension == "wasm" } ?: throw GradleException("There is no $stem.wasm in $folder.")
+            code.firstOrNull { it.name.startsWith("$stem.") && it.content.extension == "wasm" }
+                ?: throw GradleException("There is no $stem.wasm in $folder.")
         } + resources.values.filter { it.content.extension == "ttf" }
 
     /** The licences of what is in the scripts, as webpack has gathered them. */

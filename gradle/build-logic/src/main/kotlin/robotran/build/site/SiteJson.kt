@@ -6,9 +6,11 @@ internal fun json(value: Any): String =
         is String -> quoted(value)
         is Number -> value.toString()
         is List<*> -> value.joinToString(",", "[", "]") { json(checkNotNull(it)) }
-        is Map<*, *> -> value.entries.joinToString(",", "{", "}") { (key, content) -> "${json(checkNotNull(key))}:${json(checkNotNull(content))}" }
+        is Map<*, *> -> value.entries.joinToString(",", "{", "}", transform = ::entry)
         else -> error("JSON of a ${value::class} is not needed")
     }
+
+private fun entry(entry: Map.Entry<*, *>): String = "${json(checkNotNull(entry.key))}:${json(checkNotNull(entry.value))}"
 
 private fun quoted(text: String): String =
     text.map {

@@ -1,8 +1,8 @@
 package robotran.build.site
 
 /**
- * The content security policy of the page: its own files and nothing else, no code made of texts, no style but its own. WebAssembly has to be allowed
- * by name. It stands in the page itself, so that it holds wherever the site is hosted.
+ * The content security policy of the page: its own files and nothing else, no code made of texts, no style but its own. WebAssembly has to
+ * be allowed by name. It stands in the page itself, so that it holds wherever the site is hosted.
  *
  * @param script the one script that is in the page.
  * @param style the one style sheet that is in the page.

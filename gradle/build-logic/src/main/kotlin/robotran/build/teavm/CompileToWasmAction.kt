@@ -55,7 +55,7 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         }
     }
 
-    /** TeaVM's loader as an ES module, made so that it needs no `eval`; the mark keeps webpack from following the imports it makes for Node only. */
+    /** TeaVM's loader as an ES module that needs no `eval`; the mark keeps webpack from following the imports it makes for Node only. */
     private fun runtime(): String =
         LoaderWithoutEval.rewrite(resource(TeaVMTool::class.java, RUNTIME), resource(CompileToWasmAction::class.java, FUNCTIONS))
             .replace("import(", "import(/* webpackIgnore: true */ ")

@@ -3,8 +3,9 @@ package robotran.build.teavm
 import org.gradle.api.GradleException
 
 /**
- * Rewrites TeaVM's loader so that it makes no code of texts: a page's security policy may then forbid it. TeaVM does so to give functions exactly
- * as many parameters as they have in Java, which nothing here looks at, and for scripts that are written in Java (`@JSBody`), which are few and known.
+ * Rewrites TeaVM's loader so that it makes no code of texts: a page's security policy may then forbid it. TeaVM does so to give functions
+ * exactly as many parameters as they have in Java, which nothing here looks at, and for scripts that are written in Java (`@JSBody`), which
+ * are few and known.
  */
 internal object LoaderWithoutEval {
     /**
@@ -30,15 +31,17 @@ internal object LoaderWithoutEval {
         return text.replaceRange(from, to + end.length, replacement)
     }
 
-    private const val PASSING_JAVA_ERRORS = ")(rethrowJavaAsJs, fn);"
+    private const val FUNCTION_OF_JAVA = "new Function(\n      \"rethrowJavaAsJs\""
+    private const val METHOD_OF_JAVA = "new Function(\n        \"rethrowJavaAsJs\""
+    private const val END_OF_IT = ")(rethrowJavaAsJs, fn);"
 
     private val REPLACEMENTS =
         listOf(
             Triple("new Function(\"return \" + name", ");", "() => globalNamed(name);"),
             Triple("new Function(\"value\", name", ")(value);", "globalThis[name] = value;"),
-            Triple("return new Function(\n      \"rethrowJavaAsJs\"", PASSING_JAVA_ERRORS, "return handingOn(fn, params.length, vararg, rethrowJavaAsJs);"),
+            Triple("return $FUNCTION_OF_JAVA", END_OF_IT, "return handingOn(fn, params.length, vararg, rethrowJavaAsJs);"),
             Triple("return new Function(\n      \"constructor\"", ")(c);", "return renamed(name, c);"),
-            Triple("= new Function(\n        \"rethrowJavaAsJs\"", PASSING_JAVA_ERRORS, "= handingOnWithThis(fn, params.length, vararg, rethrowJavaAsJs);"),
+            Triple("= $METHOD_OF_JAVA", END_OF_IT, "= handingOnWithThis(fn, params.length, vararg, rethrowJavaAsJs);"),
             Triple("new Function(\n      \"wrapCallFromJavaToJs\"", ").bind(null, wrapCallFromJavaToJs);", "scriptOf;"),
             handedToJs("[\"callFunction\" + i] = ", "(fn, ...values)", "fn(...values)"),
             handedToJs(
