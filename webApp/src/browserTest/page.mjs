@@ -13,10 +13,10 @@ const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated/;
 /**
  * Opens the page and waits until the workshop is there; what goes wrong in the page, or is fetched from elsewhere, is collected in
  * `troubles`, the addresses of all that is fetched in `fetched`.
- * The function `prepare`, if there is one, runs in the page before anything else. Nothing is kept for days without a network unless it `keeps`.
+ * The function `prepare`, if there is one, runs in the page before anything else. Nothing is kept for days
+ * without a network unless `serviceWorkers` is 'allow'.
  */
-export async function openPage(browser, site, { width, height, dark = false, prepare, keeps = false }) {
-  const serviceWorkers = keeps ? 'allow' : 'block';
+export async function openPage(browser, site, { width, height, dark = false, prepare, serviceWorkers = 'block' }) {
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light', serviceWorkers });
   const page = await context.newPage();
   if (prepare) await page.addInitScript(prepare);

@@ -129,8 +129,19 @@
     }));
     coming.get(whole).catch(() => undefined);
   };
+  // Compose fetches a file of texts anew for each text that it shows.
+  const texts = new Map();
+  const textsOf = (address) => {
+    if (!texts.has(address)) {
+      const bytes = download(address).then((response) => response.arrayBuffer());
+      texts.set(address, bytes);
+      bytes.catch(() => texts.delete(address));
+    }
+    return texts.get(address).then((bytes) => new Response(bytes));
+  };
   const fetchWhatComes = (input, options) => {
     const address = typeof input === 'string' || input instanceof URL ? absolute(input) : '';
+    if (address.endsWith('.cvr')) return textsOf(address);
     const response = coming.get(address);
     if (!response) return fetchAsEver(input, options);
     coming.delete(address);
@@ -159,7 +170,6 @@
     started() {
       // Not before it is drawn.
       requestAnimationFrame(() => requestAnimationFrame(() => part('loading')?.remove()));
-      globalThis.fetch = fetchAsEver;
       coming.clear();
       removeEventListener('error', onError, true);
       removeEventListener('unhandledrejection', onRejection);
