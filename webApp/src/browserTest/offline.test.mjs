@@ -121,7 +121,7 @@ test('an update waits for the next visit, and what is open goes on with its own 
 
 test('what breaks off half-way is no harm, and is gone on with at the next visit', async () => {
   const site = await newSite();
-  site.refuse = (path) => (/\/ecj\.\w+\.wasm$/.test(path) ? 503 : null);
+  site.refuse = (path) => (path.endsWith('.webmanifest') ? 503 : null); // nearly the last
   const { page } = await openPage(browser, site, { ...SIZE, serviceWorkers: 'allow' });
   await until(page, () => globalThis.caches.keys().then((names) => names.length === 1));
   await until(page, () => navigator.serviceWorker.getRegistration().then((registration) => !registration));
