@@ -84,7 +84,12 @@ private fun onFilesDropped(take: (String) -> Unit): Unit = js(
 
 /** Calls [rest] whenever the page goes out of sight, after which it may be gone without a word. */
 internal fun onOutOfSight(rest: () -> Unit): Unit =
-    js("document.addEventListener('visibilitychange', () => { if (document.visibilityState === 'hidden') rest(); })")
+    js(
+        """{
+            document.addEventListener('visibilitychange', () => { if (document.visibilityState === 'hidden') rest(); });
+            addEventListener('pagehide', () => rest());
+        }""",
+    )
 
 /** Lets the browser ask before the page is left while [wouldLose] says that something would be lost. */
 internal fun askBeforeLosing(wouldLose: () -> Boolean): Unit =

@@ -49,10 +49,7 @@ private class MirrorElement(first: Described) {
 
     init {
         element.id = first.id
-        element.style.setProperty("position", "absolute")
-        element.style.setProperty("margin", "0")
-        element.style.setProperty("padding", "0")
-        element.style.setProperty("overflow", "hidden")
+        for ((name, value) in STYLE) element.style.setProperty(name, value)
         when (first.tag) {
             "button" -> element.addEventListener("click") { press() }
             "input" -> element.addEventListener("input") { slide() }
@@ -112,5 +109,17 @@ private class MirrorElement(first: Described) {
 
     private companion object {
         val SIDES = listOf("left", "top", "width", "height")
+
+        /** Lies where its place says, whatever the page's own buttons look like. */
+        val STYLE = mapOf(
+            "position" to "absolute",
+            "box-sizing" to "border-box",
+            "min-width" to "0",
+            "min-height" to "0",
+            "margin" to "0",
+            "padding" to "0",
+            "border" to "none",
+            "overflow" to "hidden",
+        )
     }
 }

@@ -2,7 +2,6 @@ package robotran.ui.parts
 
 import androidx.compose.ui.input.pointer.PointerEvent
 import androidx.compose.ui.input.pointer.isCtrlPressed
-import androidx.compose.ui.input.pointer.keyboardModifiers
 
 /** Browsers count in pixels; two fingers that move apart on a trackpad are a wheel with Ctrl to them, in much smaller steps. */
 internal actual fun PointerEvent.wheelNotches(density: Float): Float {
