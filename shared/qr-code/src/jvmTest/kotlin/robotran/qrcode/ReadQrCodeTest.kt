@@ -1,0 +1,55 @@
+package robotran.qrcode
+
+import com.google.zxing.BinaryBitmap
+import com.google.zxing.DecodeHintType
+import com.google.zxing.RGBLuminanceSource
+import com.google.zxing.common.HybridBinarizer
+import com.google.zxing.qrcode.QRCodeReader
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
+
+/** Reads drawn codes with another reader, as a phone does. */
+class ReadQrCodeTest {
+    @Test
+    fun `codes of all sizes are read as what they say`() {
+        var length = 1
+        val sizes = mutableSetOf<Int>()
+        while (length <= QrCode.MOST_BYTES) {
+            val text = linkOf(length)
+            val code = assertNotNull(QrCode.of(text))
+            sizes += code.size
+            assertEquals(text, read(code), "$length characters")
+            length += if (length < 300) 7 else 31
+        }
+        assertEquals(30, sizes.size)
+    }
+
+    @Test
+    fun `umlauts and accents come back`() {
+        val text = "https://example.org/#Prüfung-año-ß"
+        assertEquals(text, read(assertNotNull(QrCode.of(text))))
+    }
+
+    /** Something like a link, which looks different at every place. */
+    private fun linkOf(length: Int): String {
+        val signs = ('a'..'z') + ('A'..'Z') + ('0'..'9') + listOf('-', '_')
+        return ("https://example.org/#p=a" + List(length) { signs[(it * it * 31 + it * 7 + length) % signs.size] }.joinToString("")).take(length)
+    }
+
+    private fun read(code: QrCode): String {
+        val side = (code.size + 2 * QrCode.MARGIN) * PIXELS
+        val pixels = IntArray(side * side) { place ->
+            val column = place % side / PIXELS - QrCode.MARGIN
+            val row = place / side / PIXELS - QrCode.MARGIN
+            val isInside = column in 0..<code.size && row in 0..<code.size
+            if (isInside && code.isDark(column, row)) 0 else 0xFFFFFF
+        }
+        val picture = BinaryBitmap(HybridBinarizer(RGBLuminanceSource(side, side, pixels)))
+        return QRCodeReader().decode(picture, mapOf(DecodeHintType.CHARACTER_SET to "UTF-8")).text
+    }
+
+    private companion object {
+        const val PIXELS = 4
+    }
+}
