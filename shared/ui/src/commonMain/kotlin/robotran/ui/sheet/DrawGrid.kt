@@ -38,7 +38,8 @@ internal fun DrawScope.drawGridFigures(paper: Paper, view: SheetTransform, colou
         val place = view.toPixels(x.toDouble(), 0.0).x
         if (place in 0f..size.width) drawLabel(labels, "$x", Offset(place, low), height, colours.figures)
     }
-    val left = (view.paper.left - height).coerceIn(height, (size.width - height).coerceAtLeast(height))
+    // Beside the wall around the paper.
+    val left = (view.paper.left - view.pixelsPerCentimetre - height).coerceIn(height, (size.width - height).coerceAtLeast(height))
     for (y in step..paper.height.toInt() step step) {
         val place = view.toPixels(0.0, y.toDouble()).y
         if (place in 0f..size.height) drawLabel(labels, "$y", Offset(left, place), height, colours.figures)
