@@ -57,7 +57,9 @@ internal fun ProgramPane(
     Column(modifier.background(LocalRobotranColours.current.pane)) {
         if (programs.robots.size > 1) RobotChooser(programs) { onEvent(ProgramEvent.RobotChosen(it)) }
         ProgramTabs(programs, onEvent) { renaming = true }
-        if (programs.program.files.size > 1) FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) })
+        if (programs.program.files.size > 1) {
+            FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) }, { renaming = true })
+        }
         ShownFile(programs, state.settings, state.runningLine, mostMistakes, onEvent, Modifier.weight(1f)) { renaming = true }
         if (state.remarks.isNotEmpty()) RemarkList(state.remarks, mostMistakes)
         programs.closed?.let { ClosedProgram(it, programs.canReopen) { onEvent(ProgramEvent.ProgramReopened) } }

@@ -61,7 +61,7 @@ class RunDrawerTest {
         workshop.handle(RunEvent.RunPressed)
         pass(400)
         onNodeWithTag("log").assertIsDisplayed()
-        onNodeWithTag("chart-sensor_1").assertIsDisplayed()
+        onNodeWithTag("chart-sensor_1", useUnmergedTree = true).assertIsDisplayed()
         onNodeWithTag("beside-log").performClick()
         pass(100)
         assertEquals(DrawerTab.CHART to DrawerTab.LOG, workshop.state.run.drawer.run { tab to beside })

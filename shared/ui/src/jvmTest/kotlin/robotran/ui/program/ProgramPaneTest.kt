@@ -328,7 +328,7 @@ class ProgramPaneTest {
         workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
         workshop.handle(ProgramEvent.ClassAdded)
         pass(200)
-        rest("program-1")
+        rest("file-1")
         onNodeWithTag("remove-class").performClick()
         pass(300)
         assertEquals(1, workshop.state.program.files.size)
