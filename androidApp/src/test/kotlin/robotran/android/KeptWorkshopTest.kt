@@ -2,6 +2,7 @@ package robotran.android
 
 import android.app.Application
 import android.os.Looper
+import androidx.lifecycle.SavedStateHandle
 import kotlinx.coroutines.runBlocking
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
@@ -68,7 +69,7 @@ class KeptWorkshopTest {
     }
 
     private fun opened(): Workshop {
-        kept = KeptWorkshop(app)
+        kept = KeptWorkshop(app, SavedStateHandle())
         waitUntil { kept.workshop != null }
         return checkNotNull(kept.workshop)
     }

@@ -1,0 +1,72 @@
+package robotran.build.android
+
+import com.android.build.api.artifact.ScopedArtifact
+import com.android.build.api.artifact.SingleArtifact
+import com.android.build.api.variant.ApplicationVariant
+import com.android.build.api.variant.ScopedArtifacts
+import org.gradle.api.Project
+import org.gradle.api.file.RegularFile
+import org.gradle.api.provider.Provider
+import org.gradle.api.tasks.TaskProvider
+import org.gradle.language.base.plugins.LifecycleBasePlugin
+import robotran.build.AndroidPlugin
+import robotran.build.catalog
+
+/** Looks whether the release, as R8 has left it, would run on every Android it is for. */
+internal class ReleaseChecks(
+    private val project: Project,
+    private val variant: ApplicationVariant,
+) {
+    private val reports = project.layout.buildDirectory.dir("reports")
+
+    fun register() {
+        val checks = listOf(registerApiCheck(), registerShrunkRun())
+        project.tasks.named(LifecycleBasePlugin.CHECK_TASK_NAME) { it.dependsOn(checks) }
+    }
+
+    private fun registerApiCheck(): TaskProvider<*> {
+        val signatures = project.configurations.create("oldestAndroid") {
+            it.isCanBeConsumed = false
+            it.isTransitive = false
+        }
+        val library = catalog(project).findLibrary("android-oldest").get().get()
+        project.dependencies.add(signatures.name, "${library.module}:${library.versionConstraint.requiredVersion}@signature")
+        return project.tasks.register("checkAndroidApi", CheckAndroidApi::class.java) {
+            it.group = LifecycleBasePlugin.VERIFICATION_GROUP
+            it.description = "Looks for classes and methods in the release that an Android it is for does not have."
+            it.apkFolder.set(variant.artifacts.get(SingleArtifact.APK))
+            it.oldest.from(signatures)
+            it.newest.from(framework())
+            it.allowances.set(project.layout.projectDirectory.file("newer-api.txt"))
+            it.report.set(reports.map { folder -> folder.file("androidApi.txt") })
+        }
+    }
+
+    private fun registerShrunkRun(): TaskProvider<*> {
+        val run = project.tasks.register("runShrunk", RunShrunk::class.java) { task ->
+            task.group = LifecycleBasePlugin.VERIFICATION_GROUP
+            task.description = "Holds what R8 leaves of the app against the recorded runs, on the JVM."
+            task.program.from(project.tasks.named("compileDebugUnitTestKotlin"))
+            task.programPackage.set("robotran/android/recorded/")
+            task.mainClass.set("robotran.android.recorded.ShrunkRunsKt")
+            task.tree.set(project.rootProject.layout.projectDirectory)
+            task.read.from(project.rootProject.fileTree("examples"))
+            task.read.from(listOf("world", "programs", "projects").map { project.rootProject.fileTree("shared/$it/src/commonTest/resources/runs") })
+            // R8 writes it beside its mapping.
+            task.configuration.set(variant.artifacts.get(SingleArtifact.OBFUSCATION_MAPPING_FILE).flatMap(::besideMapping))
+            task.framework.from(framework())
+            task.shrunk.set(project.layout.buildDirectory.file("shrunk/robotran.jar"))
+            task.report.set(reports.map { folder -> folder.file("runShrunk.txt") })
+        }
+        val all = variant.artifacts.forScope(ScopedArtifacts.Scope.ALL)
+        all.use(run).toGet(ScopedArtifact.CLASSES, RunShrunk::jars, RunShrunk::folders)
+        all.use(run).toGet(ScopedArtifact.JAVA_RES, RunShrunk::resourceJars, RunShrunk::resourceFolders)
+        return run
+    }
+
+    private fun besideMapping(mapping: RegularFile): Provider<RegularFile> =
+        project.layout.file(project.provider { mapping.asFile.resolveSibling("configuration.txt") })
+
+    private fun framework(): Provider<String> =
+        project.providers.environmentVariable("ANDROID_HOME").map { "$it/platforms/android-${AndroidPlugin.COMPILE_SDK}/android.jar" }
+}
