@@ -18,11 +18,11 @@ import robotran.ui.workshop.Workshop
 
 /**
  * Keeps the workshop, and a run in it, when the activity is made anew. When Android ends the whole process in the background, the store of the platform brings
- * the work back, and [saved] what was to be seen of it.
+ * the work back, and [ShownScreen] what was to be seen of it.
  */
 class KeptWorkshop(
     application: Application,
-    private val saved: SavedStateHandle,
+    saved: SavedStateHandle,
 ) : AndroidViewModel(application) {
     val platform = AndroidPlatform(application)
 
@@ -30,16 +30,21 @@ class KeptWorkshop(
     var workshop: Workshop? by mutableStateOf(null)
         private set
 
+    private val run = KeptRun(application.noBackupFilesDir.resolve("run.robotran"))
+    private val screen = ShownScreen(saved, run)
+
     init {
-        viewModelScope.launch {
-            workshop = openWorkshop(platform = platform, scope = viewModelScope, welcoming = true).also { ShownScreen(it).restoreFrom(saved) }
-        }
+        viewModelScope.launch { workshop = openWorkshop(platform = platform, scope = viewModelScope, welcoming = true).also { screen.restore(it) } }
     }
 
     /** The app is out of sight and may be ended without a word. */
     fun rest() {
         // What is being kept must not end with the activity.
-        CoroutineScope(Dispatchers.Main.immediate).launch { workshop?.restDocument() }
+        CoroutineScope(Dispatchers.Main.immediate).launch {
+            val workshop = workshop ?: return@launch
+            workshop.restDocument()
+            run.keep(workshop)
+        }
     }
 
     /** Opens the files or the link that another app hands over with [intent], if there are any. */

@@ -5,7 +5,6 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
 import org.junit.Assert.assertEquals
-import org.junit.Assert.assertNotNull
 import org.junit.Assert.assertNull
 import org.junit.Assert.assertTrue
 import org.junit.Rule
@@ -93,13 +92,17 @@ class DevicesTest(
     }
 
     private fun comeBack() {
-        app.workshop.handle(WorldEditEvent.EditorOpened)
-        app.pass(SHORT)
+        show(Pane.WORLD)
+        app.touch("run")
+        app.pass(LONG)
+        val before = app.workshop.state
         app.endTheProcessAndComeBack()
+        app.pass(LONG)
         app.photograph("$picture-7-back")
         assertEquals(PROGRAM, app.workshop.state.programText)
-        assertEquals(Pane.PROGRAM, app.workshop.state.pane)
-        assertNotNull(app.workshop.state.worldEdit)
+        assertEquals(Pane.WORLD, app.workshop.state.pane)
+        assertEquals(before.run.time, app.workshop.state.run.time)
+        assertEquals(before.session.ink.lengthCentimetres, app.workshop.state.session.ink.lengthCentimetres, 0.0)
     }
 
     private fun show(pane: Pane) {

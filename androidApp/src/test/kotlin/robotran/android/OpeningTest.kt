@@ -65,7 +65,7 @@ class OpeningTest {
 
     @Test
     fun `a link that is sent opens its world`() {
-        val maze = BuiltInWorlds.all.first { it.title != BuiltInWorlds.plain.title }
+        val maze = BuiltInWorlds.plain.copy(title = "Our maze")
         val link = runBlocking { linkOf(Project(maze)) } as LinkMaking.Made
         app.open()
         app.receive(Intent(Intent.ACTION_SEND).putExtra(Intent.EXTRA_TEXT, "Try this: https://school.example/${link.fragment} today"))
@@ -106,9 +106,10 @@ class OpeningTest {
 
     @Test
     fun `a file of another kind is refused in a dialog`() {
-        offer("%PDF-1.4")
+        val letter = Uri.parse("content://files.example/document/letter.pdf")
+        offer("%PDF-1.4", letter)
         app.open()
-        app.receive(viewing(Uri.parse("content://files.example/document/letter.pdf").also { offer("%PDF-1.4", it) }))
+        app.receive(viewing(letter))
         assertTrue(app.workshop.state.document.dialog is DocumentDialog.Refused)
     }
 
