@@ -50,6 +50,29 @@ class BackTest {
     }
 
     @Test
+    fun `on a tablet all panes are there, so Back leaves the app once nothing lies over them`() {
+        app.change(Device.TABLET_11_INCH.qualifiers(upright = false))
+        app.goBack()
+        show(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        show(RunEvent.DrawerChosen(DrawerTab.CHART))
+        app.goBack()
+        assertNull(app.workshop.state.run.drawer.tab)
+        app.goBack()
+        assertTrue(app.activity.isFinishing)
+    }
+
+    @Test
+    fun `Back closes the find bar and leaves the program as it is`() {
+        app.goBack()
+        show(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        app.touch("find-open")
+        assertTrue(app.isThere("find-bar"))
+        app.goBack()
+        assertFalse(app.isThere("find-bar"))
+        assertEquals(Pane.PROGRAM, app.workshop.state.pane)
+    }
+
+    @Test
     fun `Back leaves the editor of worlds and keeps what was done`() {
         app.goBack()
         show(WorldEditEvent.EditorOpened)

@@ -1,7 +1,7 @@
 package robotran.android
 
 /** What pictures are taken on: sizes in dp, upright. */
-internal enum class Device(private val width: Int, private val height: Int, private val density: String) {
+enum class Device(private val width: Int, private val height: Int, private val density: String) {
     PHONE(411, 891, "420dpi"),
     TABLET_8_INCH(600, 960, "hdpi"),
     TABLET_11_INCH(800, 1280, "hdpi"),

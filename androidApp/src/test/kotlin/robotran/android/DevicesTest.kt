@@ -111,7 +111,7 @@ class DevicesTest(
     }
 
     companion object {
-        private const val PROGRAM = "pen down\nrepeat 6\n  forward 15\n  right 60\nend\n"
+        private const val PROGRAM = "pen down\nrepeat 6 times\n  forward 15\n  turn right 60\nend\n"
 
         /** Milliseconds. */
         private const val SHORT = 300L

@@ -31,7 +31,7 @@ class SharingTest {
     @Test
     fun `a link is copied`() = runBlocking {
         assertTrue(sharing.copy("#p=aXY"))
-        val clip = context.getSystemService(ClipboardManager::class.java).primaryClip
+        val clip = context.getSystemService(ClipboardManager::class.java)?.primaryClip
         assertEquals("#p=aXY", clip?.getItemAt(0)?.text.toString())
     }
 }

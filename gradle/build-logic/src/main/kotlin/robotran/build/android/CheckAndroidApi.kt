@@ -5,8 +5,10 @@ import org.gradle.api.GradleException
 import org.gradle.api.file.ConfigurableFileCollection
 import org.gradle.api.file.DirectoryProperty
 import org.gradle.api.file.RegularFileProperty
+import org.gradle.api.provider.Property
 import org.gradle.api.tasks.CacheableTask
 import org.gradle.api.tasks.Classpath
+import org.gradle.api.tasks.Input
 import org.gradle.api.tasks.InputDirectory
 import org.gradle.api.tasks.InputFile
 import org.gradle.api.tasks.OutputFile
@@ -25,9 +27,15 @@ abstract class CheckAndroidApi : DefaultTask() {
     @get:Classpath
     abstract val oldest: ConfigurableFileCollection
 
+    @get:Input
+    abstract val oldestApi: Property<Int>
+
     /** `android.jar` of the newest. */
     @get:Classpath
     abstract val newest: ConfigurableFileCollection
+
+    @get:Input
+    abstract val newestApi: Property<Int>
 
     /** What looks at `SDK_INT` before it uses something newer, see [ApiAllowances]. */
     @get:InputFile
@@ -40,22 +48,29 @@ abstract class CheckAndroidApi : DefaultTask() {
     @TaskAction
     fun check() {
         val allowed = ApiAllowances(allowances.get().asFile.readText())
-        val (guarded, unguarded) = missing { declareSignatures(oldest.singleFile) }.partition(allowed::allows)
-        val removed = missing { classFiles(newest.singleFile).forEach(::declare) }
-        val faults = unguarded.map { "The oldest Android lacks $it" } + removed.map { "The newest Android lacks $it" } +
-            allowed.needless.map { "Nothing needs the allowance $it" }
-        report.get().asFile.writeText((faults + guarded.map { "Looks at SDK_INT before: $it" }).joinToString("\n", postfix = "\n"))
+        val missing = missing("API ${oldestApi.get()}") { declareSignatures(oldest.singleFile) } +
+            missing("API ${newestApi.get()}") { classFiles(newest.singleFile).forEach(::declare) }
+        val (guarded, unguarded) = missing.partition { (_, use) -> allowed.allows(use) }
+        val faults = unguarded.map { (api, use) -> "$api lacks $use" } + allowed.needless.map { "Nothing needs the allowance $it" }
+        val lines = faults + guarded.map { (api, use) -> "Only after a look at SDK_INT: $api lacks $use" }
+        report.get().asFile.writeText(lines.joinToString("\n", postfix = "\n"))
         if (faults.isNotEmpty()) throw GradleException("${faults.take(MOST_TOLD).joinToString("\n")}\n${faults.size} faults; all are in ${report.get()}")
-        logger.lifecycle("Nothing is used that Android lacks; ${guarded.size} uses of newer methods look at SDK_INT before")
+        logger.lifecycle("Nothing is used that API ${oldestApi.get()} or ${newestApi.get()} lacks, but for ${guarded.size} uses that look at SDK_INT before")
     }
 
-    private fun missing(declarePlatform: UsedApi.() -> Unit): List<UsedApi.Use> {
+    private fun missing(
+        platform: String,
+        declarePlatform: UsedApi.() -> Unit,
+    ): List<Pair<String, UsedApi.Use>> {
         val api = UsedApi().apply(declarePlatform)
         apkFolder.asFileTree.files.filter { it.extension == "apk" }.forEach(api::declareAndReadDex)
-        return api.missing()
+        return api.missing { OUTLINE in it }.map { platform to it }
     }
 
     private companion object {
         const val MOST_TOLD = 40
+
+        /** R8 takes calls of newer methods out of the classes they are in, so that older Androids need not look at them when they load the class. */
+        const val OUTLINE = "\$\$ExternalSyntheticApiModelOutline"
     }
 }

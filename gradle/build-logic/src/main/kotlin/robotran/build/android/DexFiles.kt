@@ -27,7 +27,7 @@ private fun UsedApi.declareAndRead(definition: DexBackedClassDef) {
     supertypes.forEach { use(it, null, name) }
     for (method in definition.methods) {
         for (instruction in method.implementation?.instructions ?: emptyList()) {
-            if (instruction is ReferenceInstruction) use(instruction, "$name.${method.name}")
+            if (instruction is ReferenceInstruction) use(instruction, "$name.${nameOf(method)}")
         }
     }
 }

@@ -36,7 +36,9 @@ internal class ReleaseChecks(
             it.description = "Looks for classes and methods in the release that an Android it is for does not have."
             it.apkFolder.set(variant.artifacts.get(SingleArtifact.APK))
             it.oldest.from(signatures)
+            it.oldestApi.set(AndroidPlugin.MIN_SDK)
             it.newest.from(framework())
+            it.newestApi.set(AndroidPlugin.COMPILE_SDK)
             it.allowances.set(project.layout.projectDirectory.file("newer-api.txt"))
             it.report.set(reports.map { folder -> folder.file("androidApi.txt") })
         }

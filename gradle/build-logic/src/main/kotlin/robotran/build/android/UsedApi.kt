@@ -27,9 +27,19 @@ internal class UsedApi {
         if (!owner.startsWith('[')) uses += Use(owner, member, from)
     }
 
-    /** What is referred to and is not there, each with a method that does so. */
-    fun missing(): List<Use> = uses.distinct().filterNot { if (it.member == null) it.owner in classes else has(it.owner, it.member) }
-        .sortedBy { it.toString() }
+    /**
+     * What is referred to and is not there, each with a method that does so.
+     *
+     * @param isOutline whether a class holds nothing but what R8 has taken out of others: then those that call it count as using what it uses.
+     */
+    fun missing(isOutline: (String) -> Boolean = { false }): List<Use> {
+        val callers = uses.filter { it.member != null && isOutline(it.owner) }.groupBy({ "${it.owner}.${it.member}" }, { it.from })
+        return lacking().flatMap { use ->
+            if (isOutline(use.from.substringBefore('.'))) callers[use.from].orEmpty().map { use.copy(from = it) } else listOf(use)
+        }.distinct().sortedBy { it.toString() }
+    }
+
+    private fun lacking(): List<Use> = uses.distinct().filterNot { if (it.member == null) it.owner in classes else has(it.owner, it.member) }
 
     private fun has(owner: String, member: String): Boolean {
         val known = classes[owner] ?: return false

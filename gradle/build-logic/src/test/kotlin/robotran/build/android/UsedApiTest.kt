@@ -31,6 +31,14 @@ class UsedApiTest {
         assertEquals(listOf("java/util/List.reversed()V, used by Own.go", "javax/tools/Tool, used by Own"), api.missing().map { it.toString() })
     }
 
+    @Test
+    fun `what R8 has taken out of a method counts as used by that method`() {
+        api.declare("Outline", listOf("java/lang/Object"), setOf("m()V"))
+        api.use("java/util/List", "getFirst()V", from = "Outline.m()V")
+        api.use("Outline", "m()V", from = "Own.go()V")
+        assertEquals(listOf("java/util/List.getFirst()V, used by Own.go()V"), api.missing { it == "Outline" }.map { it.toString() })
+    }
+
     private fun classFile(
         name: String,
         above: String?,
