@@ -43,9 +43,12 @@ class AndroidAppPlugin : Plugin<Project> {
                 it.apkFolder.set(variant.artifacts.get(SingleArtifact.APK))
                 it.report.set(project.layout.buildDirectory.file("reports/verify-${variant.name}-apk.txt"))
             }
-            project.tasks.named(LifecycleBasePlugin.CHECK_TASK_NAME) { it.dependsOn(verify) }
+            if (variant.buildType == AndroidPlugin.RELEASE) {
+                ReleaseChecks(project, variant).register(verify)
+            } else {
+                project.tasks.named(LifecycleBasePlugin.CHECK_TASK_NAME) { it.dependsOn(verify) }
+            }
         }
-        components.onVariants(components.selector().withBuildType(AndroidPlugin.RELEASE)) { ReleaseChecks(project, it).register() }
     }
 
     private fun runUnitTestsOnRobolectric(project: Project) {

@@ -1,14 +1,15 @@
 package robotran.build.android
 
-import com.android.build.api.artifact.ScopedArtifact
 import com.android.build.api.artifact.SingleArtifact
 import com.android.build.api.variant.ApplicationVariant
-import com.android.build.api.variant.ScopedArtifacts
 import org.gradle.api.Project
+import org.gradle.api.artifacts.Configuration
+import org.gradle.api.attributes.Usage
 import org.gradle.api.file.RegularFile
 import org.gradle.api.provider.Provider
 import org.gradle.api.tasks.TaskProvider
 import org.gradle.language.base.plugins.LifecycleBasePlugin
+import org.jetbrains.kotlin.gradle.plugin.KotlinPlatformType
 import robotran.build.AndroidPlugin
 import robotran.build.catalog
 
@@ -19,9 +20,14 @@ internal class ReleaseChecks(
 ) {
     private val reports = project.layout.buildDirectory.dir("reports")
 
-    fun register() {
-        val checks = listOf(registerApiCheck(), registerShrunkRun())
-        project.tasks.named(LifecycleBasePlugin.CHECK_TASK_NAME) { it.dependsOn(checks) }
+    /** All of it takes R8 several minutes, so it is not part of `check`. */
+    fun register(verifyApk: TaskProvider<*>) {
+        val checks = listOf(registerApiCheck(), registerShrunkRun(), verifyApk)
+        project.tasks.register("checkRelease") {
+            it.group = LifecycleBasePlugin.VERIFICATION_GROUP
+            it.description = "Builds the release and looks whether it would run on every Android it is for."
+            it.dependsOn(checks)
+        }
     }
 
     private fun registerApiCheck(): TaskProvider<*> {
@@ -45,9 +51,11 @@ internal class ReleaseChecks(
     }
 
     private fun registerShrunkRun(): TaskProvider<*> {
-        val run = project.tasks.register("runShrunk", RunShrunk::class.java) { task ->
+        val below = belowTheScreen()
+        return project.tasks.register("runShrunk", RunShrunk::class.java) { task ->
             task.group = LifecycleBasePlugin.VERIFICATION_GROUP
             task.description = "Holds what R8 leaves of the app against the recorded runs, on the JVM."
+            task.libraries.from(below)
             task.program.from(project.tasks.named("compileDebugUnitTestKotlin"))
             task.programPackage.set("robotran/android/recorded/")
             task.mainClass.set("robotran.android.recorded.ShrunkRunsKt")
@@ -60,10 +68,16 @@ internal class ReleaseChecks(
             task.shrunk.set(project.layout.buildDirectory.file("shrunk/robotran.jar"))
             task.report.set(reports.map { folder -> folder.file("runShrunk.txt") })
         }
-        val all = variant.artifacts.forScope(ScopedArtifacts.Scope.ALL)
-        all.use(run).toGet(ScopedArtifact.CLASSES, RunShrunk::jars, RunShrunk::folders)
-        all.use(run).toGet(ScopedArtifact.JAVA_RES, RunShrunk::resourceJars, RunShrunk::resourceFolders)
-        return run
+    }
+
+    /** The same jars as in the app: core modules have one for the JVM, which Android takes, too. */
+    private fun belowTheScreen(): Configuration = project.configurations.create("belowTheScreen") {
+        it.isCanBeConsumed = false
+        it.attributes { attributes ->
+            attributes.attribute(Usage.USAGE_ATTRIBUTE, project.objects.named(Usage::class.java, Usage.JAVA_RUNTIME))
+            attributes.attribute(KotlinPlatformType.attribute, KotlinPlatformType.jvm)
+        }
+        it.dependencies.add(project.dependencies.project(mapOf("path" to ":shared:projects")))
     }
 
     private fun besideMapping(mapping: RegularFile): Provider<RegularFile> =
