@@ -12,8 +12,8 @@ import java.io.File
 import java.io.IOException
 
 /**
- * The run that was watched when the app went out of sight. Android may end the process then; the same inputs make the same run again, so [file] holds them with
- * the programs and the world they belong to.
+ * The run that was watched when the app went out of sight. Android may end the process then; the same inputs make the same run again, so
+ * [file] holds them with the programs and the world they belong to.
  */
 internal class KeptRun(private val file: File) {
     /** Keeps the run of [workshop], if there is one that can be made again. */

@@ -17,8 +17,8 @@ import robotran.ui.platform.Arrival
 import robotran.ui.workshop.Workshop
 
 /**
- * Keeps the workshop, and a run in it, when the activity is made anew. When Android ends the whole process in the background, the store of the platform brings
- * the work back, and [ShownScreen] what was to be seen of it.
+ * Keeps the workshop, and a run in it, when the activity is made anew. When Android ends the whole process in the background, the store of
+ * the platform brings the work back, and [ShownScreen] what was to be seen of it.
  */
 class KeptWorkshop(
     application: Application,
@@ -34,7 +34,9 @@ class KeptWorkshop(
     private val screen = ShownScreen(saved, run)
 
     init {
-        viewModelScope.launch { workshop = openWorkshop(platform = platform, scope = viewModelScope, welcoming = true).also { screen.restore(it) } }
+        viewModelScope.launch {
+            workshop = openWorkshop(platform = platform, scope = viewModelScope, welcoming = true).also { screen.restore(it) }
+        }
     }
 
     /** The app is out of sight and may be ended without a word. */

@@ -25,7 +25,8 @@ class HandedOverTest {
 
     @Test
     fun `a link is found among the words of a message`() {
-        val message = Intent(Intent.ACTION_SEND).putExtra(Intent.EXTRA_TEXT, "Look what I made:\nhttps://school.example/robotran/#p=aXY_- See you")
+        val words = "Look what I made:\nhttps://school.example/robotran/#p=aXY_- See you"
+        val message = Intent(Intent.ACTION_SEND).putExtra(Intent.EXTRA_TEXT, words)
         assertEquals(HandedOver(link = "https://school.example/robotran/#p=aXY_-"), handedOver(message))
     }
 
@@ -83,7 +84,8 @@ class HandedOverTest {
 
     private fun isOffered(intent: Intent): Boolean {
         val app = RuntimeEnvironment.getApplication()
-        val offered = app.packageManager.queryIntentActivities(intent.addCategory(Intent.CATEGORY_DEFAULT), PackageManager.MATCH_DEFAULT_ONLY)
+        val asked = intent.addCategory(Intent.CATEGORY_DEFAULT)
+        val offered = app.packageManager.queryIntentActivities(asked, PackageManager.MATCH_DEFAULT_ONLY)
         return offered.any { it.activityInfo.name == MainActivity::class.java.name }
     }
 }

@@ -75,7 +75,9 @@ class KeyboardTest {
         meta: Int = 0,
     ) {
         val now = SystemClock.uptimeMillis()
-        for (action in listOf(KeyEvent.ACTION_DOWN, KeyEvent.ACTION_UP)) app.activity.dispatchKeyEvent(KeyEvent(now, now, action, key, 0, meta))
+        for (action in listOf(KeyEvent.ACTION_DOWN, KeyEvent.ACTION_UP)) {
+            app.activity.dispatchKeyEvent(KeyEvent(now, now, action, key, 0, meta))
+        }
         app.pass(100)
     }
 

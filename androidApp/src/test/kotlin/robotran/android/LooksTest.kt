@@ -12,7 +12,10 @@ import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorldEditEvent
 
-/** The dark theme, and text twice as large as usual, on every kind of device and held either way: pictures to be looked at, and Run always in reach. */
+/**
+ * The dark theme, and text twice as large as usual, on every kind of device and held either way: pictures to be looked at, and Run always
+ * in reach.
+ */
 @RunWith(ParameterizedRobolectricTestRunner::class)
 class LooksTest(
     @Suppress("unused") private val name: String,

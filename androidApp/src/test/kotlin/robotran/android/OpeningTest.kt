@@ -125,7 +125,10 @@ class OpeningTest {
     private fun offer(
         text: String,
         at: Uri = place,
-    ) = shadowOf(RuntimeEnvironment.getApplication().contentResolver).registerInputStreamSupplier(at) { ByteArrayInputStream(text.toByteArray()) }
+    ) {
+        val resolver = shadowOf(RuntimeEnvironment.getApplication().contentResolver)
+        resolver.registerInputStreamSupplier(at) { ByteArrayInputStream(text.toByteArray()) }
+    }
 
     private fun viewing(place: Uri) = Intent(Intent.ACTION_VIEW).setDataAndType(place, "application/octet-stream")
 }

@@ -16,8 +16,8 @@ import robotran.ui.platform.OpenedFile
 import robotran.ui.platform.Saving
 
 /**
- * Files through Android's own picker (Storage Access Framework); places are content addresses. An activity that shows the workshop attaches itself, and a new one
- * takes over what an old one has asked for.
+ * Files through Android's own picker (Storage Access Framework); places are content addresses. An activity that shows the workshop attaches
+ * itself, and a new one takes over what an old one has asked for.
  *
  * @param arrivals is brought what is chosen when nobody waits for it any more, since the process was ended behind the picker.
  * @param unreadable a sentence that says that the file with this name cannot be read.

@@ -68,13 +68,15 @@ internal class ContentFiles(
 
     /** So that Save works the next time too, where the other app allows it. */
     private fun keepAccess(place: Uri) {
-        guarded { resolver.takePersistableUriPermission(place, Intent.FLAG_GRANT_READ_URI_PERMISSION or Intent.FLAG_GRANT_WRITE_URI_PERMISSION) }
+        val access = Intent.FLAG_GRANT_READ_URI_PERMISSION or Intent.FLAG_GRANT_WRITE_URI_PERMISSION
+        guarded { resolver.takePersistableUriPermission(place, access) }
     }
 
     private fun nameOf(place: Uri): String {
         var found: String? = null
         guarded {
-            resolver.query(place, arrayOf(OpenableColumns.DISPLAY_NAME), null, null, null)?.use { if (it.moveToFirst()) found = it.getString(0) }
+            val rows = resolver.query(place, arrayOf(OpenableColumns.DISPLAY_NAME), null, null, null)
+            rows?.use { if (it.moveToFirst()) found = it.getString(0) }
         }
         return found ?: place.lastPathSegment.orEmpty().substringAfterLast('/')
     }

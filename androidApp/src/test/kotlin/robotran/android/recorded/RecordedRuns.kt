@@ -22,7 +22,8 @@ import robotran.world.runUnattended
 import java.io.File
 
 /**
- * Makes the runs again that the tests of the other targets are held against: all examples in both languages, and the projects with worlds full of things.
+ * Makes the runs again that the tests of the other targets are held against: all examples in both languages, and the projects with worlds
+ * full of things.
  *
  * @param tree the folder with the source tree, which holds the programs and the records.
  */
@@ -40,7 +41,9 @@ internal class RecordedRuns(private val tree: File) {
             val source = ProgramSource.Java(file.name, listOf(SourceFile(file.name, file.readText())))
             compare(example(reader, source, physics), file, "shared/programs")
         }
-        val projects = files("shared/projects/$RUNS", ".robotran").map { file -> compare(project(file.readText(), physics), file, "shared/projects") }
+        val projects = files("shared/projects/$RUNS", ".robotran").map { file ->
+            compare(project(file.readText(), physics), file, "shared/projects")
+        }
         return Outcome(robolang.size, java.size, projects.size, (robolang + java + projects).filterNotNull())
     }
 

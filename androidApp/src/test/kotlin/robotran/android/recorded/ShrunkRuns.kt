@@ -11,8 +11,8 @@ import java.io.File
 import kotlin.system.exitProcess
 
 /**
- * Holds the classes that R8 has left of the app against the recorded runs, on a plain JVM, and looks whether the compiler for Java still knows what it says about
- * mistakes. Its only argument is the folder with the source tree.
+ * Holds the classes that R8 has left of the app against the recorded runs, on a plain JVM, and looks whether the compiler for Java still
+ * knows what it says about mistakes. Its only argument is the folder with the source tree.
  */
 fun main(arguments: Array<String>) = runBlocking {
     val outcome = RecordedRuns(File(arguments.single())).differences()
@@ -20,14 +20,15 @@ fun main(arguments: Array<String>) = runBlocking {
     faults.forEach(System.err::println)
     if (outcome.robolang == 0 || outcome.java == 0 || outcome.projects == 0) exitProcess(2)
     if (faults.isNotEmpty()) exitProcess(1)
-    println("${outcome.robolang} Robolang examples, ${outcome.java} Java examples and ${outcome.projects} projects make their recorded runs")
+    val examples = "${outcome.robolang} Robolang examples, ${outcome.java} Java examples"
+    println("$examples and ${outcome.projects} projects make their recorded runs")
 }
 
 private suspend fun mistakeFaults(): List<String> {
     val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     val text = "public class Oops {\n  public static void main(String[] words) {\n    int count = \"five\";\n  }\n}\n"
     val result = reader.read(ProgramSource.Java("Oops.java", listOf(SourceFile("Oops.java", text))))
-    val mistake = (result as? ProgramResult.Mistaken)?.mistakes?.singleOrNull() ?: return listOf("One mistake was to be found, and not $result")
-    val isTold = mistake.toString().contains("count") || mistake.toString().contains("String")
-    return if (isTold) emptyList() else listOf("The mistake is not told in words: $mistake")
+    val mistake = (result as? ProgramResult.Mistaken)?.mistakes?.singleOrNull()
+    val isTold = mistake != null && ("count" in mistake.message || "String" in mistake.message)
+    return if (isTold) emptyList() else listOf("One mistake was to be told in words, and not $result")
 }

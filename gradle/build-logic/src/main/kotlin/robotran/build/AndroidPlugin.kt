@@ -25,7 +25,10 @@ class AndroidPlugin : Plugin<Project> {
         }
     }
 
-    /** One variant of a library serves debug and release of the app; its code is tested on the desktop's JVM, and tests on a device need a device. */
+    /**
+     * One variant of a library serves debug and release of the app; its code is tested on the desktop's JVM. Tests on a device need a
+     * device.
+     */
     private fun buildWhatIsNeeded(project: Project) {
         val components = project.extensions.getByType(AndroidComponentsExtension::class.java)
         components.beforeVariants { variant ->

@@ -44,7 +44,9 @@ internal object AndroidRelease {
     private fun sayThatItIsForTrialsOnly(project: Project) {
         project.tasks.configureEach { task ->
             if (task.name != "packageRelease" && task.name != "signReleaseBundle") return@configureEach
-            task.doLast { it.logger.lifecycle("Signed with the debug key, for trials only: $KEYSTORE names no keystore (docs/android.md).") }
+            task.doLast {
+                it.logger.lifecycle("Signed with the debug key, for trials only: $KEYSTORE names no keystore (docs/android.md).")
+            }
         }
     }
 }

@@ -44,7 +44,13 @@ private class Members(private val known: UsedApi) : ClassVisitor(Opcodes.ASM9) {
         return null
     }
 
-    override fun visitMethod(access: Int, name: String, descriptor: String, signature: String?, exceptions: Array<String>?): MethodVisitor? {
+    override fun visitMethod(
+        access: Int,
+        name: String,
+        descriptor: String,
+        signature: String?,
+        exceptions: Array<String>?,
+    ): MethodVisitor? {
         members += name + descriptor
         return null
     }
@@ -60,7 +66,13 @@ private class Uses(private val known: UsedApi) : ClassVisitor(Opcodes.ASM9) {
         (listOfNotNull(superName) + interfaces.orEmpty()).forEach { known.use(it, null, name) }
     }
 
-    override fun visitMethod(access: Int, name: String, descriptor: String, signature: String?, exceptions: Array<String>?): MethodVisitor =
+    override fun visitMethod(
+        access: Int,
+        name: String,
+        descriptor: String,
+        signature: String?,
+        exceptions: Array<String>?,
+    ): MethodVisitor =
         CodeUses("$className.$name")
 
     private inner class CodeUses(private val from: String) : MethodVisitor(Opcodes.ASM9) {

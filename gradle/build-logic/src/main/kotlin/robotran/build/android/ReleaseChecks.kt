@@ -61,7 +61,8 @@ internal class ReleaseChecks(
             task.mainClass.set("robotran.android.recorded.ShrunkRunsKt")
             task.tree.set(project.rootProject.layout.projectDirectory)
             task.read.from(project.rootProject.fileTree("examples"))
-            task.read.from(listOf("world", "programs", "projects").map { project.rootProject.fileTree("shared/$it/src/commonTest/resources/runs") })
+            val recording = listOf("world", "programs", "projects").map { "shared/$it/src/commonTest/resources/runs" }
+            task.read.from(recording.map { project.rootProject.fileTree(it) })
             // R8 writes it beside its mapping.
             task.configuration.set(variant.artifacts.get(SingleArtifact.OBFUSCATION_MAPPING_FILE).flatMap(::besideMapping))
             task.framework.from(framework())

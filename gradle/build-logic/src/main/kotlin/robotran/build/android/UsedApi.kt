@@ -1,6 +1,9 @@
 package robotran.build.android
 
-/** Classes with their members, and what code uses of them. Names are those of class files: `java/util/List`, `size()I` for a method, `out` for a field. */
+/**
+ * Classes with their members, and what code uses of them. Names are those of class files: `java/util/List`, `size()I` for a method, `out` for a
+ * field.
+ */
 internal class UsedApi {
     private class Known(val supertypes: List<String>, val members: Set<String>)
 
@@ -34,12 +37,14 @@ internal class UsedApi {
      */
     fun missing(isOutline: (String) -> Boolean = { false }): List<Use> {
         val callers = uses.filter { it.member != null && isOutline(it.owner) }.groupBy({ "${it.owner}.${it.member}" }, { it.from })
-        return lacking().flatMap { use ->
+        val lacking = lacking().flatMap { use ->
             if (isOutline(use.from.substringBefore('.'))) callers[use.from].orEmpty().map { use.copy(from = it) } else listOf(use)
-        }.distinct().sortedBy { it.toString() }
+        }
+        return lacking.distinct().sortedBy { it.toString() }
     }
 
-    private fun lacking(): List<Use> = uses.distinct().filterNot { if (it.member == null) it.owner in classes else has(it.owner, it.member) }
+    private fun lacking(): List<Use> =
+        uses.distinct().filterNot { if (it.member == null) it.owner in classes else has(it.owner, it.member) }
 
     private fun has(owner: String, member: String): Boolean {
         val known = classes[owner] ?: return false
