@@ -7,7 +7,14 @@ import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
 class ApiAllowancesTest {
-    private val allowances = ApiAllowances("# a remark\n\nandroidx/*Api28Impl* -> android/view/* # asks for 28\nnobody -> nothing # never\n")
+    private val allowances = ApiAllowances(
+        """
+        # a remark
+        androidx/*Api28Impl* -> android/view/* # asks for 28
+
+        nobody -> nothing # never
+        """,
+    )
 
     @Test
     fun `a use is allowed where both patterns fit`() {

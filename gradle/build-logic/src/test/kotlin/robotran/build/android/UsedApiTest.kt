@@ -28,7 +28,8 @@ class UsedApiTest {
     @Test
     fun `classes and methods that are not there are named with who uses them`() {
         api.declareAndRead(classFile("Own", "javax/tools/Tool", "go", calls = listOf("java/util/List" to "reversed")))
-        assertEquals(listOf("java/util/List.reversed()V, used by Own.go", "javax/tools/Tool, used by Own"), api.missing().map { it.toString() })
+        val missing = api.missing().map { it.toString() }
+        assertEquals(listOf("java/util/List.reversed()V, used by Own.go", "javax/tools/Tool, used by Own"), missing)
     }
 
     @Test

@@ -11,8 +11,8 @@ import robotran.ui.workshop.WorldEditEvent
 import robotran.ui.worldedit.escaped
 
 /**
- * What Back does while [state] is shown: it closes what lies over the rest, the topmost first, and where there is room for one pane only it goes to the
- * world from the others. Null where Back leaves the app.
+ * What Back does while [state] is shown: it closes what lies over the rest, the topmost first, and where there is room for one pane only it
+ * goes to the world from the others. Null where Back leaves the app.
  */
 internal fun backEvent(state: WorkshopState, isWide: Boolean): WorkshopEvent? {
     val edit = state.worldEdit
