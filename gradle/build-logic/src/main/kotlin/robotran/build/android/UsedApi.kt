@@ -1,8 +1,8 @@
 package robotran.build.android
 
 /**
- * Classes with their members, and what code uses of them. Names are those of class files: `java/util/List`, `size()I` for a method, `out` for
- * a field.
+ * Classes with their members, and what code uses of them. Names are those of class files: `java/util/List`, `size()I` for a method, `out`
+ * for a field.
  */
 internal class UsedApi {
     private class Known(val supertypes: List<String>, val members: Set<String>)

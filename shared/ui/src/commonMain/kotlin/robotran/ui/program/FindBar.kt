@@ -42,8 +42,8 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.editing.TextSpan
 import robotran.editing.find.Search
-import robotran.ui.program.editor.editorStyle
 import robotran.ui.parts.BackGesture
+import robotran.ui.program.editor.editorStyle
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_find
 import robotran.ui.resources.editor_find_case
