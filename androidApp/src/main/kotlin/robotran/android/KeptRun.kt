@@ -2,6 +2,7 @@ package robotran.android
 
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
+import kotlinx.coroutines.yield
 import robotran.documents.replayFile
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
@@ -33,17 +34,25 @@ internal class KeptRun(private val file: File) {
         }
     }
 
-    /** Makes the run again as far as [time], in milliseconds, if [workshop] still has the programs and the world it belongs to. */
+    /**
+     * Makes the run again as far as [time], in milliseconds, and lets it stand still there, if [workshop] still has the programs and the world
+     * it belongs to, and if nobody has to wait for long.
+     */
     suspend fun restore(
         workshop: Workshop,
         time: Long,
     ) {
+        if (time !in 1..LONGEST) return
         val replay = withContext(Dispatchers.IO) { read() } ?: return
         if (replay.copy(inputs = emptyList()) != workshop.project) return
         workshop.openProject(replay)
         workshop.readPrograms()
         workshop.handle(RunEvent.RecordingPlayed)
-        workshop.handle(RunEvent.Scrubbed(time))
+        for (done in 0 until time step PART) {
+            workshop.advance(minOf(PART, time - done).toInt())
+            yield()
+        }
+        workshop.handle(RunEvent.PausePressed)
     }
 
     private fun read(): Project? =
@@ -52,4 +61,12 @@ internal class KeptRun(private val file: File) {
         } catch (_: IOException) {
             null
         }
+
+    private companion object {
+        /** Ten minutes of a run, in milliseconds: they take a few seconds. */
+        const val LONGEST = 600_000L
+
+        /** What is made again at once, in milliseconds. */
+        const val PART = 1_000L
+    }
 }

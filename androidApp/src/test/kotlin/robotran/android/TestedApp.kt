@@ -21,6 +21,7 @@ import org.robolectric.Shadows.shadowOf
 import org.robolectric.android.controller.ActivityController
 import robotran.ui.workshop.Workshop
 import java.io.File
+import java.util.concurrent.TimeUnit
 
 /**
  * The whole app on Robolectric. While a robot drives there is always a next frame, so the clock is moved by hand.
@@ -54,7 +55,18 @@ class TestedApp : TestRule {
         RuntimeEnvironment.setFontScale(fontScale)
         controller = Robolectric.buildActivity(MainActivity::class.java, intent)
         if (saved == null) controller.setup() else controller.setup(saved)
+        awaitWorkshop()
         pass(SETTLING)
+    }
+
+    private fun awaitWorkshop() {
+        val kept = ViewModelProvider(activity)[KeptWorkshop::class.java]
+        val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(LONGEST_WAIT_SECONDS)
+        while (kept.workshop == null) {
+            check(System.nanoTime() < end) { "The workshop does not open" }
+            Thread.sleep(TURN_MILLISECONDS)
+            pass(FRAME)
+        }
     }
 
     /** The page that welcomes whoever is here for the first time is left. */
@@ -128,5 +140,7 @@ class TestedApp : TestRule {
         const val FRAME = 16L
         const val TURN_MILLISECONDS = 10L
         const val TURNS = 30
+
+        const val LONGEST_WAIT_SECONDS = 60L
     }
 }
