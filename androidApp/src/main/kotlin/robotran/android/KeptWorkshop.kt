@@ -10,6 +10,7 @@ import androidx.lifecycle.SavedStateHandle
 import androidx.lifecycle.viewModelScope
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 import robotran.android.platform.AndroidPlatform
 import robotran.ui.openWorkshop
@@ -39,10 +40,14 @@ class KeptWorkshop(
         }
     }
 
+    /** What is being kept since the app went out of sight; null before that. */
+    var resting: Job? = null
+        private set
+
     /** The app is out of sight and may be ended without a word. */
     fun rest() {
         // What is being kept must not end with the activity.
-        CoroutineScope(Dispatchers.Main.immediate).launch {
+        resting = CoroutineScope(Dispatchers.Main.immediate).launch {
             val workshop = workshop ?: return@launch
             workshop.restDocument()
             run.keep(workshop)

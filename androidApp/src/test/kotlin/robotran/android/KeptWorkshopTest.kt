@@ -77,15 +77,8 @@ class KeptWorkshopTest {
     /** What the user sees is stopped first; then the process is gone. */
     private fun endTheProcess() {
         kept.rest()
-        settle()
+        waitUntil { kept.resting?.isCompleted == true }
         kept.workshop?.close()
-    }
-
-    private fun settle() {
-        repeat(TURNS) {
-            Thread.sleep(TURN_MILLISECONDS)
-            shadowOf(Looper.getMainLooper()).idle()
-        }
     }
 
     private fun waitUntil(isTrue: () -> Boolean) {
@@ -98,7 +91,6 @@ class KeptWorkshopTest {
     }
 
     private companion object {
-        const val TURNS = 50
         const val TURN_MILLISECONDS = 10L
     }
 }

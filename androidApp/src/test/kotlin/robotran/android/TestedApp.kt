@@ -55,15 +55,18 @@ class TestedApp : TestRule {
         RuntimeEnvironment.setFontScale(fontScale)
         controller = Robolectric.buildActivity(MainActivity::class.java, intent)
         if (saved == null) controller.setup() else controller.setup(saved)
-        awaitWorkshop()
+        val kept = ViewModelProvider(activity)[KeptWorkshop::class.java]
+        waitUntil("The workshop does not open") { kept.workshop != null }
         pass(SETTLING)
     }
 
-    private fun awaitWorkshop() {
-        val kept = ViewModelProvider(activity)[KeptWorkshop::class.java]
+    private fun waitUntil(
+        complaint: String,
+        isTrue: () -> Boolean,
+    ) {
         val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(LONGEST_WAIT_SECONDS)
-        while (kept.workshop == null) {
-            check(System.nanoTime() < end) { "The workshop does not open" }
+        while (!isTrue()) {
+            check(System.nanoTime() < end) { complaint }
             Thread.sleep(TURN_MILLISECONDS)
             pass(FRAME)
         }
@@ -110,7 +113,8 @@ class TestedApp : TestRule {
     fun endTheProcessAndComeBack() {
         val saved = Bundle()
         controller.pause().stop().saveInstanceState(saved)
-        settle()
+        val kept = ViewModelProvider(activity)[KeptWorkshop::class.java]
+        waitUntil("The work is not kept") { kept.resting?.isCompleted == true }
         controller.destroy()
         settle()
         open(saved = saved)
