@@ -1,4 +1,4 @@
-package robotran.android.recorded
+package robotran.android
 
 import kotlinx.coroutines.runBlocking
 import org.junit.Assert.assertEquals
@@ -6,6 +6,7 @@ import org.junit.Assert.assertTrue
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
+import robotran.android.recorded.RecordedRuns
 import java.io.File
 
 /** The same runs as on the desktop and in the browser, with the classes of Android around them. */
