@@ -13,6 +13,7 @@ import robotran.ui.documents.DocumentDialogs
 import robotran.ui.documents.KeepingBanner
 import robotran.ui.documents.documentShortcut
 import robotran.ui.learning.LearningPages
+import robotran.ui.parts.BackGesture
 import robotran.ui.runbar.runShortcut
 import robotran.ui.settings.SettingsPage
 import robotran.ui.theme.LocalRobotranColours
@@ -34,6 +35,8 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         // Larger text needs the room of a larger screen.
         val scale = state.settings.textScale.coerceAtMost(LocalDensity.current.fontScale)
         val isWide = maxWidth >= Measures.WIDE_WIDTH * widthScale(scale) && maxHeight >= Measures.WIDE_HEIGHT
+        val back = backEvent(state, isWide)
+        BackGesture(back != null) { back?.let(onEvent) }
         Column(Modifier.fillMaxSize()) {
             KeepingBanner(state.document, onEvent)
             Box(Modifier.weight(1f)) {
