@@ -20,8 +20,9 @@ test('two fingers hold two buttons of the brick', () => onPage({ ...TABLET, hasT
   await touch('touchStart', run);
   await touch('touchStart', run, onOff);
   await photograph(page, 'two-fingers');
-  await reports(page, (report) => report.status === 'ended');
+  assert.equal((await report(page)).status, 'running', 'the program ends when On-Off is let go while Run is held');
   await touch('touchEnd', run);
+  await reports(page, (report) => report.status === 'ended');
   await touch('touchEnd');
   await says(page, 'lcd', /\d/);
   assert.deepEqual(troubles, []);

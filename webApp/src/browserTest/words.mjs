@@ -48,11 +48,12 @@ export async function writeProgram(page, text) {
   await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
   await page.keyboard.press('Control+a');
   await page.keyboard.press('Delete');
-  // An editor that closes brackets and indents by itself would do so twice.
-  for (const line of text.split('\n')) {
+  const lines = text.split('\n');
+  for (const [number, line] of lines.entries()) {
+    if (number > 0) await page.keyboard.press('Enter');
     await page.keyboard.type(line);
+    // What is offered would take Enter for itself; with nothing offered, Escape is nobody's.
     await page.keyboard.press('Escape');
-    await page.keyboard.press('Enter');
   }
 }
 

@@ -58,6 +58,9 @@ internal class PageWindow(body: HTMLElement, content: @Composable () -> Unit) {
 
     init {
         canvas.tabIndex = 0
+        // What has the focus has a ring of its own.
+        canvas.style.setProperty("outline", "none")
+        canvas.style.setProperty("display", "block")
         place.element.appendChild(canvas)
         input = PageTextInput(place.element, canvas) { density.density }
         mirror = SemanticsMirror(place.element, canvas, input) { density.density }
