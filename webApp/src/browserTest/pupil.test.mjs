@@ -4,7 +4,7 @@ import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import { isReady, photograph, report } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
-import { appears, disappears, press, programText, reports, says, words, writeProgram } from './words.mjs';
+import { appears, choose, disappears, press, programText, reports, says, words, writeProgram } from './words.mjs';
 
 const IN_MEMORY = /^robotran-work 1\n/;
 
@@ -94,9 +94,7 @@ test('text is copied, cut and pasted by keys, within the program and from elsewh
 }));
 
 test('a Java program is written, compiled in the page and run', () => onPage(TABLET, async ({ page, troubles }) => {
-  await press(page, 'add-program');
-  await press(page, 'new-java');
-  await disappears(page, 'new-java');
+  await choose(page, 'add-program', 'new-java');
   await press(page, 'program');
   await page.keyboard.press('Control+a');
   await page.keyboard.insertText(
@@ -179,15 +177,12 @@ test('a work is saved as a file and opened from it', () => onPage(TABLET, async 
   await writeProgram(page, 'forward 7\nbeep');
   await isKept(page, 'forward 7');
   const download = page.waitForEvent('download');
-  await press(page, 'work-menu');
-  await press(page, 'work-save-as');
+  await choose(page, 'work-menu', 'work-save-as');
   const file = await (await download).path();
-  await press(page, 'work-menu');
-  await press(page, 'work-new');
+  await choose(page, 'work-menu', 'work-new');
   await says(page, 'program', /^(?!.*forward 7)/);
   const chooser = page.waitForEvent('filechooser');
-  await press(page, 'work-menu');
-  await press(page, 'work-open');
+  await choose(page, 'work-menu', 'work-open');
   await (await chooser).setFiles([{ name: 'mine.robotran', mimeType: 'application/json', buffer: await readFile(file) }]);
   await says(page, 'program', /forward 7/);
   assert.deepEqual(troubles, []);

@@ -25,6 +25,21 @@ export async function press(page, tag) {
   await page.mouse.click(x, y);
 }
 
+/** Opens the menu behind `opener` and chooses `item` in it; a menu that has only just come may miss a click. */
+export async function choose(page, opener, item) {
+  await press(page, opener);
+  for (let attempt = 0; attempt < 4; attempt++) {
+    await press(page, item);
+    try {
+      await words(page, item).waitFor({ state: 'detached', timeout: 4_000 });
+      return;
+    } catch {
+      // It is still open: once more.
+    }
+  }
+  throw new Error(`${item} cannot be chosen`);
+}
+
 /** Waits until `tag` is there, or not any more. */
 export const appears = (page, tag) => words(page, tag).first().waitFor({ state: 'attached', timeout: 30_000 });
 export const disappears = (page, tag) => words(page, tag).first().waitFor({ state: 'detached', timeout: 30_000 });
