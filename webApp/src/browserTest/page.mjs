@@ -15,10 +15,11 @@ const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated/;
  * Opens the page and waits until the workshop is there; what goes wrong in the page, or is fetched from elsewhere, is collected in
  * `troubles`, the addresses of all that is fetched in `fetched`.
  * The function `prepare`, if there is one, runs in the page before anything else. Whoever opens a page in a new context is here for the first time; the
- * welcome is put away unless the test wants it (`welcome`). `address` is what comes behind that of the page; the rest is for the browser's context.
+ * welcome is put away unless the test wants it (`welcome`). `address` is what comes behind that of the page; the rest is for the browser's context,
+ * in which nothing is kept for days without a network unless `serviceWorkers` is 'allow'.
  */
 export async function openPage(browser, site, { width, height, dark = false, prepare, welcome = false, address = '', ...more }) {
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light', ...more });
+  const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light', serviceWorkers: 'block', ...more });
   const page = await context.newPage();
   if (prepare) await page.addInitScript(prepare);
   const troubles = [];

@@ -11,16 +11,17 @@ import robotran.web.platform.askBeforeLosing
 import robotran.web.platform.onOutOfSight
 import robotran.web.window.PageWindow
 
-/** Puts the workshop into the page, in place of the words that are shown while it loads. */
+/** Puts the workshop into the page, and takes away the words that are shown while it loads once it is there. */
 fun main() {
     val page = checkNotNull(document.body) { "The page has no body." }
-    document.getElementById("loading")?.remove()
+    findResourcesInSite()
     val embedded = isEmbedded()
     val platform = WebPlatform(WebSpeaker(), embedded)
     PageWindow(page) {
         RobotranStart(platform = platform, welcoming = !embedded, embedded = embedded, onOpened = { workshop ->
             openPageInterface(workshop)
             if (!embedded) keepWork(workshop)
+            sayThatAppIsThere()
         })
     }
 }
