@@ -16,15 +16,22 @@ class ReadQrCodeTest {
     fun `codes of all sizes are read as what they say`() {
         val lengths = (1..<300 step 7) + (300..QrCode.MOST_BYTES step 31)
         val codes = lengths.map { assertNotNull(QrCode.of(linkOf(it))) }
-        assertEquals(30, codes.distinctBy { it.size }.size)
-        val misread = lengths.zip(codes).filter { (length, code) -> read(code) != linkOf(length) }
+        assertEquals(25, codes.distinctBy { it.size }.size)
+        val misread = lengths.zip(codes).filter { (length, code) -> read(code, PURE) != linkOf(length) }
         assertEquals(emptyList(), misread.map { (length, code) -> "$length characters in ${code.size} modules" })
+    }
+
+    @Test
+    fun `codes of usual links are found in a picture, too`() {
+        val lengths = 200..850 step 50
+        val misread = lengths.filter { length -> read(assertNotNull(QrCode.of(linkOf(length))), SOMEWHERE) != linkOf(length) }
+        assertEquals(emptyList(), misread)
     }
 
     @Test
     fun `umlauts and accents come back`() {
         val text = "https://example.org/#Prüfung-año-ß"
-        assertEquals(text, read(assertNotNull(QrCode.of(text))))
+        assertEquals(text, read(assertNotNull(QrCode.of(text)), PURE))
     }
 
     /** Something like a link, which looks different at every place. */
@@ -33,8 +40,8 @@ class ReadQrCodeTest {
         return ("https://example.org/#p=a" + List(length) { signs[(it * it * 31 + it * 7 + length) % signs.size] }.joinToString("")).take(length)
     }
 
-    /** What a reader makes of [code]; the failure if it is none to it. */
-    private fun read(code: QrCode): String {
+    /** What a reader makes of [code], told [hint]; the failure if it is none to it. */
+    private fun read(code: QrCode, hint: DecodeHintType): String {
         val side = (code.size + 2 * QrCode.MARGIN) * PIXELS
         val pixels = IntArray(side * side) { place ->
             val column = place % side / PIXELS - QrCode.MARGIN
@@ -44,7 +51,7 @@ class ReadQrCodeTest {
         }
         val picture = BinaryBitmap(HybridBinarizer(RGBLuminanceSource(side, side, pixels)))
         return try {
-            QRCodeReader().decode(picture, mapOf(DecodeHintType.CHARACTER_SET to "UTF-8")).text
+            QRCodeReader().decode(picture, mapOf(DecodeHintType.CHARACTER_SET to "UTF-8", hint to true)).text
         } catch (failure: ReaderException) {
             failure.toString()
         }
@@ -52,5 +59,7 @@ class ReadQrCodeTest {
 
     private companion object {
         const val PIXELS = 4
+        val PURE = DecodeHintType.PURE_BARCODE
+        val SOMEWHERE = DecodeHintType.TRY_HARDER
     }
 }

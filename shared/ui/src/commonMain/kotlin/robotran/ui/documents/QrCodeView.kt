@@ -66,4 +66,4 @@ private fun DrawScope.drawQrCode(code: QrCode) {
     }
 }
 
-private val MOST_SIDE = 320.dp
+private val MOST_SIDE = 360.dp
