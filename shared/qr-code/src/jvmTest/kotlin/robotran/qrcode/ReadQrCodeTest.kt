@@ -37,7 +37,8 @@ class ReadQrCodeTest {
     /** Something like a link, which looks different at every place. */
     private fun linkOf(length: Int): String {
         val signs = ('a'..'z') + ('A'..'Z') + ('0'..'9') + listOf('-', '_')
-        return ("https://example.org/#p=a" + List(length) { signs[(it * it * 31 + it * 7 + length) % signs.size] }.joinToString("")).take(length)
+        val noise = List(length) { signs[(it * it * 31 + it * 7 + length) % signs.size] }.joinToString("")
+        return "https://example.org/#p=a$noise".take(length)
     }
 
     /** What a reader makes of [code], told [hint]; the failure if it is none to it. */

@@ -76,7 +76,12 @@ internal class PageWindow(body: HTMLElement, content: @Composable () -> Unit) {
 
     init {
         layer.renderDelegate = object : SkikoRenderDelegate {
-            override fun onRender(canvas: Canvas, width: Int, height: Int, nanoTime: Long) = scene.render(canvas.asComposeCanvas(), nanoTime)
+            override fun onRender(
+                canvas: Canvas,
+                width: Int,
+                height: Int,
+                nanoTime: Long,
+            ) = scene.render(canvas.asComposeCanvas(), nanoTime)
         }
         val keys = PageKeys(scene, clipboard)
         keys.listenTo(canvas)
