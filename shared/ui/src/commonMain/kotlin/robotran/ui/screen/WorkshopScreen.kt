@@ -34,7 +34,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
     ) {
         // Larger text needs the room of a larger screen.
         val scale = state.settings.textScale.coerceAtMost(LocalDensity.current.fontScale)
-        val isWide = maxWidth >= Measures.WIDE_WIDTH * widthScale(scale) && maxHeight >= Measures.WIDE_HEIGHT
+        val isWide = maxWidth >= Measures.WIDE_WIDTH * widthScale(scale) && maxHeight + LocalKeyboardHeight.current >= Measures.WIDE_HEIGHT
         val back = backEvent(state, isWide)
         BackGesture(back != null) { back?.let(onEvent) }
         Column(Modifier.fillMaxSize()) {
