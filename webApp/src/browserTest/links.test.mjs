@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { isReady, photograph } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
-import { appears, press, reports, says, words, writeProgram } from './words.mjs';
+import { appears, choose, press, reports, says, words, writeProgram } from './words.mjs';
 
 const linkTo = (text) => `#p=a${deflateRawSync(text).toString('base64url')}`;
 const project = (name) => readFile(path.join(process.env.EXPECTED_PROJECT_RUNS, `${name}.robotran`), 'utf8');
@@ -14,8 +14,7 @@ const databases = (page) => page.evaluate(async () => (await indexedDB.databases
 
 test('a shared link opens the same program in another browser', () => onPage(TABLET, async ({ page, troubles }) => {
   await writeProgram(page, 'pen down\nforward 12');
-  await press(page, 'work-menu');
-  await press(page, 'work-share-link');
+  await choose(page, 'work-menu', 'work-share-link');
   await appears(page, 'qr-code');
   await photograph(page, 'share-link');
   const link = await words(page, 'link-text').inputValue();
@@ -34,8 +33,7 @@ test('a link that comes while the page is open takes the place of the work, whic
   await page.evaluate((fragment) => { location.hash = fragment; }, link);
   await says(page, 'program', /^(?!.*forward 13)/);
   assert.equal(await page.evaluate(() => location.hash), '');
-  await press(page, 'work-menu');
-  await press(page, 'work-my-work');
+  await choose(page, 'work-menu', 'work-my-work');
   await page.waitForFunction(() => document.querySelectorAll('[data-tag^="work-w"]').length >= 2);
   await photograph(page, 'two-works');
   assert.deepEqual(troubles, []);
@@ -67,8 +65,7 @@ test('two tabs do not work on the same work', () => onPage(TABLET, async ({ page
   const other = await page.context().newPage();
   await other.goto(page.url());
   await isReady(other);
-  await press(other, 'work-menu');
-  await press(other, 'work-my-work');
+  await choose(other, 'work-menu', 'work-my-work');
   await other.waitForFunction(() => document.querySelector('[data-tag^="work-w"]'));
   const tag = await other.evaluate(() => document.querySelector('[data-tag^="work-w"]').dataset.tag);
   await press(other, tag);

@@ -1,9 +1,10 @@
 // Does in the built page what a pupil does: writes programs key by key, runs them, changes the world, and finds all of it again.
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import { isReady, photograph, report } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
-import { appears, disappears, placeOf, press, programText, reports, says, words, writeProgram } from './words.mjs';
+import { appears, choose, disappears, press, programText, reports, says, words, writeProgram } from './words.mjs';
 
 const IN_MEMORY = /^robotran-work 1\n/;
 
@@ -44,7 +45,7 @@ test('who is here for the first time is welcomed, and not a second time', () => 
 
 test('a program that is typed runs, and is there again after a reload', () => onPage(TABLET, async ({ page, troubles }) => {
   await writeProgram(page, 'pen down\nrepeat 2 times\nforward 15\nturn left 180 degrees\nend');
-  await says(page, 'status', /Ready|run/i);
+  await says(page, 'status', /Press Run/);
   await press(page, 'run');
   await reports(page, (report) => report.status === 'ended' && report.inkCentimetres > 10);
   await photograph(page, 'typed-program');
@@ -74,8 +75,7 @@ test('accents that an input method or a dead key makes are written once', () => 
 }));
 
 test('text is copied, cut and pasted by keys, within the program and from elsewhere', () => onPage(TABLET, async ({ page, troubles }) => {
-  await writeProgram(page, '');
-  await page.keyboard.type('beep');
+  await writeProgram(page, 'beep');
   await page.keyboard.press('Control+a');
   await page.keyboard.press('Control+x');
   await page.waitForFunction(() => document.activeElement.value === '');
@@ -94,19 +94,17 @@ test('text is copied, cut and pasted by keys, within the program and from elsewh
 }));
 
 test('a Java program is written, compiled in the page and run', () => onPage(TABLET, async ({ page, troubles }) => {
-  await press(page, 'add-program');
-  await press(page, 'new-java');
-  await disappears(page, 'new-java');
+  await choose(page, 'add-program', 'new-java');
   await press(page, 'program');
   await page.keyboard.press('Control+a');
   await page.keyboard.insertText(
-    'import josx.platform.rcx.Motor;\n\npublic class Main {\n    public static void main(String[] args) throws InterruptedException {\n'
+    'import josx.platform.rcx.Motor;\n\npublic class Program {\n    public static void main(String[] args) throws InterruptedException {\n'
     + '        Motor.A.forward();\n        Motor.C.forward();\n        Thread.sleep(1000);\n        Motor.A.stop();\n        Motor.C.stop();\n    }\n}\n',
   );
-  const before = (await report(page)).pose.x;
+  const { x } = (await report(page)).pose;
+  assert.ok(x < 45);
   await press(page, 'run');
-  await reports(page, (report) => report.status === 'ended' && report.romCalls > 0);
-  assert.ok((await report(page)).pose.x - before > 5, 'the robot has driven');
+  await reports(page, (report) => report.status === 'ended' && report.pose.x > 45);
   await photograph(page, 'java-ran');
   assert.deepEqual(troubles, []);
 }));
@@ -159,7 +157,6 @@ test('it speaks German to who does', () => onPage({ ...PHONE, locale: 'de-DE' },
 
 test('where nothing can be kept, that is said before anything is lost', () => onPage({ ...TABLET, prepare: fill }, async ({ page, troubles }) => {
   await writeProgram(page, 'forward 9');
-  await says(page, 'keeping-trouble', /./).catch(() => undefined);
   await appears(page, 'trouble-save-as');
   await appears(page, 'trouble-my-work');
   await photograph(page, 'storage-full');
@@ -180,17 +177,13 @@ test('a work is saved as a file and opened from it', () => onPage(TABLET, async 
   await writeProgram(page, 'forward 7\nbeep');
   await isKept(page, 'forward 7');
   const download = page.waitForEvent('download');
-  await press(page, 'work-menu');
-  await press(page, 'work-save-as');
+  await choose(page, 'work-menu', 'work-save-as');
   const file = await (await download).path();
-  await press(page, 'work-menu');
-  await press(page, 'work-new');
+  await choose(page, 'work-menu', 'work-new');
   await says(page, 'program', /^(?!.*forward 7)/);
   const chooser = page.waitForEvent('filechooser');
-  await press(page, 'work-menu');
-  await press(page, 'work-open');
-  await (await chooser).setFiles([{ name: 'mine.robotran', mimeType: 'application/json', buffer: await (await import('node:fs/promises')).readFile(file) }]);
+  await choose(page, 'work-menu', 'work-open');
+  await (await chooser).setFiles([{ name: 'mine.robotran', mimeType: 'application/json', buffer: await readFile(file) }]);
   await says(page, 'program', /forward 7/);
-  assert.ok(await placeOf(page, 'run'));
   assert.deepEqual(troubles, []);
 }));

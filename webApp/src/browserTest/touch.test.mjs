@@ -5,10 +5,10 @@ import { photograph, report } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
 import { appears, placeOf, press, reports, says, words, writeProgram } from './words.mjs';
 
-/** Fingers of a person: each call says where all that are down are now. */
+/** Fingers of a person: each call says where all that are down are now; 'touchEnd' says which come up, or with none, all. */
 async function fingersOn(page) {
   const session = await page.context().newCDPSession(page);
-  return (type, ...places) => session.send('Input.dispatchTouchEvent', { type, touchPoints: places.map((place, id) => ({ ...place, id })) });
+  return (type, ...places) => session.send('Input.dispatchTouchEvent', { type, touchPoints: places.map((place, id) => ({ id, ...place })) });
 }
 
 test('two fingers hold two buttons of the brick', () => onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
@@ -20,8 +20,9 @@ test('two fingers hold two buttons of the brick', () => onPage({ ...TABLET, hasT
   await touch('touchStart', run);
   await touch('touchStart', run, onOff);
   await photograph(page, 'two-fingers');
+  assert.equal((await report(page)).status, 'running', 'the program ends when On-Off is let go while Run is held');
+  await touch('touchEnd', { ...onOff, id: 1 });
   await reports(page, (report) => report.status === 'ended');
-  await touch('touchEnd', run);
   await touch('touchEnd');
   await says(page, 'lcd', /\d/);
   assert.deepEqual(troubles, []);

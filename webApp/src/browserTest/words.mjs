@@ -25,6 +25,21 @@ export async function press(page, tag) {
   await page.mouse.click(x, y);
 }
 
+/** Opens the menu behind `opener` and chooses `item` in it; a menu that has only just come may miss a click. */
+export async function choose(page, opener, item) {
+  await press(page, opener);
+  for (let attempt = 0; attempt < 4; attempt++) {
+    await press(page, item);
+    try {
+      await words(page, item).waitFor({ state: 'detached', timeout: 4_000 });
+      return;
+    } catch {
+      // It is still open: once more.
+    }
+  }
+  throw new Error(`${item} cannot be chosen`);
+}
+
 /** Waits until `tag` is there, or not any more. */
 export const appears = (page, tag) => words(page, tag).first().waitFor({ state: 'attached', timeout: 30_000 });
 export const disappears = (page, tag) => words(page, tag).first().waitFor({ state: 'detached', timeout: 30_000 });
@@ -48,14 +63,22 @@ export async function writeProgram(page, text) {
   await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
   await page.keyboard.press('Control+a');
   await page.keyboard.press('Delete');
-  // An editor that closes brackets and indents by itself would do so twice.
-  for (const line of text.split('\n')) {
+  const lines = text.split('\n');
+  for (const [number, line] of lines.entries()) {
+    if (number > 0) await page.keyboard.press('Enter');
     await page.keyboard.type(line);
+    // What is offered would take Enter for itself; with nothing offered, Escape is nobody's.
     await page.keyboard.press('Escape');
-    await page.keyboard.press('Enter');
   }
 }
 
-/** Waits until the run's report is as `test` wants it, a function of the report that runs in the page. */
-export const reports = (page, test) =>
-  page.waitForFunction(`(${test})(JSON.parse(globalThis.robotran.report()))`, null, { timeout: 60_000 });
+/** Waits until the run's report is as `test` wants it, a function of the report; the page itself runs no code made of texts. */
+export async function reports(page, test) {
+  const end = Date.now() + 60_000;
+  for (;;) {
+    const now = JSON.parse(await page.evaluate(() => globalThis.robotran.report()));
+    if (test(now)) return;
+    if (Date.now() > end) throw new Error(`${JSON.stringify(now)} is not as ${test} wants it`);
+    await page.waitForTimeout(100);
+  }
+}

@@ -59,7 +59,7 @@ internal class QrVersion(val number: Int) {
     }
 
     companion object {
-        const val LARGEST = 30
+        const val LARGEST = 25
 
         /** From here on a code says its version. */
         const val FIRST_WITH_NUMBER = 7
@@ -73,9 +73,9 @@ internal class QrVersion(val number: Int) {
 
         /** Blocks, and bytes of error correction in each, at level L (ISO/IEC 18004, table 9). */
         private val BLOCKS =
-            listOf(1, 1, 1, 1, 1, 2, 2, 2, 2, 4, 4, 4, 4, 4, 6, 6, 6, 6, 7, 8, 8, 9, 9, 10, 12, 12, 12, 13, 14, 15)
+            listOf(1, 1, 1, 1, 1, 2, 2, 2, 2, 4, 4, 4, 4, 4, 6, 6, 6, 6, 7, 8, 8, 9, 9, 10, 12)
         private val CHECKS =
-            listOf(7, 10, 15, 20, 26, 18, 20, 24, 30, 18, 20, 24, 26, 30, 22, 24, 28, 30, 28, 28, 28, 28, 30, 30, 26, 28, 30, 30, 30, 30)
+            listOf(7, 10, 15, 20, 26, 18, 20, 24, 30, 18, 20, 24, 26, 30, 22, 24, 28, 30, 28, 28, 28, 28, 30, 30, 26)
     }
 }
 

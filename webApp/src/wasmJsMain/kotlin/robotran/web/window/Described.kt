@@ -44,7 +44,8 @@ private fun describe(node: SemanticsNode, density: Float, all: MutableList<Descr
     describeAlone(node, density)?.let { all += it }
     node.config.getOrNull(SemanticsActions.CustomActions)?.forEachIndexed { number, action ->
         val attributes = mapOf("type" to "button", "tabindex" to "-1")
-        all += Described("${idOf(node)}-$number", "button", action.label, attributes, action.label, placeOf(node, density), node, false, action)
+        val id = "${idOf(node)}-$number"
+        all += Described(id, "button", action.label, attributes, action.label, placeOf(node, density), node, isFocused = false, action)
     }
     node.children.forEach { describe(it, density, all) }
 }

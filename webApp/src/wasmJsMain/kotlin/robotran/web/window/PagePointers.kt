@@ -74,7 +74,7 @@ internal class PagePointers(
             buttons = PointerButtons(event.buttons.toInt()),
             keyboardModifiers = modifiersOf(event),
             nativeEvent = event,
-            button = if (changes) BUTTONS[event.button.toInt()] else null,
+            button = if (changes) BUTTONS.getOrNull(event.button.toInt()) else null,
         )
     }
 
@@ -110,8 +110,8 @@ internal class PagePointers(
         )
 
         /** By their numbers in an event. */
-        val BUTTONS = listOf(PointerButton.Primary, PointerButton.Tertiary, PointerButton.Secondary, PointerButton.Back, PointerButton.Forward)
-            .withIndex().associate { it.index to it.value }
+        val BUTTONS =
+            listOf(PointerButton.Primary, PointerButton.Tertiary, PointerButton.Secondary, PointerButton.Back, PointerButton.Forward)
 
         /** CSS pixels of what a wheel counts in: pixels, lines, pages. */
         val UNITS = listOf(1f, 16f, 400f)

@@ -58,6 +58,9 @@ internal class PageWindow(body: HTMLElement, content: @Composable () -> Unit) {
 
     init {
         canvas.tabIndex = 0
+        // What has the focus has a ring of its own.
+        canvas.style.setProperty("outline", "none")
+        canvas.style.setProperty("display", "block")
         place.element.appendChild(canvas)
         input = PageTextInput(place.element, canvas) { density.density }
         mirror = SemanticsMirror(place.element, canvas, input) { density.density }
@@ -73,7 +76,12 @@ internal class PageWindow(body: HTMLElement, content: @Composable () -> Unit) {
 
     init {
         layer.renderDelegate = object : SkikoRenderDelegate {
-            override fun onRender(canvas: Canvas, width: Int, height: Int, nanoTime: Long) = scene.render(canvas.asComposeCanvas(), nanoTime)
+            override fun onRender(
+                canvas: Canvas,
+                width: Int,
+                height: Int,
+                nanoTime: Long,
+            ) = scene.render(canvas.asComposeCanvas(), nanoTime)
         }
         val keys = PageKeys(scene, clipboard)
         keys.listenTo(canvas)

@@ -60,10 +60,10 @@ private fun DrawScope.drawQrCode(code: QrCode) {
         while (column < code.size) {
             val from = column
             while (column < code.size && code.isDark(column, row)) column++
-            if (column > from) drawRect(Color.Black, Offset(start + from * module, start + row * module), Size((column - from) * module, module))
+            drawRect(Color.Black, Offset(start + from * module, start + row * module), Size((column - from) * module, module))
             column++
         }
     }
 }
 
-private val MOST_SIDE = 320.dp
+private val MOST_SIDE = 360.dp
