@@ -29,7 +29,7 @@ class CommandLine(
                 TranslateCommand(console),
                 FormatCommand(console),
                 LinkCommand(console),
-                WebCommand(console, WebCommand::waitForEver),
+                WebCommand(console),
             )
         return try {
             command.parse(arguments)

@@ -15,11 +15,11 @@ import kotlin.io.path.Path
 /**
  * `robotran web`: serves the built site to browsers on this machine.
  *
- * @param wait returns when it is to end.
+ * @param stay returns when it is to end.
  */
 internal class WebCommand(
     private val process: Console,
-    private val wait: (SiteServer) -> Unit,
+    private val stay: (SiteServer) -> Unit = { Thread.sleep(Long.MAX_VALUE) },
 ) : CoreCliktCommand("web") {
     private val port by option("--port", metavar = "N", help = "the port, $USUAL_PORT if not given; 0 for any that is free")
         .int().restrictTo(0..HIGHEST_PORT).default(USUAL_PORT)
@@ -40,7 +40,7 @@ internal class WebCommand(
         val server = SiteServer.start(folder, port) ?: refuse(console.messages.portTaken(port))
         server.use {
             console.say(console.messages.siteServed(it.address))
-            wait(it)
+            stay(it)
         }
     }
 

@@ -5,8 +5,8 @@ import org.gradle.api.provider.Provider
 import org.jetbrains.kotlin.gradle.targets.wasm.binaryen.BinaryenExec
 
 /**
- * What binaryen does to the app and to what is measured in its place; docs/hosting.md says with which effect. Kotlin's own choice takes a
- * quarter of an hour and simplifies floating-point arithmetic (`--fast-math`), while runs are to be the same everywhere to the last bit.
+ * What binaryen does to the app and to what is measured in its place; docs/hosting.md says with which effect. Kotlin's own choice takes
+ * several times as long and simplifies floating-point arithmetic (`--fast-math`), while runs are to be the same everywhere to the last bit.
  */
 internal object WasmOptimisation {
     /** The property of the build that names the passes, with spaces between them, so that others can be tried. */
