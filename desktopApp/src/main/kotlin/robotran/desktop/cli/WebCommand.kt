@@ -55,10 +55,5 @@ internal class WebCommand(
 
         private const val USUAL_PORT = 8080
         private const val HIGHEST_PORT = 65_535
-
-        /** As a server is stopped: by the keyboard, or by whoever started it. */
-        fun waitForEver(
-            @Suppress("UNUSED_PARAMETER") server: SiteServer,
-        ) = Thread.sleep(Long.MAX_VALUE)
     }
 }
