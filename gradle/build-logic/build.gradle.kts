@@ -6,7 +6,10 @@ plugins {
 dependencies {
     implementation(libs.plugin.kotlin)
     implementation(libs.plugin.android)
+    implementation(libs.plugin.android.builder) // for R8
     implementation(libs.apksig)
+    implementation(libs.animal.sniffer)
+    implementation(libs.dexlib)
     implementation(libs.plugin.kotlin.compose)
     implementation(libs.plugin.compose)
     implementation(libs.plugin.kotlin.serialization)

@@ -41,6 +41,7 @@ kotlin {
         androidMain.dependencies {
             // Compose asks for 2.8.3, which not every mirror of Google's repository has.
             implementation(libs.androidx.lifecycle.runtime.compose)
+            implementation(libs.androidx.activity.compose) // for Back
         }
         jvmTest.dependencies {
             implementation(libs.kotest.property)

@@ -2,33 +2,27 @@ package robotran.android
 
 import android.content.Intent
 import android.os.Bundle
+import android.view.KeyEvent
 import androidx.activity.ComponentActivity
 import androidx.activity.compose.setContent
 import androidx.activity.enableEdgeToEdge
 import androidx.activity.viewModels
-import androidx.compose.foundation.background
-import androidx.compose.foundation.layout.Box
-import androidx.compose.foundation.layout.fillMaxSize
-import androidx.compose.foundation.layout.safeDrawingPadding
-import androidx.compose.runtime.Composable
-import androidx.compose.ui.Modifier
+import androidx.lifecycle.createSavedStateHandle
 import androidx.lifecycle.viewmodel.initializer
 import androidx.lifecycle.viewmodel.viewModelFactory
-import robotran.ui.RobotranApp
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranTheme
-import robotran.ui.workshop.Workshop
 
-/** The one activity: the workshop from edge to edge, with nothing to touch under the system's bars or a camera's cut-out. */
+/** The one activity: the workshop from edge to edge. */
 class MainActivity : ComponentActivity() {
-    private val kept: KeptWorkshop by viewModels { viewModelFactory { initializer { KeptWorkshop(application) } } }
+    private val kept: KeptWorkshop by viewModels {
+        viewModelFactory { initializer { KeptWorkshop(application, createSavedStateHandle()) } }
+    }
 
     override fun onCreate(savedInstanceState: Bundle?) {
         enableEdgeToEdge()
         super.onCreate(savedInstanceState)
         kept.platform.files.attachTo(this)
-        if (savedInstanceState == null) kept.receive(intent)
-        setContent { kept.workshop?.let { EdgeToEdge(it) } }
+        if (savedInstanceState == null && !isFromHistory(intent)) kept.receive(intent)
+        setContent { kept.workshop?.let { EdgeToEdge(this, it) } }
     }
 
     override fun onNewIntent(intent: Intent) {
@@ -36,17 +30,18 @@ class MainActivity : ComponentActivity() {
         kept.receive(intent)
     }
 
+    /** Keys that nothing on the screen has a use for, wherever the focus is. */
+    override fun onKeyDown(keyCode: Int, event: KeyEvent): Boolean {
+        val wanted = eventForKey(event) ?: return super.onKeyDown(keyCode, event)
+        kept.workshop?.handle(wanted)
+        return true
+    }
+
     override fun onStop() {
         super.onStop()
         kept.rest()
     }
-}
 
-@Composable
-private fun EdgeToEdge(workshop: Workshop) {
-    RobotranTheme {
-        Box(Modifier.fillMaxSize().background(LocalRobotranColours.current.pane).safeDrawingPadding()) {
-            RobotranApp(workshop)
-        }
-    }
+    /** Whoever comes back by the list of apps goes on with their work, and not with what was opened when they came first. */
+    private fun isFromHistory(intent: Intent) = intent.flags and Intent.FLAG_ACTIVITY_LAUNCHED_FROM_HISTORY != 0
 }

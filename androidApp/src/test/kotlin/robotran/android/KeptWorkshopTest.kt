@@ -2,6 +2,7 @@ package robotran.android
 
 import android.app.Application
 import android.os.Looper
+import androidx.lifecycle.SavedStateHandle
 import kotlinx.coroutines.runBlocking
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
@@ -68,7 +69,7 @@ class KeptWorkshopTest {
     }
 
     private fun opened(): Workshop {
-        kept = KeptWorkshop(app)
+        kept = KeptWorkshop(app, SavedStateHandle())
         waitUntil { kept.workshop != null }
         return checkNotNull(kept.workshop)
     }
@@ -76,15 +77,8 @@ class KeptWorkshopTest {
     /** What the user sees is stopped first; then the process is gone. */
     private fun endTheProcess() {
         kept.rest()
-        settle()
+        waitUntil { kept.resting?.isCompleted == true }
         kept.workshop?.close()
-    }
-
-    private fun settle() {
-        repeat(TURNS) {
-            Thread.sleep(TURN_MILLISECONDS)
-            shadowOf(Looper.getMainLooper()).idle()
-        }
     }
 
     private fun waitUntil(isTrue: () -> Boolean) {
@@ -97,7 +91,6 @@ class KeptWorkshopTest {
     }
 
     private companion object {
-        const val TURNS = 50
         const val TURN_MILLISECONDS = 10L
     }
 }

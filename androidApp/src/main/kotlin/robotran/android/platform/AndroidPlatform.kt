@@ -1,10 +1,9 @@
 package robotran.android.platform
 
-import android.content.ClipData
-import android.content.ClipboardManager
 import android.content.Context
-import android.content.Intent
+import android.content.res.Configuration
 import kotlinx.coroutines.Dispatchers
+import robotran.android.R
 import robotran.android.sound.audioTrackSpeaker
 import robotran.ui.platform.Arrivals
 import robotran.ui.platform.FolderWorkStore
@@ -14,36 +13,26 @@ import robotran.ui.platform.Sharing
 import robotran.ui.platform.WallClock
 import robotran.ui.platform.WorkStore
 import robotran.ui.sound.LoudSpeaker
+import java.util.Locale
 import kotlin.coroutines.CoroutineContext
 import kotlin.coroutines.EmptyCoroutineContext
 
 /** What Android offers to the app; work is kept among the app's own files. */
 class AndroidPlatform(
-    context: Context,
+    private val context: Context,
 ) : Platform {
+    override val arrivals = Arrivals()
     override val speaker: LoudSpeaker = audioTrackSpeaker()
     override val store: WorkStore = FolderWorkStore(context.filesDir.toPath().resolve("work"), EmptyCoroutineContext)
-    override val files = AndroidFileDesk(context.contentResolver)
+    override val files = AndroidFileDesk(ContentFiles(context.contentResolver), arrivals, ::unreadable)
     override val sharing: Sharing = AndroidSharing(context)
     override val clock: WallClock = JavaClock
-    override val arrivals = Arrivals()
+    override val pageAddress: String = context.getString(R.string.page_address)
     override val background: CoroutineContext = Dispatchers.Default
-}
 
-private class AndroidSharing(
-    private val context: Context,
-) : Sharing {
-    override val hasShareSheet: Boolean = true
-
-    override suspend fun copy(text: String): Boolean {
-        val clipboard = context.getSystemService(ClipboardManager::class.java) ?: return false
-        clipboard.setPrimaryClip(ClipData.newPlainText("Robotran", text))
-        return true
-    }
-
-    override suspend fun share(text: String): Boolean {
-        val message = Intent(Intent.ACTION_SEND).setType("text/plain").putExtra(Intent.EXTRA_TEXT, text)
-        context.startActivity(Intent.createChooser(message, null).addFlags(Intent.FLAG_ACTIVITY_NEW_TASK))
-        return true
+    /** In the language that the app speaks, which need not be the system's. */
+    private fun unreadable(name: String): String {
+        val configuration = Configuration(context.resources.configuration).apply { setLocale(Locale.getDefault()) }
+        return context.createConfigurationContext(configuration).getString(R.string.unreadable_file, name)
     }
 }

@@ -8,8 +8,11 @@ import org.gradle.api.Project
 import org.gradle.api.artifacts.VersionCatalogsExtension
 import org.gradle.api.tasks.testing.Test
 import org.gradle.language.base.plugins.LifecycleBasePlugin
+import robotran.build.android.AndroidRelease
+import robotran.build.android.PageAddress
+import robotran.build.android.ReleaseChecks
 
-/** The Android application: its debug APK, the check of its signature, and unit tests on Robolectric. */
+/** The Android application: its APKs, the checks of their signatures and of what R8 leaves, and unit tests on Robolectric. */
 class AndroidAppPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.pluginManager.apply("com.android.application")
@@ -20,22 +23,32 @@ class AndroidAppPlugin : Plugin<Project> {
             android.defaultConfig.targetSdk = AndroidPlugin.COMPILE_SDK
             android.buildFeatures.compose = true
             android.testOptions.unitTests.isIncludeAndroidResources = true
+            PageAddress.configure(project, android)
+            AndroidRelease.configure(project, android)
         }
-        verifyDebugApk(project)
+        verifyApks(project)
         runUnitTestsOnRobolectric(project)
     }
 
-    private fun verifyDebugApk(project: Project) {
-        val verifyApk = project.tasks.register("verifyApk", VerifyApkTask::class.java) {
-            it.group = LifecycleBasePlugin.VERIFICATION_GROUP
-            it.description = "Checks the signature of the debug APK."
-            it.report.set(project.layout.buildDirectory.file("reports/verifyApk.txt"))
-        }
+    private fun verifyApks(project: Project) {
         val components = project.extensions.getByType(ApplicationAndroidComponentsExtension::class.java)
-        components.onVariants(components.selector().withBuildType("debug")) { variant ->
-            verifyApk.configure { it.apkFolder.set(variant.artifacts.get(SingleArtifact.APK)) }
+        // Both variants have the same code, and tests look at what the other leaves out.
+        components.beforeVariants(components.selector().withBuildType(AndroidPlugin.RELEASE)) { release ->
+            release.hostTests.values.forEach { it.enable = false }
         }
-        project.tasks.named(LifecycleBasePlugin.CHECK_TASK_NAME) { it.dependsOn(verifyApk) }
+        components.onVariants { variant ->
+            val verify = project.tasks.register("verify${variant.name.replaceFirstChar { it.uppercase() }}Apk", VerifyApkTask::class.java) {
+                it.group = LifecycleBasePlugin.VERIFICATION_GROUP
+                it.description = "Checks the signature of the ${variant.name} APK and tells its size."
+                it.apkFolder.set(variant.artifacts.get(SingleArtifact.APK))
+                it.report.set(project.layout.buildDirectory.file("reports/verify-${variant.name}-apk.txt"))
+            }
+            if (variant.buildType == AndroidPlugin.RELEASE) {
+                ReleaseChecks(project, variant).register(verify)
+            } else {
+                project.tasks.named(LifecycleBasePlugin.CHECK_TASK_NAME) { it.dependsOn(verify) }
+            }
+        }
     }
 
     private fun runUnitTestsOnRobolectric(project: Project) {
@@ -49,6 +62,7 @@ class AndroidAppPlugin : Plugin<Project> {
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.jvmArgumentProviders.add(RobolectricArguments(project.files(framework), pictures))
             test.maxHeapSize = "2g"
+            test.systemProperty("robotran.tree", project.rootDir.path)
         }
     }
 }

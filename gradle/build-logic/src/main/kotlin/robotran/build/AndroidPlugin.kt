@@ -20,21 +20,23 @@ class AndroidPlugin : Plugin<Project> {
             android.defaultConfig.minSdk = MIN_SDK
             android.compileOptions.sourceCompatibility = JavaVersion.VERSION_17
             android.compileOptions.targetCompatibility = JavaVersion.VERSION_17
-            buildDebugOnly(project)
+            buildWhatIsNeeded(project)
             leaveLintOut(project)
         }
     }
 
     /**
-     * A release needs a signing key, which the project does not have; tests on a device need a device. A library's code is tested
-     * on the desktop's JVM.
+     * One variant of a library serves debug and release of the app; its code is tested on the desktop's JVM. Tests on a device need a
+     * device.
      */
-    private fun buildDebugOnly(project: Project) {
+    private fun buildWhatIsNeeded(project: Project) {
         val components = project.extensions.getByType(AndroidComponentsExtension::class.java)
-        components.beforeVariants(components.selector().withBuildType("release")) { it.enable = false }
         components.beforeVariants { variant ->
             (variant as? HasAndroidTestBuilder)?.androidTest?.enable = false
-            if (variant is LibraryVariantBuilder) variant.hostTests.values.forEach { it.enable = false }
+            if (variant is LibraryVariantBuilder) {
+                variant.enable = variant.buildType == DEBUG
+                variant.hostTests.values.forEach { it.enable = false }
+            }
         }
     }
 
@@ -54,6 +56,9 @@ class AndroidPlugin : Plugin<Project> {
         /** Android 15: the newest that Robolectric runs on JDK 17. `gradle/android-sdk` makes the same. */
         const val COMPILE_SDK = 35
         const val BUILD_TOOLS = "35.0.0"
+
+        const val DEBUG = "debug"
+        const val RELEASE = "release"
 
         /** Android 8.0, the first with adaptive icons. */
         const val MIN_SDK = 26

@@ -19,7 +19,7 @@ abstract class VerifyApkTask : DefaultTask() {
     @get:PathSensitive(PathSensitivity.RELATIVE)
     abstract val apkFolder: DirectoryProperty
 
-    /** One line an APK: its name and the signature schemes that hold. */
+    /** One line an APK: its name, its size, and the signature schemes that hold. */
     @get:OutputFile
     abstract val report: RegularFileProperty
 
@@ -35,8 +35,13 @@ abstract class VerifyApkTask : DefaultTask() {
                 "v2" to result.isVerifiedUsingV2Scheme,
                 "v3" to result.isVerifiedUsingV3Scheme,
             )
-            "${apk.name}: ${schemes.filter { it.second }.joinToString(" ") { it.first }}"
+            "${apk.name}: ${apk.length() / KILOBYTE} KB, signed by ${schemes.filter { it.second }.joinToString(" ") { it.first }}"
         }
         report.get().asFile.writeText(lines.joinToString("\n", postfix = "\n"))
+        lines.forEach(logger::lifecycle)
+    }
+
+    private companion object {
+        const val KILOBYTE = 1000
     }
 }

@@ -8,8 +8,10 @@ import org.gradle.api.tasks.CacheableTask
 import org.gradle.api.tasks.Classpath
 import org.gradle.api.tasks.OutputFile
 import org.gradle.api.tasks.TaskAction
-import java.io.File
-import java.util.zip.ZipFile
+import robotran.build.android.UsedApi
+import robotran.build.android.classFiles
+import robotran.build.android.declare
+import robotran.build.android.declareAndRead
 
 /** Fails if [classes] use a class, method or field that neither they nor Android have. */
 @CacheableTask
@@ -27,21 +29,11 @@ abstract class CheckAndroidReferences : DefaultTask() {
 
     @TaskAction
     fun check() {
-        val references = References()
-        framework.forEach { file -> classFiles(file).forEach(references::addFramework) }
-        classes.forEach { file -> classFiles(file).forEach(references::add) }
-        val missing = references.missing()
+        val api = UsedApi()
+        framework.forEach { file -> classFiles(file).forEach(api::declare) }
+        classes.forEach { file -> classFiles(file).forEach(api::declareAndRead) }
+        val missing = api.missing()
         report.get().asFile.writeText(missing.joinToString("\n"))
         if (missing.isNotEmpty()) throw GradleException("Android does not have\n${missing.joinToString("\n")}")
-    }
-
-    private fun classFiles(file: File): List<ByteArray> = when {
-        file.isDirectory -> file.walk().filter { it.extension == "class" }.map { it.readBytes() }.toList()
-
-        else -> ZipFile(file).use { jar ->
-            jar.entries().asSequence().filter { it.name.endsWith(".class") }.map { entry ->
-                jar.getInputStream(entry).use { it.readBytes() }
-            }.toList()
-        }
     }
 }

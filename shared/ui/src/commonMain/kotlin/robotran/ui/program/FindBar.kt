@@ -42,6 +42,7 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.editing.TextSpan
 import robotran.editing.find.Search
+import robotran.ui.parts.BackGesture
 import robotran.ui.program.editor.editorStyle
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_find
@@ -109,6 +110,7 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
     val colours = LocalRobotranColours.current
     val first = remember { FocusRequester() }
     LaunchedEffect(state.asked) { first.requestFocus() }
+    BackGesture(onBack = actions::close)
     Column(
         Modifier
             .fillMaxWidth()

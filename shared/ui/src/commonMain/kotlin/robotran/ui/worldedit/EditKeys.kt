@@ -64,7 +64,8 @@ private fun nudge(editing: WorldEditing, x: Int, y: Int, fine: Boolean): Edit {
     return Edit.Nudge(x * step, y * step)
 }
 
-private fun escaped(editing: WorldEditing): Edit? = when {
+/** What Escape and Back do in the editor, one step at a time; null where they leave it. */
+internal fun escaped(editing: WorldEditing): Edit? = when {
     editing.gesture != null -> Edit.LetGo
     editing.tool != Tool.CHOOSE -> Edit.ChooseTool(Tool.CHOOSE)
     editing.selection.isNotEmpty() -> Edit.Choose(null)

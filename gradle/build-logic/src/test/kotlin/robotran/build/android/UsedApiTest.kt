@@ -1,19 +1,19 @@
-package robotran.build.ecj
+package robotran.build.android
 
 import org.objectweb.asm.ClassWriter
 import org.objectweb.asm.Opcodes
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-class ReferencesTest {
-    private val references = References().apply {
-        addFramework(classFile("java/lang/Object", null, method = "hashCode"))
-        addFramework(classFile("java/util/List", "java/lang/Object", method = "size"))
+class UsedApiTest {
+    private val api = UsedApi().apply {
+        declare(classFile("java/lang/Object", null, method = "hashCode"))
+        declare(classFile("java/util/List", "java/lang/Object", method = "size"))
     }
 
     @Test
     fun `what a class or the framework has is there, inherited or not`() {
-        references.add(
+        api.declareAndRead(
             classFile(
                 "Own", "java/util/List", "go",
                 calls = listOf(
@@ -22,13 +22,22 @@ class ReferencesTest {
                 ),
             ),
         )
-        assertEquals(emptyList(), references.missing())
+        assertEquals(emptyList(), api.missing())
     }
 
     @Test
     fun `classes and methods that are not there are named with who uses them`() {
-        references.add(classFile("Own", "javax/tools/Tool", "go", calls = listOf("java/util/List" to "reversed")))
-        assertEquals(listOf("java/util/List.reversed()V, used by Own.go", "javax/tools/Tool, used by Own"), references.missing())
+        api.declareAndRead(classFile("Own", "javax/tools/Tool", "go", calls = listOf("java/util/List" to "reversed")))
+        val missing = api.missing().map { it.toString() }
+        assertEquals(listOf("java/util/List.reversed()V, used by Own.go", "javax/tools/Tool, used by Own"), missing)
+    }
+
+    @Test
+    fun `what R8 has taken out of a method counts as used by that method`() {
+        api.declare("Outline", listOf("java/lang/Object"), setOf("m()V"))
+        api.use("java/util/List", "getFirst()V", from = "Outline.m()V")
+        api.use("Outline", "m()V", from = "Own.go()V")
+        assertEquals(listOf("java/util/List.getFirst()V, used by Own.go()V"), api.missing { it == "Outline" }.map { it.toString() })
     }
 
     private fun classFile(

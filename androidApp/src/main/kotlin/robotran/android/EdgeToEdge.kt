@@ -1,0 +1,49 @@
+package robotran.android
+
+import android.graphics.Color
+import androidx.activity.ComponentActivity
+import androidx.activity.SystemBarStyle
+import androidx.activity.enableEdgeToEdge
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.safeDrawingPadding
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.DisposableEffect
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.derivedStateOf
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalView
+import robotran.ui.RobotranApp
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranTheme
+import robotran.ui.workshop.Pace
+import robotran.ui.workshop.Workshop
+
+/** The [workshop] on the whole window of [activity], with nothing to touch under the system's bars, a camera's cut-out or a keyboard. */
+@Composable
+internal fun EdgeToEdge(activity: ComponentActivity, workshop: Workshop) {
+    RobotranTheme(settings = workshop.settings) {
+        val colours = LocalRobotranColours.current
+        LaunchedEffect(colours.isDark) {
+            // The bars' own signs have to be seen on what lies under them, whatever the system's theme is.
+            val style = SystemBarStyle.auto(Color.TRANSPARENT, Color.TRANSPARENT) { colours.isDark }
+            activity.enableEdgeToEdge(style, style)
+        }
+        Box(Modifier.fillMaxSize().background(colours.pane).safeDrawingPadding()) { RobotranApp(workshop) }
+    }
+    StayingAwake(workshop)
+}
+
+/** A tablet that nobody touches stays awake while a program runs, and no longer. */
+@Composable
+private fun StayingAwake(workshop: Workshop) {
+    val view = LocalView.current
+    val runs by remember(workshop) { derivedStateOf { workshop.state.run.let { it.running && it.pace != Pace.PAUSED } } }
+    DisposableEffect(view, runs) {
+        view.keepScreenOn = runs
+        onDispose { view.keepScreenOn = false }
+    }
+}

@@ -1,0 +1,23 @@
+package robotran.android
+
+import android.view.KeyEvent
+import robotran.ui.documents.documentShortcut
+import robotran.ui.workshop.DocumentEvent
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningPage
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.WorkshopEvent
+import androidx.compose.ui.input.key.KeyEvent as ComposeKeyEvent
+
+/** What a key of a keyboard at the tablet does anywhere in the workshop, as in the menus of the desktop; null for nothing. */
+internal fun eventForKey(event: KeyEvent): WorkshopEvent? {
+    val help = LearningEvent.PageWanted(LearningPage.HELP)
+    return when {
+        event.keyCode == KeyEvent.KEYCODE_F5 -> if (event.isShiftPressed) RunEvent.StopPressed else RunEvent.RunPressed
+        event.keyCode == KeyEvent.KEYCODE_F1 -> if (event.isShiftPressed) LearningEvent.TutorialBegun else help
+        event.isCtrlPressed && event.keyCode == KeyEvent.KEYCODE_COMMA -> SettingsEvent.SettingsShown(true)
+        event.isCtrlPressed && event.keyCode == KeyEvent.KEYCODE_N -> DocumentEvent.NewWanted
+        else -> documentShortcut(ComposeKeyEvent(event))
+    }
+}

@@ -1,0 +1,72 @@
+package robotran.android
+
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.withContext
+import kotlinx.coroutines.yield
+import robotran.documents.replayFile
+import robotran.projects.Project
+import robotran.projects.ProjectFileResult
+import robotran.projects.readProject
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.Workshop
+import java.io.File
+import java.io.IOException
+
+/**
+ * The run that was watched when the app went out of sight. Android may end the process then; the same inputs make the same run again, so
+ * [file] holds them with the programs and the world they belong to.
+ */
+internal class KeptRun(private val file: File) {
+    /** Keeps the run of [workshop], if there is one that can be made again. */
+    suspend fun keep(workshop: Workshop) {
+        val state = workshop.state
+        // A replay runs the first program, as it is written.
+        val canBeMadeAgain = !state.untouched && !state.changed && state.session.brick.selectedSlot == 0
+        val project = workshop.project
+        val inputs = workshop.inputs
+        withContext(Dispatchers.IO) {
+            val bytes = if (canBeMadeAgain && inputs.isNotEmpty()) replayFile(project, inputs) else null
+            try {
+                if (bytes == null) file.delete() else file.writeBytes(bytes)
+            } catch (_: IOException) {
+                file.delete()
+            }
+        }
+    }
+
+    /**
+     * Makes the run again as far as [time], in milliseconds, and lets it stand still there, if [workshop] still has the programs and the world
+     * it belongs to, and if nobody has to wait for long.
+     */
+    suspend fun restore(
+        workshop: Workshop,
+        time: Long,
+    ) {
+        if (time !in 1..LONGEST) return
+        val replay = withContext(Dispatchers.IO) { read() } ?: return
+        if (replay.copy(inputs = emptyList()) != workshop.project) return
+        workshop.openProject(replay)
+        workshop.readPrograms()
+        workshop.handle(RunEvent.RecordingPlayed)
+        for (done in 0 until time step PART) {
+            workshop.advance(minOf(PART, time - done).toInt())
+            yield()
+        }
+        workshop.handle(RunEvent.PausePressed)
+    }
+
+    private fun read(): Project? =
+        try {
+            (readProject(file.readBytes()) as? ProjectFileResult.Loaded)?.project
+        } catch (_: IOException) {
+            null
+        }
+
+    private companion object {
+        /** Ten minutes of a run, in milliseconds: they take a few seconds. */
+        const val LONGEST = 600_000L
+
+        /** What is made again at once, in milliseconds. */
+        const val PART = 1_000L
+    }
+}

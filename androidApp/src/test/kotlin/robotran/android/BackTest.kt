@@ -1,0 +1,87 @@
+package robotran.android
+
+import org.junit.Assert.assertEquals
+import org.junit.Assert.assertFalse
+import org.junit.Assert.assertNull
+import org.junit.Assert.assertTrue
+import org.junit.Before
+import org.junit.Rule
+import org.junit.Test
+import org.junit.runner.RunWith
+import org.robolectric.RobolectricTestRunner
+import robotran.ui.workshop.DrawerTab
+import robotran.ui.workshop.Pane
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorldEditEvent
+
+@RunWith(RobolectricTestRunner::class)
+class BackTest {
+    @get:Rule
+    val app = TestedApp()
+
+    @Before
+    fun open() = app.open(Device.PHONE.qualifiers(upright = true))
+
+    @Test
+    fun `Back leaves the welcome, the settings and the drawer before it leaves the app`() {
+        app.goBack()
+        assertNull(app.workshop.state.learning.page)
+        show(RunEvent.DrawerChosen(DrawerTab.LOG))
+        show(SettingsEvent.SettingsShown(true))
+        app.goBack()
+        assertFalse(app.workshop.state.settingsShown)
+        assertEquals(DrawerTab.LOG, app.workshop.state.run.drawer.tab)
+        app.goBack()
+        assertNull(app.workshop.state.run.drawer.tab)
+        assertFalse(app.activity.isFinishing)
+        app.goBack()
+        assertTrue(app.activity.isFinishing)
+    }
+
+    @Test
+    fun `Back goes from the other panes of a phone to the world`() {
+        app.goBack()
+        show(WorkshopEvent.PaneChosen(Pane.BRICK))
+        app.goBack()
+        assertEquals(Pane.WORLD, app.workshop.state.pane)
+        assertFalse(app.activity.isFinishing)
+    }
+
+    @Test
+    fun `on a tablet all panes are there, so Back leaves the app once nothing lies over them`() {
+        app.change(Device.TABLET_11_INCH.qualifiers(upright = false))
+        app.goBack()
+        show(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        show(RunEvent.DrawerChosen(DrawerTab.CHART))
+        app.goBack()
+        assertNull(app.workshop.state.run.drawer.tab)
+        app.goBack()
+        assertTrue(app.activity.isFinishing)
+    }
+
+    @Test
+    fun `Back closes the find bar and leaves the program as it is`() {
+        app.goBack()
+        show(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        app.touch("find-open")
+        assertTrue(app.isThere("find-bar"))
+        app.goBack()
+        assertFalse(app.isThere("find-bar"))
+        assertEquals(Pane.PROGRAM, app.workshop.state.pane)
+    }
+
+    @Test
+    fun `Back leaves the editor of worlds and keeps what was done`() {
+        app.goBack()
+        show(WorldEditEvent.EditorOpened)
+        app.goBack()
+        assertNull(app.workshop.state.worldEdit)
+    }
+
+    private fun show(event: WorkshopEvent) {
+        app.workshop.handle(event)
+        app.pass(300)
+    }
+}

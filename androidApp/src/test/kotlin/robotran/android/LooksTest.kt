@@ -1,0 +1,66 @@
+package robotran.android
+
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.onNodeWithTag
+import org.junit.Rule
+import org.junit.Test
+import org.junit.runner.RunWith
+import org.robolectric.ParameterizedRobolectricTestRunner
+import org.robolectric.ParameterizedRobolectricTestRunner.Parameters
+import robotran.ui.workshop.Pane
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorldEditEvent
+
+/**
+ * The dark theme, and text twice as large as usual, on every kind of device and held either way: pictures to be looked at, and Run always
+ * in reach.
+ */
+@RunWith(ParameterizedRobolectricTestRunner::class)
+class LooksTest(
+    @Suppress("unused") private val name: String,
+    private val device: Device,
+    private val upright: Boolean,
+    private val dark: Boolean,
+) {
+    @get:Rule
+    val app = TestedApp()
+
+    @Test
+    fun `program, run, world editor and settings can be seen`() {
+        val picture = "${device.pictureName(upright)}-${if (dark) "dark" else "large"}"
+        app.open(device.qualifiers(upright, dark), fontScale = if (dark) 1f else 2f)
+        app.leaveFirstPage()
+        show(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        app.screen.onNodeWithTag("run").assertIsDisplayed()
+        app.photograph("$picture-1-program")
+        show(WorkshopEvent.PaneChosen(Pane.WORLD))
+        app.touch("run")
+        app.pass(RUN)
+        app.screen.onNodeWithTag("stop").assertIsDisplayed()
+        app.photograph("$picture-2-run")
+        show(WorldEditEvent.EditorOpened)
+        app.screen.onNodeWithTag("edit-done").assertIsDisplayed()
+        app.photograph("$picture-3-world")
+        show(WorldEditEvent.EditorClosed)
+        show(SettingsEvent.SettingsShown(true))
+        app.photograph("$picture-4-settings")
+    }
+
+    private fun show(event: WorkshopEvent) {
+        app.workshop.handle(event)
+        app.pass(SHORT)
+    }
+
+    companion object {
+        /** Milliseconds. */
+        private const val SHORT = 300L
+        private const val RUN = 3_000L
+
+        @JvmStatic
+        @Parameters(name = "{0}, dark {3}")
+        fun looks(): List<Array<Any>> = listOf(true, false).flatMap { dark ->
+            Device.entries.flatMap { device -> listOf(true, false).map { arrayOf(device.pictureName(it), device, it, dark) } }
+        }
+    }
+}

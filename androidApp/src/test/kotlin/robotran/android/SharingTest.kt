@@ -1,0 +1,37 @@
+package robotran.android
+
+import android.content.ClipboardManager
+import android.content.Intent
+import kotlinx.coroutines.runBlocking
+import org.junit.Assert.assertEquals
+import org.junit.Assert.assertTrue
+import org.junit.Test
+import org.junit.runner.RunWith
+import org.robolectric.RobolectricTestRunner
+import org.robolectric.RuntimeEnvironment
+import org.robolectric.Shadows.shadowOf
+import robotran.android.platform.AndroidPlatform
+
+@RunWith(RobolectricTestRunner::class)
+class SharingTest {
+    private val context = RuntimeEnvironment.getApplication()
+    private val sharing = AndroidPlatform(context).sharing
+
+    @Test
+    fun `a link goes to the share sheet as text`() = runBlocking {
+        assertTrue(sharing.share("#p=aXY"))
+        val chooser = shadowOf(context).nextStartedActivity
+        assertEquals(Intent.ACTION_CHOOSER, chooser.action)
+        @Suppress("DEPRECATION")
+        val message = checkNotNull(chooser.getParcelableExtra<Intent>(Intent.EXTRA_INTENT))
+        assertEquals("text/plain", message.type)
+        assertEquals("#p=aXY", message.getStringExtra(Intent.EXTRA_TEXT))
+    }
+
+    @Test
+    fun `a link is copied`() = runBlocking {
+        assertTrue(sharing.copy("#p=aXY"))
+        val clip = context.getSystemService(ClipboardManager::class.java)?.primaryClip
+        assertEquals("#p=aXY", clip?.getItemAt(0)?.text.toString())
+    }
+}

@@ -1,0 +1,89 @@
+package robotran.android.recorded
+
+import robotran.programs.ProgramReader
+import robotran.programs.ProgramResult
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.projects.ProjectFileResult
+import robotran.projects.RobotLoads
+import robotran.projects.lightFacingOf
+import robotran.projects.readProject
+import robotran.projects.readRobotLoads
+import robotran.robolang.Calibration
+import robotran.rom.toLogText
+import robotran.world.BuiltInWorlds
+import robotran.world.Penbot
+import robotran.world.RobotLoad
+import robotran.world.Session
+import robotran.world.physics.PhysicsEngine
+import robotran.world.physics.loadPhysicsEngine
+import robotran.world.report
+import robotran.world.runUnattended
+import java.io.File
+
+/**
+ * Makes the runs again that the tests of the other targets are held against: all examples in both languages, and the projects with worlds
+ * full of things.
+ *
+ * @param tree the folder with the source tree, which holds the programs and the records.
+ */
+internal class RecordedRuns(private val tree: File) {
+    private val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+
+    /** Every session whose report or ROM log is not what was recorded, after all of them have been made. */
+    suspend fun differences(): Outcome {
+        val physics = loadPhysicsEngine()
+        val reader = ProgramReader(calibration)
+        val robolang = files("examples", ".robo").map { file ->
+            compare(example(reader, ProgramSource.Robolang(file.name, file.readText()), physics), file, "shared/world")
+        }
+        val java = files("examples/lejos", ".java").map { file ->
+            val source = ProgramSource.Java(file.name, listOf(SourceFile(file.name, file.readText())))
+            compare(example(reader, source, physics), file, "shared/programs")
+        }
+        val projects = files("shared/projects/$RUNS", ".robotran").map { file ->
+            compare(project(file.readText(), physics), file, "shared/projects")
+        }
+        return Outcome(robolang.size, java.size, projects.size, (robolang + java + projects).filterNotNull())
+    }
+
+    private suspend fun example(reader: ProgramReader, source: ProgramSource, physics: PhysicsEngine): Session {
+        val result = reader.read(source)
+        check(result is ProgramResult.Ready) { "$source has mistakes: $result" }
+        val load = RobotLoad(listOf(result.program), lightFacing = lightFacingOf(result.program))
+        return Session(BuiltInWorlds.plain, listOf(load), physics).apply { runUnattended(EXAMPLE_MILLISECONDS) }
+    }
+
+    private suspend fun project(text: String, physics: PhysicsEngine): Session {
+        val project = (readProject(text) as ProjectFileResult.Loaded).project
+        val loads = (readRobotLoads(project, ProgramReader(calibration, project.settings.java)) as RobotLoads.Ready).loads
+        return Session.replay(project.worldToRun, loads, physics, project.inputs, EXAMPLE_MILLISECONDS.toLong()).apply { finish() }
+    }
+
+    /** What differs from the records of [file]; null if nothing does. */
+    private fun compare(session: Session, file: File, module: String): String? {
+        session.close()
+        val record = tree.resolve("$module/$RUNS/${file.nameWithoutExtension}.report.json").readText()
+        val report = session.report().toJson() + "\n"
+        if (report != record) return "${file.name} leaves the report\n$report and not\n$record"
+        val recordedLog = tree.resolve("$module/$RUNS/${file.nameWithoutExtension}.rom-log.txt")
+        if (!recordedLog.exists()) return null
+        val log = session.romLog.entries.toLogText()
+        return if (log == recordedLog.readText()) null else "${file.name} makes other ROM calls:\n$log"
+    }
+
+    private fun files(folder: String, extension: String): List<File> =
+        tree.resolve(folder).listFiles().orEmpty().filter { it.name.endsWith(extension) }.sorted()
+
+    /**
+     * What came of making the runs again.
+     *
+     * @property differences one text for each run that was not as recorded.
+     */
+    data class Outcome(val robolang: Int, val java: Int, val projects: Int, val differences: List<String>)
+
+    private companion object {
+        const val RUNS = "src/commonTest/resources/runs"
+        const val EXAMPLE_MILLISECONDS = 60_000
+    }
+}

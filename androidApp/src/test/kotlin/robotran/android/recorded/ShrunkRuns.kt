@@ -1,0 +1,34 @@
+package robotran.android.recorded
+
+import kotlinx.coroutines.runBlocking
+import robotran.programs.ProgramReader
+import robotran.programs.ProgramResult
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.robolang.Calibration
+import robotran.world.Penbot
+import java.io.File
+import kotlin.system.exitProcess
+
+/**
+ * Holds the classes that R8 has left of the app against the recorded runs, on a plain JVM, and looks whether the compiler for Java still
+ * knows what it says about mistakes. Its only argument is the folder with the source tree.
+ */
+fun main(arguments: Array<String>) = runBlocking {
+    val outcome = RecordedRuns(File(arguments.single())).differences()
+    val faults = outcome.differences + mistakeFaults()
+    faults.forEach(System.err::println)
+    if (outcome.robolang == 0 || outcome.java == 0 || outcome.projects == 0) exitProcess(2)
+    if (faults.isNotEmpty()) exitProcess(1)
+    val examples = "${outcome.robolang} Robolang examples, ${outcome.java} Java examples"
+    println("$examples and ${outcome.projects} projects make their recorded runs")
+}
+
+private suspend fun mistakeFaults(): List<String> {
+    val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    val text = "public class Oops {\n  public static void main(String[] words) {\n    int count = \"five\";\n  }\n}\n"
+    val result = reader.read(ProgramSource.Java("Oops.java", listOf(SourceFile("Oops.java", text))))
+    val mistake = (result as? ProgramResult.Mistaken)?.mistakes?.singleOrNull()
+    val isTold = mistake != null && ("count" in mistake.message || "String" in mistake.message)
+    return if (isTold) emptyList() else listOf("One mistake was to be told in words, and not $result")
+}

@@ -1,0 +1,7 @@
+package robotran.ui.parts
+
+import androidx.compose.runtime.Composable
+
+/** There is none. */
+@Composable
+internal actual fun BackGesture(enabled: Boolean, onBack: () -> Unit) = Unit
