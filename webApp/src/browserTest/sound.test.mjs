@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { findColour, startBrowser } from './browser.mjs';
-import { openPage, RUN_GREEN } from './page.mjs';
+import { openPage, putWelcomeAway, RUN_GREEN } from './page.mjs';
 import { serve } from './serve.mjs';
 
 let browser;
@@ -65,8 +65,9 @@ const heard = (page) =>
   });
 
 test('the page makes no sound before it is touched, and the beeps of the brick after', async () => {
-  const { page, troubles } = await openPage(browser, site, { width: 1280, height: 800, prepare: listen });
+  const { page, troubles } = await openPage(browser, site, { width: 1280, height: 800, prepare: listen, welcome: true });
   assert.deepEqual(await heard(page), { contexts: 0, resumed: 0, tones: [] });
+  await putWelcomeAway(page);
 
   const { x, y } = await findColour(page, RUN_GREEN);
   await page.mouse.click(x, y);
