@@ -9,6 +9,7 @@ kotlin {
             implementation(project(":shared:projects"))
             implementation(project(":shared:documents"))
             implementation(libs.coroutines.core)
+            implementation(compose.components.resources)
         }
     }
 }

@@ -26,7 +26,7 @@ kotlin {
             api(project(":shared:projects"))
             api(project(":shared:learning"))
             api(project(":shared:text-editing"))
-            implementation(project(":shared:learning"))
+            implementation(project(":shared:qr-code"))
             api(project(":shared:world-editing"))
             api(project(":shared:documents"))
             api(libs.compose.runtime)
@@ -45,6 +45,7 @@ kotlin {
         }
         jvmTest.dependencies {
             implementation(libs.kotest.property)
+            implementation(libs.zxing)
         }
     }
 }

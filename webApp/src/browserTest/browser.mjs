@@ -8,6 +8,10 @@ const QUIET = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-bac
 /** Starts the browser that CHROMIUM names. */
 export const startBrowser = () => chromium.launch({ executablePath: process.env.CHROMIUM, args: QUIET });
 
+/** Starts it with the folder of a person, in which it finds again what it kept there; answers its one context. */
+export const launchPerson = (folder, options) =>
+  chromium.launchPersistentContext(folder, { executablePath: process.env.CHROMIUM, args: QUIET, ...options });
+
 /**
  * The middle of the largest patch of one colour on the screen, as a person would find a button on the canvas:
  * { x, y, size }, in CSS pixels, or null.

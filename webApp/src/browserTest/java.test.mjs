@@ -21,15 +21,11 @@ after(async () => {
 
 const open = () => openPage(browser, site, { width: 1280, height: 800 });
 
-const EXAMPLES = ['Square.java', 'Shapes.java', 'BouncerWithBehaviours.java'];
-
-test('Java examples make their recorded runs in the browser, bit for bit', async () => {
+test('every Java example makes its recorded run in the browser, bit for bit', async () => {
   const { page, troubles } = await open();
-  for (const name of EXAMPLES) {
-    const example = process.env.EXAMPLES.split(path.delimiter).find((file) => path.basename(file) === name);
-    assert.ok(example, name);
-    await assertRecordedRun(page, example, process.env.EXPECTED_JAVA_RUNS);
-  }
+  const examples = process.env.EXAMPLES.split(path.delimiter).filter((file) => file.endsWith('.java'));
+  assert.ok(examples.length > 15, `${examples.length} examples`);
+  for (const example of examples) await assertRecordedRun(page, example, process.env.EXPECTED_JAVA_RUNS);
   assert.deepEqual(troubles, []);
 });
 

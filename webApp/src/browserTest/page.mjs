@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
+import { press, words } from './words.mjs';
 
 /** The colour of Run on the brick. */
 export const RUN_GREEN = [0x2e, 0x9e, 0x4f];
@@ -13,10 +14,12 @@ const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated/;
 /**
  * Opens the page and waits until the workshop is there; what goes wrong in the page, or is fetched from elsewhere, is collected in
  * `troubles`, the addresses of all that is fetched in `fetched`.
- * The function `prepare`, if there is one, runs in the page before anything else.
+ * The function `prepare`, if there is one, runs in the page before anything else. Whoever opens a page in a new context is here for the first time; the
+ * welcome is put away unless the test wants it (`welcome`). `address` is what comes behind that of the page; the rest is for the browser's context,
+ * in which nothing is kept for days without a network unless `serviceWorkers` is 'allow'.
  */
-export async function openPage(browser, site, { width, height, dark = false, prepare }) {
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light' });
+export async function openPage(browser, site, { width, height, dark = false, prepare, welcome = false, address = '', ...more }) {
+  const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light', serviceWorkers: 'block', ...more });
   const page = await context.newPage();
   if (prepare) await page.addInitScript(prepare);
   const troubles = [];
@@ -25,11 +28,22 @@ export async function openPage(browser, site, { width, height, dark = false, pre
   page.on('pageerror', (error) => troubles.push(String(error)));
   page.on('console', (message) => message.type() === 'error' && !KNOWN_COMPLAINT.test(message.text()) && troubles.push(message.text()));
   page.on('request', (request) => request.url().startsWith(site.address) || /^(data|blob):/.test(request.url()) || troubles.push(`fetched ${request.url()}`));
-  await page.goto(site.address);
-  await page.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
-  await page.waitForLoadState('networkidle'); // words and fonts come after the first picture
-  await page.waitForTimeout(500);
+  await page.goto(site.address + address);
+  await isReady(page);
+  if (!welcome && await words(page, 'first-run').count() > 0) await putWelcomeAway(page);
   return { page, troubles, fetched };
+}
+
+/** Waits until the workshop is there and has said what it shows; that comes after the first picture. */
+export async function isReady(page) {
+  await page.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
+  await page.waitForFunction(() => document.querySelector('#robotran-words [data-tag]'), null, { timeout: 60_000 });
+  await page.waitForLoadState('networkidle');
+}
+
+export async function putWelcomeAway(page) {
+  await press(page, 'first-run-close');
+  await words(page, 'first-run').waitFor({ state: 'detached' });
 }
 
 /** The report of the workshop's run up to now. */

@@ -21,6 +21,7 @@ import kotlin.time.measureTime
 /** What can be measured of the screen, which is drawn on the JVM only. */
 internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Figure> =
     mapOf(
+        "frames" to { onEventThread { frameTime(DrawerTab.CHART, DrawerTab.LOG) } },
         "frames-log" to { onEventThread { frameTime(DrawerTab.LOG) } },
         "frames-chart" to { onEventThread { frameTime(DrawerTab.CHART) } },
         "keystroke" to { onEventThread(::keystrokeTime) },
@@ -34,14 +35,15 @@ private fun onEventThread(measure: suspend () -> Figure): Figure {
 }
 
 /**
- * How long it takes to let a sixtieth of a second pass in the world full of things and to draw the whole screen of a tablet with [tab] of the drawer open,
- * in software: on one core, with no graphics card.
+ * How long it takes to let a sixtieth of a second pass in the world full of things and to draw the whole screen of a tablet with [tab] of the
+ * drawer open, and [beside] next to it, in software: on one core, with no graphics card.
  */
-private suspend fun frameTime(tab: DrawerTab): Figure {
+private suspend fun frameTime(tab: DrawerTab, beside: DrawerTab? = null): Figure {
     val workshop = Workshop(heavyProject(), loadPhysicsEngine())
     workshop.handle(RunEvent.RunPressed)
     workshop.advance(EARLIER_MILLISECONDS)
     workshop.handle(RunEvent.DrawerChosen(tab))
+    workshop.handle(RunEvent.DrawerBesideChosen(beside))
     val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f)) { RobotranApp(workshop, dark = false) }
     val times = List(WARMING_FRAMES + FRAMES) { frame ->
         measureTime { scene.render(frame * FRAME_NANOSECONDS) }

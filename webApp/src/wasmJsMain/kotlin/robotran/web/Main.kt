@@ -1,7 +1,5 @@
 package robotran.web
 
-import androidx.compose.ui.ExperimentalComposeUiApi
-import androidx.compose.ui.window.ComposeViewport
 import kotlinx.browser.document
 import kotlinx.coroutines.DelicateCoroutinesApi
 import kotlinx.coroutines.GlobalScope
@@ -11,17 +9,19 @@ import robotran.ui.workshop.Workshop
 import robotran.web.platform.WebPlatform
 import robotran.web.platform.askBeforeLosing
 import robotran.web.platform.onOutOfSight
+import robotran.web.window.PageWindow
 
-/** Puts the workshop into the page, in place of the words that are shown while it loads. */
-@OptIn(ExperimentalComposeUiApi::class)
+/** Puts the workshop into the page, and takes away the words that are shown while it loads once it is there. */
 fun main() {
     val page = checkNotNull(document.body) { "The page has no body." }
-    document.getElementById("loading")?.remove()
-    val platform = WebPlatform(WebSpeaker())
-    ComposeViewport(page) {
-        RobotranStart(platform = platform, onOpened = { workshop ->
+    findResourcesInSite()
+    val embedded = isEmbedded()
+    val platform = WebPlatform(WebSpeaker(), embedded)
+    PageWindow(page) {
+        RobotranStart(platform = platform, welcoming = !embedded, embedded = embedded, onOpened = { workshop ->
             openPageInterface(workshop)
-            keepWork(workshop)
+            if (!embedded) keepWork(workshop)
+            sayThatAppIsThere()
         })
     }
 }
@@ -32,3 +32,6 @@ private fun keepWork(workshop: Workshop) {
     onOutOfSight { GlobalScope.launch { workshop.restDocument() } }
     askBeforeLosing { workshop.state.document.trouble != null }
 }
+
+/** Whether the address asks for world and brick alone, as part of a teacher's page: `?embed`. */
+private fun isEmbedded(): Boolean = js("new URLSearchParams(location.search).has('embed')")

@@ -29,6 +29,7 @@ class CommandLine(
                 TranslateCommand(console),
                 FormatCommand(console),
                 LinkCommand(console),
+                WebCommand(console, WebCommand::waitForEver),
             )
         return try {
             command.parse(arguments)

@@ -6,7 +6,8 @@ import robotran.language.Language
 internal interface CommandMessages :
     FileMessages,
     RunMessages,
-    GradeMessages {
+    GradeMessages,
+    WebMessages {
     companion object {
         fun of(language: Language): CommandMessages = when (language) {
             Language.ENGLISH -> EnglishCommandMessages

@@ -7,7 +7,8 @@ internal object EnglishCommandMessages :
     CommandMessages,
     FileMessages by EnglishFileMessages,
     RunMessages by EnglishRunMessages,
-    GradeMessages by EnglishGradeMessages
+    GradeMessages by EnglishGradeMessages,
+    WebMessages by EnglishWebMessages
 
 private object EnglishFileMessages : FileMessages {
     override fun noFile(name: String) = "There is no file $name."

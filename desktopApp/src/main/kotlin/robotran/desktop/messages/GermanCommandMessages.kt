@@ -8,7 +8,8 @@ internal object GermanCommandMessages :
     CommandMessages,
     FileMessages by GermanFileMessages,
     RunMessages by GermanRunMessages,
-    GradeMessages by GermanGradeMessages
+    GradeMessages by GermanGradeMessages,
+    WebMessages by GermanWebMessages
 
 private object GermanFileMessages : FileMessages {
     override fun noFile(name: String) = "Es gibt keine Datei $name."

@@ -8,7 +8,8 @@ internal object SpanishCommandMessages :
     CommandMessages,
     FileMessages by SpanishFileMessages,
     RunMessages by SpanishRunMessages,
-    GradeMessages by SpanishGradeMessages
+    GradeMessages by SpanishGradeMessages,
+    WebMessages by SpanishWebMessages
 
 private object SpanishFileMessages : FileMessages {
     override fun noFile(name: String) = "No existe el archivo $name."

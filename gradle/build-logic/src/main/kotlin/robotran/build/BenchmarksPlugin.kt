@@ -26,6 +26,7 @@ class BenchmarksPlugin : Plugin<Project> {
             binaries.executable()
         }
         kotlin.sourceSets.getByName("jvmMain").dependencies { implementation(DesktopDependencies.currentOs) }
+        WasmOptimisation.use(project)
         WebTools.use(project)
         val jvmClasses = project.files(jvm.output.allOutputs, jvm.runtimeDependencyFiles)
         project.tasks.register("run", JavaExec::class.java) { task ->

@@ -123,7 +123,7 @@ abstract class PackageDesktopApp
                 listOf(
                     "java.base", "java.compiler", "java.datatransfer", "java.desktop", "java.instrument", "java.logging",
                     "java.management", "java.naming", "java.prefs", "java.sql", "java.xml", "jdk.accessibility",
-                    "jdk.localedata", "jdk.unsupported", "jdk.zipfs",
+                    "jdk.httpserver", "jdk.localedata", "jdk.unsupported", "jdk.zipfs",
                 )
         }
     }

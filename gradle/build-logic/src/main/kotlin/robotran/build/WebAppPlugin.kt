@@ -2,18 +2,30 @@ package robotran.build
 
 import org.gradle.api.Plugin
 import org.gradle.api.Project
+import org.gradle.api.tasks.TaskProvider
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
+import org.jetbrains.kotlin.gradle.targets.js.webpack.KotlinWebpack
+import robotran.build.site.AssembleSite
 
-/** The web page: one Kotlin/Wasm executable with its page, and tests that drive the built page in a real browser. */
+/** The web page: one Kotlin/Wasm executable with its page, the folder to put on a web server, and tests that drive it in a real browser. */
 class WebAppPlugin : Plugin<Project> {
-    @OptIn(ExperimentalWasmDsl::class)
     override fun apply(project: Project) {
         project.pluginManager.apply("org.jetbrains.kotlin.multiplatform")
         project.pluginManager.apply("org.jetbrains.kotlin.plugin.compose")
         project.pluginManager.apply("org.jetbrains.compose")
         project.pluginManager.apply("robotran.physics-web")
         project.pluginManager.apply("robotran.ecj-web")
+        addTarget(project)
+        WebTools.use(project)
+        val dist = addSite(project)
+        val browserTest = addBrowserTest(project, dist)
+        project.tasks.named("check") { it.dependsOn(browserTest) }
+        addMeasuring(project, dist)
+    }
+
+    @OptIn(ExperimentalWasmDsl::class)
+    private fun addTarget(project: Project) {
         project.extensions.configure(KotlinMultiplatformExtension::class.java) { kotlin ->
             kotlin.wasmJs {
                 outputModuleName.set("robotran")
@@ -24,27 +36,52 @@ class WebAppPlugin : Plugin<Project> {
                 binaries.executable()
             }
         }
-        WebTools.use(project)
-        val browserTest =
-            project.tasks.register("browserTest", BrowserTest::class.java) { task ->
-                task.group = "verification"
-                task.description = "Drives the built page in headless Chromium and takes pictures of it."
-                task.dependsOn(":${WebTools.SET_UP_TASK}", ":${Chromium.SET_UP_TASK}")
-                task.page.fileProvider(
-                    project.tasks.named("wasmJsBrowserDevelopmentExecutableDistribution").map { it.outputs.files.singleFile },
-                )
-                task.tests.from(project.fileTree("src/browserTest"))
-                // Solutions need the worlds that they are for, which the page does not open.
-                task.examples.from(project.rootProject.fileTree("examples") { it.exclude("solutions/**") })
-                task.expectedProjectRuns.set(project.rootProject.file("shared/projects/src/commonTest/resources/runs"))
-                task.expectedRuns.set(project.rootProject.file("shared/world/src/commonTest/resources/runs"))
-                task.expectedJavaRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/runs"))
-                task.browserFinder.set(project.rootProject.file(Chromium.SCRIPT))
-                task.node.set(WebTools.node(project).path)
-                task.modules.set(WebTools.directory(project).resolve("node_modules").path)
-                task.pictures.set(project.layout.buildDirectory.dir("pictures"))
-                task.results.set(project.layout.buildDirectory.dir("test-results/browserTest"))
-            }
-        project.tasks.named("check") { it.dependsOn(browserTest) }
+        WasmOptimisation.use(project)
+        // A map is as large as what it maps, and would make code of texts.
+        project.tasks.withType(KotlinWebpack::class.java).configureEach { it.sourceMaps = false }
+    }
+
+    /** `dist`: the folder to put on a web server. */
+    private fun addSite(project: Project): TaskProvider<AssembleSite> =
+        project.tasks.register("dist", AssembleSite::class.java) { task ->
+            task.group = "distribution"
+            task.description = "Makes build/site, the folder to put on a web server."
+            task.app.fileProvider(project.tasks.named("wasmJsBrowserDistribution").map { it.outputs.files.singleFile })
+            task.page.set(project.layout.projectDirectory.dir("src/site"))
+            task.site.set(project.layout.buildDirectory.dir("site"))
+        }
+
+    private fun addBrowserTest(project: Project, dist: TaskProvider<AssembleSite>): TaskProvider<BrowserTest> =
+        project.tasks.register("browserTest", BrowserTest::class.java) { task ->
+            task.group = "verification"
+            task.description = "Drives the built page in headless Chromium and takes pictures of it."
+            task.dependsOn(":${WebTools.SET_UP_TASK}", ":${Chromium.SET_UP_TASK}")
+            task.page.set(dist.flatMap { it.site })
+            task.tests.from(project.fileTree("src/browserTest"))
+            // Solutions need the worlds that they are for, which the page does not open.
+            task.examples.from(project.rootProject.fileTree("examples") { it.exclude("solutions/**") })
+            task.expectedProjectRuns.set(project.rootProject.file("shared/projects/src/commonTest/resources/runs"))
+            task.expectedRuns.set(project.rootProject.file("shared/world/src/commonTest/resources/runs"))
+            task.expectedJavaRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/runs"))
+            task.browserFinder.set(project.rootProject.file(Chromium.SCRIPT))
+            task.node.set(WebTools.node(project).path)
+            task.modules.set(WebTools.directory(project).resolve("node_modules").path)
+            task.pictures.set(project.layout.buildDirectory.dir("pictures"))
+            task.results.set(project.layout.buildDirectory.dir("test-results/browserTest"))
+        }
+
+    /** `measurePage`: how long the page takes to be there and how smoothly it runs, by hand. */
+    private fun addMeasuring(project: Project, dist: TaskProvider<AssembleSite>) {
+        project.tasks.register("measurePage", MeasurePage::class.java) { task ->
+            task.group = "verification"
+            task.description = "Measures the built page in headless Chromium: loading over a slow network, frames, memory."
+            task.dependsOn(":${WebTools.SET_UP_TASK}", ":${Chromium.SET_UP_TASK}")
+            task.page.set(dist.flatMap { it.site })
+            task.script.set(project.file("src/browserTest/measure.mjs"))
+            task.names.set(project.providers.gradleProperty("measure").map { it.split(",") }.orElse(emptyList()))
+            task.browserFinder.set(project.rootProject.file(Chromium.SCRIPT))
+            task.node.set(WebTools.node(project).path)
+            task.modules.set(WebTools.directory(project).resolve("node_modules").path)
+        }
     }
 }

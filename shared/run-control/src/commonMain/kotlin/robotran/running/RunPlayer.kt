@@ -94,6 +94,9 @@ class RunPlayer(
     /** The chart of [lane] for the robot that is [watched], over the whole run that is known. */
     fun chart(lane: ChartLane): ChartLine = ChartLine(record.chart, watched, lane)
 
+    /** When the robot that is [watched] makes its ROM calls, over the whole run that is known. */
+    val callLine: RomCallLine get() = RomCallLine(record.calls, watched)
+
     /** A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards. */
     fun frame(nanoseconds: Long) {
         if (motion == Motion.Still) return pace.rest()

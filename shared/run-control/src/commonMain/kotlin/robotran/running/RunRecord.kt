@@ -9,6 +9,7 @@ internal class RunRecord(world: World) {
     private val marks = MarkTrack()
     private val ending = RunEnding(world)
     val chart = ChartTrack(world.robots.size)
+    val calls = RomCallTrack(world.robots.size)
     val timeline: List<TimelineMark> get() = marks.marks
 
     /** How far it goes, in milliseconds. */
@@ -27,6 +28,7 @@ internal class RunRecord(world: World) {
         val now = state()
         states.look(now)
         chart.look(now)
+        calls.look(now)
         marks.look(now)
         if (finished == null && ending.isOver(now)) finished = time
     }
@@ -44,6 +46,7 @@ internal class RunRecord(world: World) {
         finished = finished?.takeIf { it <= time }
         states.cutAt(time)
         chart.cutAt(time)
+        calls.cutAt(state)
         marks.cutAt(state)
         ending.cutAt()
     }

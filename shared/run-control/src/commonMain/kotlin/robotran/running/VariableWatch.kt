@@ -1,6 +1,5 @@
 package robotran.running
 
-import robotran.rom.ThreadView
 import robotran.rom.VariableScope
 import robotran.world.Session
 
@@ -25,7 +24,7 @@ class VariableWatch {
         before = session.threads.flatMap { thread ->
             thread.callStack.indices.take(DEEPEST).flatMap { frame ->
                 val depth = thread.callStack.size - frame
-                known(session, thread, frame).mapIndexed { scope, known ->
+                session.variablesOf(thread.number, frame).mapIndexed { scope, known ->
                     Place(thread.number, depth, scope, known.name) to known.values()
                 }
             }
@@ -43,17 +42,10 @@ class VariableWatch {
     fun look(session: Session, thread: Int, frame: Int): List<ShownScope> {
         val lookedAt = session.threads.find { it.number == thread } ?: return emptyList()
         val depth = lookedAt.callStack.size - frame
-        return known(session, lookedAt, frame).mapIndexed { scope, known ->
+        return session.variablesOf(thread, frame).mapIndexed { scope, known ->
             val then = before[Place(thread, depth, scope, known.name)].orEmpty()
             ShownScope(known.name, known.variables.map { ShownVariable(it.name, it.value, !isFirst && then[it.name] != it.value) })
         }
-    }
-
-    /** Where a language only tells what its innermost routine knows, that is enough for the main program, too. */
-    private fun known(session: Session, thread: ThreadView, frame: Int): List<VariableScope> {
-        val scopes = session.variablesOf(thread.number, frame)
-        val isOuter = frame > 0 && frame == thread.callStack.lastIndex && thread.isCurrent
-        return if (scopes.isEmpty() && isOuter) session.variables.takeLast(1) else scopes
     }
 
     private fun VariableScope.values() = variables.associate { it.name to it.value }

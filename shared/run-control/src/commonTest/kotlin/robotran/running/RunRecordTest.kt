@@ -77,6 +77,28 @@ class RunRecordTest {
     }
 
     @Test
+    fun `it is known when ROM calls were made, however long the run`() = runTest {
+        val player = started("beep\nwait 3 seconds\nbeep\nwait 100 seconds\nbeep")
+        player.pass(2_000)
+        val atFirst = player.callLine.between(-1, 2_000)
+        assertTrue(atFirst > 0)
+        assertEquals(0, player.callLine.between(2_000, 2_000))
+        player.pass(108_000)
+        val line = player.callLine
+        assertTrue(line.size <= RomCallTrack.CAPACITY && line.step > 10)
+        assertEquals(player.state.robots[0].romCalls, line.between(-1, 110_000))
+        assertTrue(line.between(1_000, 2_500) < line.between(2_500, 4_000))
+        player.seek(2_000)
+        player.arriveNow()
+        assertEquals(player.state.robots[0].romCalls, player.callLine.between(-1, 2_000))
+        assertEquals(line.between(-1, 110_000), player.callLine.between(-1, 110_000))
+        player.apply(SessionInput.Stop)
+        player.play()
+        player.pass(100)
+        assertEquals(player.state.robots[0].romCalls, player.callLine.between(-1, 110_000))
+    }
+
+    @Test
     fun `ROM calls are those up to now, also in the past`() = runTest {
         val player = started(BUSY)
         player.pass(2_000)

@@ -7,14 +7,19 @@ import androidx.compose.runtime.snapshotFlow
 import androidx.compose.runtime.withFrameNanos
 import kotlinx.coroutines.flow.collectLatest
 import robotran.ui.language.InLanguage
+import robotran.ui.screen.EmbedScreen
 import robotran.ui.screen.WorkshopScreen
 import robotran.ui.theme.RobotranTheme
 import robotran.ui.workshop.Workshop
 
-/** The whole app over [workshop]: its screen, the frames that let its time pass while there is something to see, and the pauses
- * of typing in which Java is compiled. */
+/**
+ * The whole app over [workshop]: its screen, the frames that let its time pass while there is something to see, and the pauses of typing in which Java is
+ * compiled.
+ *
+ * @param embedded whether it is a part of another page, with nothing but world and brick.
+ */
 @Composable
-fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme()) {
+fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme(), embedded: Boolean = false) {
     LaunchedEffect(workshop) {
         snapshotFlow { workshop.state.awake }.collectLatest { awake ->
             if (awake) while (true) withFrameNanos(workshop::frame)
@@ -24,6 +29,8 @@ fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme()) {
     LaunchedEffect(workshop) { workshop.keepDocument() }
     val settings = workshop.settings
     InLanguage(settings.language) {
-        RobotranTheme(dark, settings) { WorkshopScreen(workshop.state, workshop::handle) }
+        RobotranTheme(dark, settings) {
+            if (embedded) EmbedScreen(workshop.state, workshop::handle) else WorkshopScreen(workshop.state, workshop::handle)
+        }
     }
 }

@@ -32,6 +32,7 @@ import robotran.ui.workshop.Workshop
  *
  * @param platform what the machine offers; it must stay the same.
  * @param welcoming see [openWorkshop].
+ * @param embedded see [RobotranApp].
  * @param onOpened is told the workshop once it is there.
  */
 @Composable
@@ -39,6 +40,7 @@ fun RobotranStart(
     programs: List<PupilProgram> = emptyList(),
     platform: Platform = remember { MemoryPlatform() },
     welcoming: Boolean = false,
+    embedded: Boolean = false,
     onOpened: (Workshop) -> Unit = {},
 ) {
     val scope = rememberCoroutineScope()
@@ -47,13 +49,13 @@ fun RobotranStart(
         workshop = openWorkshop(programs, platform, scope, welcoming).also(onOpened)
     }
     DisposableEffect(Unit) { onDispose { workshop?.close() } }
-    RobotranWindow(workshop)
+    RobotranWindow(workshop, embedded)
 }
 
 /** What a window shows whose [workshop] somebody else holds; null while it is getting ready. */
 @Composable
-fun RobotranWindow(workshop: Workshop?) {
-    if (workshop == null) RobotranTheme { GettingReady() } else RobotranApp(workshop)
+fun RobotranWindow(workshop: Workshop?, embedded: Boolean = false) {
+    if (workshop == null) RobotranTheme { GettingReady() } else RobotranApp(workshop, embedded = embedded)
 }
 
 @Composable

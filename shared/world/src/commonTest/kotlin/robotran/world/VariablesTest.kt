@@ -1,14 +1,18 @@
 package robotran.world
 
 import kotlinx.coroutines.test.runTest
+import robotran.rom.DebuggableRun
 import robotran.rom.StepKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
 class VariablesTest {
-    /** Each scope as `name: variable=value ..`. */
-    private fun Session.scopes(): List<String> =
-        variables.map { scope -> scope.name + ":" + scope.variables.joinToString("") { " ${it.name}=${it.value}" } }
+    /** Each scope that is known at [frame] as `name: variable=value ..`. */
+    private fun Session.scopes(frame: Int = 0): List<String> =
+        variablesOf(DebuggableRun.FIRST_THREAD, frame).map { scope ->
+            scope.name + ":" +
+                scope.variables.joinToString("") { " ${it.name}=${it.value}" }
+        }
 
     @Test
     fun `a variable appears once it is declared`() = runTest {
@@ -73,6 +77,31 @@ class VariablesTest {
             session.scopes().first()
         }
         assertEquals(listOf("down: n=0 twice=0", "down: n=1 twice=2", "down: n=2 twice=4"), frames)
+    }
+
+    @Test
+    fun `every frame of the call stack can be looked into`() = runTest {
+        val session = startedForDebugging(
+            "procedure down(n)\n  var twice = n * 2\n  if n > 0\n    down(n - 1)\n  end\n  beep\nend\nvar all = 9\nif all > 0\n  var few = 3\n  down(2)\nend",
+        )
+        session.runTo(6)
+        assertEquals(
+            listOf(
+                "down: n=0 twice=0, test: all=9",
+                "down: n=1 twice=2, test: all=9",
+                "down: n=2 twice=4, test: all=9",
+                "test: all=9 few=3",
+                "",
+            ),
+            List(5) { frame -> session.scopes(frame).joinToString() },
+        )
+    }
+
+    @Test
+    fun `below a whenever is the main program`() = runTest {
+        val session = startedForDebugging("var n = 0\nwhenever n == 2\n  var m = n\n  n = 10\n  beep\nend\nn = 2\nhalt")
+        session.runTo(5)
+        assertEquals(listOf("test: n=10"), session.scopes(1))
     }
 
     @Test

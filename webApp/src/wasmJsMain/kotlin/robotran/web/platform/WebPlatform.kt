@@ -7,6 +7,7 @@ import robotran.projects.isLink
 import robotran.ui.platform.Arrival
 import robotran.ui.platform.Arrivals
 import robotran.ui.platform.FileDesk
+import robotran.ui.platform.MemoryStore
 import robotran.ui.platform.Platform
 import robotran.ui.platform.Sharing
 import robotran.ui.platform.WallClock
@@ -14,9 +15,13 @@ import robotran.ui.platform.WorkStore
 import robotran.ui.sound.LoudSpeaker
 import kotlin.js.Promise
 
-/** What a browser offers to the page. */
-internal class WebPlatform(override val speaker: LoudSpeaker) : Platform {
-    override val store: WorkStore = WebStore()
+/**
+ * What a browser offers to the page.
+ *
+ * @param embedded whether it is a part of another page, which keeps nothing and finds nothing that was kept.
+ */
+internal class WebPlatform(override val speaker: LoudSpeaker, private val embedded: Boolean) : Platform {
+    override val store: WorkStore = if (embedded) MemoryStore() else WebStore()
     override val files: FileDesk = WebFileDesk
     override val sharing: Sharing = WebSharing
     override val clock: WallClock = WebClock
@@ -30,9 +35,12 @@ internal class WebPlatform(override val speaker: LoudSpeaker) : Platform {
         onFilesDropped { lines -> filesIn(lines).takeIf { it.isNotEmpty() }?.let { arrivals.bring(Arrival.OfFiles(it)) } }
     }
 
-    /** Opens the link in the page's address, and takes it out there, so that a reload brings back what has become of it since. */
+    /**
+     * Opens the link in the page's address, and takes it out there, so that a reload brings back what has become of it since; where nothing is kept, it
+     * stays.
+     */
     private fun takeLink() {
-        val fragment = takeFragment()
+        val fragment = takeFragment(stays = embedded)
         if (isLink(fragment)) arrivals.bring(Arrival.OfLink(fragment))
     }
 }
@@ -53,11 +61,11 @@ private object WebClock : WallClock {
 
 private fun pageAddress(): String = js("location.href.split('#')[0]")
 
-/** What is behind the `#` of the address, if it may be a link; it is not there any more then. */
-private fun takeFragment(): String = js(
+/** What is behind the `#` of the address; if it may be a link, it is not there any more then, unless it [stays]. */
+private fun takeFragment(stays: Boolean): String = js(
     """(() => {
         const fragment = location.hash;
-        if (/^#[wp]=/.test(fragment)) history.replaceState(null, '', location.href.split('#')[0]);
+        if (!stays && /^#[wp]=/.test(fragment)) history.replaceState(null, '', location.href.split('#')[0]);
         return fragment;
     })()""",
 )
@@ -76,7 +84,12 @@ private fun onFilesDropped(take: (String) -> Unit): Unit = js(
 
 /** Calls [rest] whenever the page goes out of sight, after which it may be gone without a word. */
 internal fun onOutOfSight(rest: () -> Unit): Unit =
-    js("document.addEventListener('visibilitychange', () => { if (document.visibilityState === 'hidden') rest(); })")
+    js(
+        """{
+            document.addEventListener('visibilitychange', () => { if (document.visibilityState === 'hidden') rest(); });
+            addEventListener('pagehide', () => rest());
+        }""",
+    )
 
 /** Lets the browser ask before the page is left while [wouldLose] says that something would be lost. */
 internal fun askBeforeLosing(wouldLose: () -> Boolean): Unit =

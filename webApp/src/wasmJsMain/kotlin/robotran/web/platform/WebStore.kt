@@ -70,6 +70,13 @@ private fun openTexts(): BrowserTexts = js(
                 transaction.onabort = () => reject(transaction.error || request.error);
             });
         };
+        // Whoever writes wants it to stay: the browser is asked once not to clear it away when the disk runs full. Firefox would ask the pupil.
+        let asked = /Firefox/.test(navigator.userAgent) || !navigator.storage || !navigator.storage.persist;
+        const stay = () => {
+            if (asked) return;
+            asked = true;
+            navigator.storage.persist().catch(() => undefined);
+        };
         const word = (error) => error && error.name === 'QuotaExceededError' ? 'full' : String(error && error.message || error);
         const told = (promise) => promise.then(() => 'done', word);
         const claim = (name) => new Promise((resolve) => {
@@ -83,7 +90,10 @@ private fun openTexts(): BrowserTexts = js(
         return {
             names: () => act('readonly', (texts) => texts.getAllKeys()).then((keys) => keys.join('\n'), () => ''),
             read: (name) => act('readonly', (texts) => texts.get(name)).then((text) => text === undefined ? null : text, () => null),
-            write: (name, text) => told(act('readwrite', (texts) => texts.put(text, name))),
+            write: (name, text) => {
+                stay();
+                return told(act('readwrite', (texts) => texts.put(text, name)));
+            },
             remove: (name) => told(act('readwrite', (texts) => texts.delete(name))),
             claim,
         };

@@ -55,9 +55,9 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         }
     }
 
-    /** TeaVM's loader as an ES module; the mark keeps webpack from following the imports it makes for Node only. */
+    /** TeaVM's loader as an ES module that needs no `eval`; the mark keeps webpack from following the imports it makes for Node only. */
     private fun runtime(): String =
-        resource(TeaVMTool::class.java, RUNTIME)
+        LoaderWithoutEval.rewrite(resource(TeaVMTool::class.java, RUNTIME), resource(CompileToWasmAction::class.java, FUNCTIONS))
             .replace("import(", "import(/* webpackIgnore: true */ ")
 
     /** The hand-written module that loads the other two and offers their functions. */
@@ -67,7 +67,8 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         checkNotNull(beside.classLoader.getResource(path)) { "There is no $path" }.readText()
 
     private companion object {
-        const val RUNTIME = "org/teavm/backend/wasm/wasm-gc-module-runtime.min.js"
+        const val RUNTIME = "org/teavm/backend/wasm/wasm-gc-module-runtime.js"
+        const val FUNCTIONS = "robotran/build/teavm/without-eval.mjs"
         const val ENTRY = "robotran/build/teavm/module.mjs"
     }
 }

@@ -1,7 +1,20 @@
 import { load } from "./NAME-runtime.mjs";
 
-/** The exported functions, once the WebAssembly module beside this file is loaded; works in browsers, bundled or not, and in Node. */
-export async function loadModule() {
+let loading = null;
+
+/**
+ * The exported functions, once the WebAssembly module beside this file is loaded: fetched at the first call and the same for all later ones, unless
+ * it could not be fetched. Works in browsers, bundled or not, and in Node.
+ */
+export function loadModule() {
+    loading ??= fresh().catch((error) => {
+        loading = null;
+        throw error;
+    });
+    return loading;
+}
+
+async function fresh() {
     const module = await load(await bytesOf(new URL("./NAME.wasm", import.meta.url)), {});
     return module.exports;
 }

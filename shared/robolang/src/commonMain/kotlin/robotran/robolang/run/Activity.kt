@@ -54,11 +54,14 @@ internal class Activity(
             return (if (upcoming == null || isWaiting) knownInside else upcoming.known)?.all.orEmpty()
         }
 
-    /** The variables that it knows outside all routines it is inside of. */
-    val knownOutside: List<Symbol> get() = if (calls.isEmpty()) known else calls.first().known?.all.orEmpty()
+    /** The variables that are known at [frame] in its own call stack, 0 for the innermost. */
+    fun knownAt(frame: Int): List<Symbol> = if (frame == 0) known else caller(frame).known?.all.orEmpty()
 
-    /** The routine it is in, null for none. */
-    val routine: RoutineCode? get() = calls.lastOrNull()?.routine
+    /** What the routine at [frame], which is not the innermost, has called. */
+    private fun caller(frame: Int): Call = calls[calls.size - frame]
+
+    /** How many routines it is inside of, itself included. */
+    val frameCount: Int get() = calls.size + 1
 
     /** Begins the statement it stands before. */
     fun begin(statement: Boundary.Statement) {
@@ -117,6 +120,9 @@ internal class Activity(
     }
 
     fun local(slot: Int): Int = stack[base + slot]
+
+    /** What is in [slot] of the routine at [frame] in its own call stack, 0 for the innermost. */
+    fun local(slot: Int, frame: Int): Int = stack[(if (frame == 0) base else caller(frame).base) + slot]
 
     fun setLocal(slot: Int, value: Int) {
         stack[base + slot] = value

@@ -40,7 +40,10 @@ internal class RobolangRun(
     override val callStack: List<CallFrame>
         get() = arbiter.activities.flatMap { it.frames() }.map { CallFrame(it.name, it.line) }
 
-    override val variables: List<VariableScope> get() = variableScopes(arbiter.activities)
+    override val variables: List<VariableScope> get() = variableScopes(arbiter.activities, 0)
+
+    override fun variablesOf(thread: Int, frame: Int): List<VariableScope> =
+        if (thread == DebuggableRun.FIRST_THREAD && frame >= 0) variableScopes(arbiter.activities, frame) else emptyList()
 
     override fun resume(steps: Int): ProgramStatus = try {
         proceed(steps)

@@ -6,20 +6,25 @@ import robotran.rom.VariableScope
 import robotran.rom.VariableView
 
 /**
- * The variables that the first of [activities] knows now: its own or those of the routine it is in, then those that the last one,
- * the main program, has declared outside all blocks.
+ * The variables that are known at [frame] in the call stacks of [activities] one behind the other, 0 for the innermost: those of that routine, behaviour or
+ * main program, then those that the last of [activities], the main program, has declared outside all blocks. Empty if there is no such frame.
  */
-internal fun variableScopes(activities: List<Activity>): List<VariableScope> {
-    val foremost = activities.first()
+internal fun variableScopes(activities: List<Activity>, frame: Int): List<VariableScope> {
+    var within = frame
+    val activity = activities.firstOrNull { each ->
+        (within < each.frameCount).also { isHere -> if (!isHere) within -= each.frameCount }
+    } ?: return emptyList()
     val main = activities.last()
-    val own = VariableScope(foremost.routine?.name ?: foremost.name, foremost.known.map { view(it, foremost) })
-    if (foremost === main && main.routine == null) return listOf(own)
-    return listOf(own, VariableScope(main.name, main.knownOutside.filter { it.isGlobal }.map { view(it, main) }))
+    val own = VariableScope(activity.frames()[within].name, activity.knownAt(within).map { view(it, activity, within) })
+    val outermost = main.frameCount - 1
+    if (activity === main && within == outermost) return listOf(own)
+    val outside = main.knownAt(outermost).filter { it.isGlobal }
+    return listOf(own, VariableScope(main.name, outside.map { view(it, main, outermost) }))
 }
 
-private fun view(symbol: Symbol, activity: Activity): VariableView {
+private fun view(symbol: Symbol, activity: Activity, frame: Int): VariableView {
     val machine = activity.machine
-    val value = if (symbol.owner == null) machine.globals[symbol.index] else activity.local(symbol.index)
+    val value = if (symbol.owner == null) machine.globals[symbol.index] else activity.local(symbol.index, frame)
     return VariableView(symbol.name, text(symbol.type, value, machine))
 }
 

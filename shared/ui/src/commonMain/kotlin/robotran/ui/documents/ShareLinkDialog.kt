@@ -70,6 +70,7 @@ private fun LinkItself(link: String) {
     val length = stringResource(Res.string.documents_share_length, link.length)
     Text(length, Modifier.testTag("link-length").semantics { liveRegion = LiveRegionMode.Polite }, color = colours.quiet, fontSize = 14.sp)
     if (link.length > LONG) Explanation(stringResource(Res.string.documents_share_long))
+    LinkAsQrCode(link)
 }
 
 private const val MOST_LINES = 3

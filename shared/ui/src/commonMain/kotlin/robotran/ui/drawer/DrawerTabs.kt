@@ -28,7 +28,9 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_drawer_close
+import robotran.ui.resources.run_drawer_one
 import robotran.ui.resources.run_drawer_open
+import robotran.ui.resources.run_drawer_two
 import robotran.ui.resources.run_tab_chart
 import robotran.ui.resources.run_tab_goals
 import robotran.ui.resources.run_tab_log
@@ -42,13 +44,11 @@ import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 import robotran.ui.workshop.DrawerTab
 
-/** The names of what the drawer holds; the one that is [open] is underlined, and touched again it closes. */
+/** The names of what the drawer holds; the one that is [open] is underlined, and touched again it closes. With [onTwo] there can be another beside it. */
 @Composable
-internal fun DrawerTabs(open: DrawerTab?, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
-    Row(modifier.fillMaxWidth().padding(horizontal = 8.dp), verticalAlignment = Alignment.CenterVertically) {
-        Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()), Arrangement.spacedBy(4.dp)) {
-            for (tab in DrawerTab.entries) TabName(tab, tab == open) { onTab(if (tab == open) null else tab) }
-        }
+internal fun DrawerTabs(open: DrawerTab?, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier, onTwo: (() -> Unit)? = null) {
+    TabRow(open, "drawer", { onTab(if (it == open) null else it) }, modifier) {
+        if (onTwo != null) QuietButton(RunIcon.TWO, stringResource(Res.string.run_drawer_two), "drawer-two", onTwo)
         if (open == null) {
             QuietButton(RunIcon.UP, stringResource(Res.string.run_drawer_open), "drawer-open", { onTab(DrawerTab.VARIABLES) })
         } else {
@@ -57,12 +57,30 @@ internal fun DrawerTabs(open: DrawerTab?, onTab: (DrawerTab?) -> Unit, modifier:
     }
 }
 
+/** The names over what is seen beside the first; null closes only that. */
 @Composable
-private fun TabName(tab: DrawerTab, selected: Boolean, onClick: () -> Unit) {
+internal fun BesideTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
+    TabRow(open, "beside", { onTab(if (it == open) null else it) }, modifier) {
+        QuietButton(RunIcon.CLOSE, stringResource(Res.string.run_drawer_one), "beside-close", { onTab(null) })
+    }
+}
+
+@Composable
+private fun TabRow(open: DrawerTab?, tag: String, onTab: (DrawerTab) -> Unit, modifier: Modifier, buttons: @Composable () -> Unit) {
+    Row(modifier.fillMaxWidth().padding(horizontal = 8.dp), verticalAlignment = Alignment.CenterVertically) {
+        Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()), Arrangement.spacedBy(4.dp)) {
+            for (tab in DrawerTab.entries) TabName(tab, tag, tab == open) { onTab(tab) }
+        }
+        buttons()
+    }
+}
+
+@Composable
+private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     Box(
         Modifier
-            .testTag("drawer-${tab.name.lowercase()}")
+            .testTag("$tag-${tab.name.lowercase()}")
             .focusRing(8.dp)
             .clip(RoundedCornerShape(8.dp))
             .selectable(selected, role = Role.Tab, onClick = onClick)

@@ -9,11 +9,14 @@ import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.gestures.draggable
 import androidx.compose.foundation.gestures.rememberDraggableState
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableFloatStateOf
@@ -44,6 +47,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.run_drawer_height
 import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.ui.workshop.DrawerTab
 import robotran.ui.workshop.RunEvent
@@ -71,14 +75,40 @@ internal fun RunDrawer(
             .animateContentSize(if (LocalLessMotion.current) snap() else tween(MOTION_MILLISECONDS)),
     ) {
         val tab = state.drawer.tab
-        if (tab != null) DrawerGrip(height, most.value, { height = it })
-        DrawerTabs(tab, { onEvent(RunEvent.DrawerChosen(it)) })
-        if (tab != null) {
-            HorizontalDivider(color = colours.line)
+        if (tab == null) {
+            DrawerTabs(null, { onEvent(RunEvent.DrawerChosen(it)) })
+        } else {
+            DrawerGrip(height, most.value, { height = it })
             val shownHeight = height.coerceIn(LEAST_HEIGHT, maxOf(LEAST_HEIGHT, most.value)).dp
-            DrawerContent(tab, state, onEvent, Modifier.fillMaxWidth().height(shownHeight))
+            OneOrTwo(tab, state, onEvent, shownHeight)
         }
         HorizontalDivider(color = colours.line)
+    }
+}
+
+/** [tab] and, where there is room, what is to be seen beside it, each under the names. */
+@Composable
+private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (RunEvent) -> Unit, height: Dp) {
+    val colours = LocalRobotranColours.current
+    BoxWithConstraints(Modifier.fillMaxWidth()) {
+        val hasRoom = maxWidth >= LEAST_WIDTH_FOR_TWO * LocalDensity.current.fontScale
+        val beside = state.drawer.beside.takeIf { hasRoom }
+        val showTwo = { onEvent(RunEvent.DrawerBesideChosen(if (tab == DrawerTab.CHART) DrawerTab.LOG else DrawerTab.CHART)) }
+        Row(Modifier.fillMaxWidth()) {
+            Column(Modifier.weight(1f)) {
+                DrawerTabs(tab, { onEvent(RunEvent.DrawerChosen(it)) }, onTwo = showTwo.takeIf { hasRoom && beside == null })
+                HorizontalDivider(color = colours.line)
+                DrawerContent(tab, state, onEvent, Modifier.fillMaxWidth().height(height))
+            }
+            if (beside != null) {
+                VerticalDivider(Modifier.height(height + Measures.TARGET), color = colours.line)
+                Column(Modifier.weight(1f)) {
+                    BesideTabs(beside, { onEvent(RunEvent.DrawerBesideChosen(it)) })
+                    HorizontalDivider(color = colours.line)
+                    DrawerContent(beside, state, onEvent, Modifier.fillMaxWidth().height(height))
+                }
+            }
+        }
     }
 }
 
@@ -146,6 +176,8 @@ private fun DrawerGrip(height: Float, most: Float, onHeight: (Float) -> Unit) {
     )
 }
 
+/** From this width on there is room for two at usual text size. */
+private val LEAST_WIDTH_FOR_TWO = 720.dp
 private const val USUAL_HEIGHT = 240f
 private const val LEAST_HEIGHT = 120f
 private const val MOTION_MILLISECONDS = 150

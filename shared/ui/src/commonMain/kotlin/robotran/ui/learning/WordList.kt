@@ -3,6 +3,8 @@ package robotran.ui.learning
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -49,10 +51,11 @@ internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     }
 }
 
+@OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun Languages(chosen: ProgramLanguage, onChoose: (ProgramLanguage) -> Unit) {
     val colours = LocalRobotranColours.current
-    Row(Modifier.padding(horizontal = 8.dp).selectableGroup(), Arrangement.spacedBy(8.dp)) {
+    FlowRow(Modifier.padding(horizontal = 8.dp).selectableGroup(), Arrangement.spacedBy(8.dp)) {
         for (language in ProgramLanguage.entries) {
             val selected = language == chosen
             Row(

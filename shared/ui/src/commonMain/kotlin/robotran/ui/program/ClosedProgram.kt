@@ -25,7 +25,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
-/** Says that the program called [name] was closed, and brings it back if there is [room] for it. */
+/** Says that the program or class called [name] was closed, and brings it back if there is [room] for it. */
 @Composable
 internal fun ClosedProgram(name: String, room: Boolean, onReopen: () -> Unit) {
     val colours = LocalRobotranColours.current

@@ -10,6 +10,7 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
@@ -56,10 +57,12 @@ internal fun ProgramPane(
     Column(modifier.background(LocalRobotranColours.current.pane)) {
         if (programs.robots.size > 1) RobotChooser(programs) { onEvent(ProgramEvent.RobotChosen(it)) }
         ProgramTabs(programs, onEvent) { renaming = true }
-        if (programs.program.files.size > 1) FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) })
+        if (programs.program.files.size > 1) {
+            FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) }, { renaming = true })
+        }
         ShownFile(programs, state.settings, state.runningLine, mostMistakes, onEvent, Modifier.weight(1f)) { renaming = true }
         if (state.remarks.isNotEmpty()) RemarkList(state.remarks, mostMistakes)
-        programs.closedProgram?.let { ClosedProgram(it.name, programs.hasRoom) { onEvent(ProgramEvent.ProgramReopened) } }
+        programs.closed?.let { ClosedProgram(it, programs.canReopen) { onEvent(ProgramEvent.ProgramReopened) } }
     }
     if (renaming) {
         RenameDialog(
@@ -67,6 +70,10 @@ internal fun ProgramPane(
             {
                 renaming = false
                 onEvent(ProgramEvent.FileRenamed(programs.shownFile, it))
+            },
+            {
+                renaming = false
+                onEvent(ProgramEvent.FileClosed(programs.shownFile))
             },
         ) { renaming = false }
     }
@@ -96,6 +103,11 @@ private fun ShownFile(
     }
     control.help = rememberWordHelp(state.program.language)
     val actions = remember(control) { PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() }) }
+    LaunchedEffect(state.findingWanted) {
+        if (!state.findingWanted) return@LaunchedEffect
+        actions.perform(EditorCommand.Plain.FIND)
+        event(ProgramEvent.FindingBegun)
+    }
     val matches = remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
     actions.matches = matches
     Column(modifier) {

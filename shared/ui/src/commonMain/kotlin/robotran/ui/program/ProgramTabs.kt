@@ -69,10 +69,12 @@ private fun Modifier.keptInSight(shown: Boolean, neighbours: Int): Modifier {
     return bringIntoViewRequester(requester)
 }
 
-/** The files of one program, where it has several. */
+/** The files of one program, where it has several; [onRename] is told that the one that is shown is to have another name, or to go. */
 @Composable
-internal fun FileTabs(files: List<ProgramFile>, shown: Int, onChoose: (Int) -> Unit, modifier: Modifier = Modifier) {
+internal fun FileTabs(files: List<ProgramFile>, shown: Int, onChoose: (Int) -> Unit, onRename: () -> Unit, modifier: Modifier = Modifier) {
     Row(modifier.fillMaxWidth().height(Measures.TARGET).horizontalScroll(rememberScrollState()).selectableGroup()) {
-        files.forEachIndexed { place, file -> FileTab(file.name, place == shown, "file-$place", { onChoose(place) }) }
+        files.forEachIndexed { place, file ->
+            FileTab(file.name, place == shown, "file-$place", { onChoose(place) }, onRename.takeIf { place == shown })
+        }
     }
 }

@@ -31,6 +31,7 @@ import robotran.ui.resources.editor_name_empty
 import robotran.ui.resources.editor_name_no_class
 import robotran.ui.resources.editor_name_strange
 import robotran.ui.resources.editor_name_taken
+import robotran.ui.resources.editor_remove_class
 import robotran.ui.resources.editor_rename
 import robotran.ui.resources.editor_rename_cancel
 import robotran.ui.resources.editor_rename_done
@@ -41,9 +42,9 @@ import robotran.ui.workshop.NameProblem
 import robotran.ui.workshop.ProgramsState
 import robotran.ui.workshop.nameProblem
 
-/** Asks for another name of the file that is shown. */
+/** Asks for another name of the file that is shown. One of several classes can also be taken away, by [onRemove]. */
 @Composable
-internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onLeave: () -> Unit) {
+internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemove: () -> Unit, onLeave: () -> Unit) {
     val ending = state.program.language.extension
     val old = state.file.name.removeSuffix(ending)
     var typed by remember { mutableStateOf(TextFieldValue(old, TextRange(0, old.length))) }
@@ -71,6 +72,9 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onLeav
                     keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done, autoCorrectEnabled = false),
                     keyboardActions = KeyboardActions(onDone = { take() }),
                 )
+                if (state.program.files.size > 1) {
+                    DialogButton(stringResource(Res.string.editor_remove_class), "remove-class", true, onRemove)
+                }
             }
         },
         confirmButton = { DialogButton(stringResource(Res.string.editor_rename_done), "rename-done", problem == null) { take() } },

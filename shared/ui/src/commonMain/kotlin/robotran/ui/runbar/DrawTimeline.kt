@@ -9,6 +9,7 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.unit.dp
 import robotran.running.MarkKind
+import robotran.running.RomCallLine
 import robotran.running.TimelineMark
 import robotran.ui.theme.RobotranColours
 import robotran.ui.workshop.RunPaneState
@@ -47,6 +48,7 @@ internal fun DrawScope.drawTimeline(state: RunPaneState, plan: TimelinePlan, col
     val handle = plan.placeOf(state.time, size.width, state.length)
     drawLine(colours.line, Offset(plan.margin, middle), Offset(size.width - plan.margin, middle), 4.dp.toPx(), StrokeCap.Round)
     drawLine(colours.onPane, Offset(plan.margin, middle), Offset(handle, middle), 4.dp.toPx(), StrokeCap.Round)
+    state.calls?.let { drawCalls(it, state.length, plan, middle, colours) }
     var last = Float.NEGATIVE_INFINITY
     for (mark in state.marks) {
         val x = plan.placeOf(mark.milliseconds, size.width, state.length)
@@ -66,6 +68,25 @@ internal fun DrawScope.drawTimeline(state: RunPaneState, plan: TimelinePlan, col
         Size(6.dp.toPx(), 20.dp.toPx()),
         CornerRadius(3.dp.toPx()),
     )
+}
+
+/** Under the line, where ROM calls are made: a bar for every few pixels, the longer the more of them. */
+private fun DrawScope.drawCalls(calls: RomCallLine, length: Long, plan: TimelinePlan, middle: Float, colours: RobotranColours) {
+    val width = 2.dp.toPx()
+    val top = middle + 4.dp.toPx()
+    var x = plan.margin
+    var from = -1L
+    while (x < size.width - plan.margin && length > 0) {
+        val until = plan.timeAt(x + width, size.width, length)
+        val count = calls.between(from, until)
+        if (count > 0) {
+            // Twice as many calls make the bar one unit longer: a loop that reads a sensor must not hide the few that start a motor.
+            val long = minOf(CALL_UNITS, 2 + (Int.SIZE_BITS - count.countLeadingZeroBits()) / 2).dp.toPx()
+            drawRect(colours.quiet, Offset(x, top), Size(width, long))
+        }
+        from = until
+        x += width
+    }
 }
 
 /** Each kind has a shape of its own besides its colour. */
@@ -102,5 +123,8 @@ private fun star(place: Offset, unit: Float): Path = shape(
     0f, 0.4f, -0.59f, 0.81f, -0.38f, 0.12f, -0.95f, -0.31f, -0.24f, -0.32f,
 )
 
-/** How far down the line is; the marks stand above it. */
+/** How long the bar of many ROM calls is at most. */
+private const val CALL_UNITS = 8
+
+/** How far down the line is; the marks stand above it, the ROM calls below. */
 private const val LINE_SHARE = 0.66f

@@ -73,7 +73,7 @@ private fun Controls(state: WorkshopState, cursor: Breakpoint, room: BarRoom, on
 }
 
 /** The line in which somebody writes, to be run to. */
-private fun cursorLine(state: WorkshopState): Breakpoint {
+internal fun cursorLine(state: WorkshopState): Breakpoint {
     val programs = state.programs
     return Breakpoint(
         programs.draft.lines.lineOf(programs.draft.selection.caret) + 1,

@@ -32,6 +32,9 @@ internal enum class RunIcon(val solid: List<List<Float>> = emptyList(), val stro
     MORE(strokes = listOf(listOf(12f, 5f, 12f, 19f), listOf(5f, 12f, 19f, 12f))),
     LESS(strokes = listOf(listOf(5f, 12f, 19f, 12f))),
 
+    /** Two panes side by side. */
+    TWO(strokes = listOf(listOf(3f, 5f, 21f, 5f, 21f, 19f, 3f, 19f, 3f, 5f), listOf(12f, 5f, 12f, 19f))),
+
     /** Two sliders. */
     SETTINGS(
         solid = listOf(listOf(13f, 4f, 18f, 4f, 18f, 10f, 13f, 10f), listOf(6f, 14f, 11f, 14f, 11f, 20f, 6f, 20f)),

@@ -25,6 +25,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.edit_world
 import robotran.ui.resources.first_page
 import robotran.ui.resources.learn
+import robotran.ui.resources.learning_help
 import robotran.ui.resources.menu
 import robotran.ui.resources.settings_title
 import robotran.ui.resources.sound_switch_off
@@ -61,6 +62,7 @@ internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, wi
             }
             MenuItem(stringResource(Res.string.learn), "menu-learn") { choose(LearningEvent.PageWanted(LearningPage.TUTORIAL)) }
             MenuItem(stringResource(Res.string.worlds), "menu-worlds") { choose(LearningEvent.PageWanted(LearningPage.WORLDS)) }
+            MenuItem(stringResource(Res.string.learning_help), "menu-words") { choose(LearningEvent.PageWanted(LearningPage.HELP)) }
             if (state.worldEdit == null) {
                 MenuItem(stringResource(Res.string.edit_world), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }
             }

@@ -1,13 +1,17 @@
 package robotran.ui.screen
 
 import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.ExperimentalMaterial3Api
+import androidx.compose.material3.PrimaryScrollableTabRow
 import androidx.compose.material3.PrimaryTabRow
 import androidx.compose.material3.Tab
+import androidx.compose.material3.TabIndicatorScope
 import androidx.compose.material3.TabRowDefaults
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
@@ -24,35 +28,52 @@ import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.ui.workshop.Pane
 
-/** The three panes of a narrow screen. [mistaken] marks the program's tab. */
+/** The three panes of a narrow screen. [mistaken] marks the program's tab. Large words do not fit beside each other: then the tabs can be scrolled. */
 @OptIn(ExperimentalMaterial3Api::class)
 @Composable
 internal fun PaneTabs(chosen: Pane, mistaken: Boolean, onChoose: (Pane) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    PrimaryTabRow(
-        selectedTabIndex = chosen.ordinal,
-        modifier = modifier,
-        containerColor = colours.pane,
-        contentColor = colours.onPane,
-        indicator = { TabRowDefaults.PrimaryIndicator(Modifier.tabIndicatorOffset(chosen.ordinal), color = colours.onPane, width = 56.dp) },
-        divider = { },
-    ) {
-        for (pane in Pane.entries) {
-            val marked = pane == Pane.PROGRAM && mistaken
-            Tab(
-                selected = pane == chosen,
-                onClick = { onChoose(pane) },
-                modifier = Modifier.testTag("tab-${pane.name.lowercase()}").defaultMinSize(minHeight = Measures.TARGET).focusRing(),
-                selectedContentColor = if (marked) colours.mistake else colours.onPane,
-                unselectedContentColor = if (marked) colours.mistake else colours.quiet,
-            ) {
-                val name = stringResource(pane.title)
-                val words = if (marked) "!\u00A0$name" else name
-                Text(words, fontSize = 15.sp, fontWeight = FontWeight.SemiBold, maxLines = 1, overflow = TextOverflow.Ellipsis)
-            }
-        }
+    val indicator: @Composable TabIndicatorScope.() -> Unit = {
+        TabRowDefaults.PrimaryIndicator(Modifier.tabIndicatorOffset(chosen.ordinal), color = colours.onPane, width = 56.dp)
+    }
+    val tabs: @Composable () -> Unit = {
+        for (pane in Pane.entries) PaneTab(pane, pane == chosen, pane == Pane.PROGRAM && mistaken) { onChoose(pane) }
+    }
+    if (LocalDensity.current.fontScale > LARGE) {
+        PrimaryScrollableTabRow(
+            selectedTabIndex = chosen.ordinal,
+            modifier = modifier,
+            containerColor = colours.pane,
+            contentColor = colours.onPane,
+            edgePadding = 0.dp,
+            indicator = indicator,
+            divider = { },
+            tabs = tabs,
+        )
+    } else {
+        PrimaryTabRow(chosen.ordinal, modifier, colours.pane, colours.onPane, indicator, { }, tabs)
     }
 }
+
+@Composable
+private fun PaneTab(pane: Pane, chosen: Boolean, marked: Boolean, onChoose: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    Tab(
+        selected = chosen,
+        onClick = onChoose,
+        modifier = Modifier.testTag("tab-${pane.name.lowercase()}").defaultMinSize(minHeight = Measures.TARGET).focusRing(),
+        selectedContentColor = if (marked) colours.mistake else colours.onPane,
+        unselectedContentColor = if (marked) colours.mistake else colours.quiet,
+    ) {
+        val name = stringResource(pane.title)
+        val words = if (marked) "!\u00A0$name" else name
+        val beside = Modifier.padding(horizontal = 4.dp)
+        Text(words, beside, fontSize = 15.sp, fontWeight = FontWeight.SemiBold, maxLines = 1, overflow = TextOverflow.Ellipsis)
+    }
+}
+
+/** Up to this size of text, three names fit on a phone. */
+private const val LARGE = 1.3f
 
 private val Pane.title: StringResource
     get() = when (this) {

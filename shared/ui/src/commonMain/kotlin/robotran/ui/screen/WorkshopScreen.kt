@@ -14,9 +14,11 @@ import robotran.ui.documents.KeepingBanner
 import robotran.ui.documents.documentShortcut
 import robotran.ui.learning.LearningPages
 import robotran.ui.parts.BackGesture
+import robotran.ui.runbar.runShortcut
 import robotran.ui.settings.SettingsPage
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
+import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.worldedit.WorldEditPane
@@ -26,12 +28,13 @@ import robotran.ui.worldedit.WorldEditPane
 internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     BoxWithConstraints(
         modifier.fillMaxSize().background(LocalRobotranColours.current.pane).onPreviewKeyEvent { event ->
-            documentShortcut(event)?.let(onEvent) != null
+            val wanted = documentShortcut(event) ?: runShortcut(event).takeIf { isRunAtHand(state, it) }
+            wanted?.let(onEvent) != null
         },
     ) {
         // Larger text needs the room of a larger screen.
         val scale = state.settings.textScale.coerceAtMost(LocalDensity.current.fontScale)
-        val isWide = maxWidth >= Measures.WIDE_WIDTH * widthScale(scale) && maxHeight >= Measures.WIDE_HEIGHT
+        val isWide = maxWidth >= Measures.WIDE_WIDTH * widthScale(scale) && maxHeight + LocalKeyboardHeight.current >= Measures.WIDE_HEIGHT
         val back = backEvent(state, isWide)
         BackGesture(back != null) { back?.let(onEvent) }
         Column(Modifier.fillMaxSize()) {
@@ -49,6 +52,13 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         if (state.settingsShown) SettingsPage(state.settings, onEvent)
         DocumentDialogs(state.document, onEvent)
     }
+}
+
+/** Whether [event] is something that the run bar, if it is there, would let a person do now. */
+private fun isRunAtHand(state: WorkshopState, event: RunEvent?): Boolean = state.worldEdit == null && when (event) {
+    RunEvent.StopPressed -> state.stoppable
+    RunEvent.PausePressed -> state.run.pausable
+    else -> true
 }
 
 /** Half of what text grows by goes into the width that two panes beside each other need; the other half they lose in words a line. */

@@ -38,7 +38,9 @@ internal fun DrawScope.drawGridFigures(paper: Paper, view: SheetTransform, colou
         val place = view.toPixels(x.toDouble(), 0.0).x
         if (place in 0f..size.width) drawLabel(labels, "$x", Offset(place, low), height, colours.figures)
     }
-    val left = (view.paper.left - height).coerceIn(height, (size.width - height).coerceAtLeast(height))
+    // Beside the wall around the paper or, where there is no room, on it.
+    val beside = view.paper.left - view.pixelsPerCentimetre - height
+    val left = if (beside >= height) minOf(beside, size.width - height) else maxOf(view.paper.left, 0f) + height * ON_PAPER
     for (y in step..paper.height.toInt() step step) {
         val place = view.toPixels(0.0, y.toDouble()).y
         if (place in 0f..size.height) drawLabel(labels, "$y", Offset(left, place), height, colours.figures)
@@ -53,3 +55,6 @@ private const val ALPHA = 0.45f
 private const val FINE_ALPHA = 0.16f
 private val FIGURE_SIZE = 11.sp
 private const val FIGURE_ROOM = 2.6f
+
+/** How far from the edge the middle of figures on the paper is, in their heights. */
+private const val ON_PAPER = 1.4f

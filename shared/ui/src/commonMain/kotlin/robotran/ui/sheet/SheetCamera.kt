@@ -21,7 +21,7 @@ data class SheetCamera(
 ) {
     /** Where the sheet then is in [window], the part of a pane that nothing else lies over. */
     fun transform(paper: Paper, window: Rect): SheetTransform {
-        val fitting = SheetTransform.fitting(paper.width, paper.height, MARGIN_CENTIMETRES, window)
+        val fitting = SheetTransform.fitting(paper.width, paper.height, marginOf(paper), window)
         val scale = fitting.pixelsPerCentimetre * zoom.toFloat()
         if (scale <= 0f) return fitting
         val middle = centreIn(paper, window, scale)
@@ -50,19 +50,23 @@ data class SheetCamera(
     /** Looks at the same with a [centre] that is really in the middle. */
     fun within(paper: Paper, window: Rect): SheetCamera {
         if (zoom <= LEAST_ZOOM) return FITTING
-        val scale = SheetTransform.fitting(paper.width, paper.height, MARGIN_CENTIMETRES, window).pixelsPerCentimetre * zoom.toFloat()
+        val scale = SheetTransform.fitting(paper.width, paper.height, marginOf(paper), window).pixelsPerCentimetre * zoom.toFloat()
         return if (scale <= 0f) this else copy(centre = centreIn(paper, window, scale))
     }
 
     private fun centreIn(paper: Paper, window: Rect, scale: Float): Point {
+        val margin = marginOf(paper)
         val wanted = centre ?: Point(paper.width / 2, paper.height / 2)
-        return Point(inSight(wanted.x, window.width / scale, paper.width), inSight(wanted.y, window.height / scale, paper.height))
+        return Point(
+            inSight(wanted.x, window.width / scale, paper.width, margin),
+            inSight(wanted.y, window.height / scale, paper.height, margin),
+        )
     }
 
-    /** The nearest place to [wanted] with which no more than the margin is seen beside a side of the paper that is [length] long. */
-    private fun inSight(wanted: Double, seen: Float, length: Double): Double {
-        val least = seen / 2.0 - MARGIN_CENTIMETRES
-        val most = length + MARGIN_CENTIMETRES - seen / 2.0
+    /** The nearest place to [wanted] with which no more than the [margin] is seen beside a side of the paper that is [length] long. */
+    private fun inSight(wanted: Double, seen: Float, length: Double, margin: Double): Double {
+        val least = seen / 2.0 - margin
+        val most = length + margin - seen / 2.0
         return if (least >= most) length / 2 else wanted.coerceIn(least, most)
     }
 
@@ -70,8 +74,11 @@ data class SheetCamera(
         const val LEAST_ZOOM = 1.0
         const val MOST_ZOOM = 40.0
 
-        /** The desk that is seen around the paper. */
-        const val MARGIN_CENTIMETRES = 3.0
+        /** The desk that is seen around [paper], in centimetres: room for its walls and the figures of the grid. */
+        fun marginOf(paper: Paper): Double = maxOf(LEAST_MARGIN, maxOf(paper.width, paper.height) * MARGIN_SHARE)
+
+        private const val LEAST_MARGIN = 3.0
+        private const val MARGIN_SHARE = 0.03
 
         /** All of the sheet. */
         val FITTING = SheetCamera()

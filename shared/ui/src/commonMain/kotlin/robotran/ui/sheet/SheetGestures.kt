@@ -18,12 +18,13 @@ import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.launch
+import robotran.ui.parts.wheelNotches
 import kotlin.math.abs
 import kotlin.math.pow
 
 /** Fingers, mouse and wheel on a sheet: see [SheetTouch]. */
 internal suspend fun PointerInputScope.sheetGestures(look: SheetLook, touch: () -> SheetTouch?) = coroutineScope {
-    launch { awaitPointerEventScope { while (true) turnWheel(awaitPointerEvent(), look) } }
+    launch { awaitPointerEventScope { while (true) turnWheel(awaitPointerEvent(), look, density) } }
     var lastTap: PointerInputChange? = null
     awaitEachGesture {
         val down = awaitFirstDown()
@@ -36,10 +37,10 @@ internal suspend fun PointerInputScope.sheetGestures(look: SheetLook, touch: () 
     }
 }
 
-private fun turnWheel(event: PointerEvent, look: SheetLook) {
+private fun turnWheel(event: PointerEvent, look: SheetLook, density: Float) {
     if (event.type != PointerEventType.Scroll) return
     val change = event.changes.first()
-    val turned = change.scrollDelta.y
+    val turned = event.wheelNotches(density)
     if (change.isConsumed || abs(turned) == 0f) return
     look.zoom(WHEEL_ZOOM.pow(-turned.coerceIn(-MOST_WHEEL, MOST_WHEEL).toDouble()), change.position)
     change.consume()

@@ -5,6 +5,9 @@ import robotran.ui.platform.OpenedFile
 
 /** Something a person does with the project as a whole. */
 sealed interface DocumentEvent : WorkshopEvent {
+    /** Something that is done with the works that are kept. */
+    sealed interface OfWorks : DocumentEvent
+
     /** A new, empty work is wanted; the one that is open stays among all works. */
     data object NewWanted : DocumentEvent
 
@@ -18,16 +21,16 @@ sealed interface DocumentEvent : WorkshopEvent {
     data class LinkOpened(val link: String) : DocumentEvent
 
     /** All works are to be shown. */
-    data object WorksWanted : DocumentEvent
+    data object WorksWanted : OfWorks
 
     /** The kept work [id] is to be opened. */
-    data class WorkOpened(val id: String) : DocumentEvent
+    data class WorkOpened(val id: String) : OfWorks
 
     /** The kept work [id] is to be forgotten; asks first. */
-    data class WorkDeletionWanted(val id: String) : DocumentEvent
+    data class WorkDeletionWanted(val id: String) : OfWorks
 
     /** The work that was asked about is to be forgotten for good, or not. */
-    data class WorkDeletionAnswered(val delete: Boolean) : DocumentEvent
+    data class WorkDeletionAnswered(val delete: Boolean) : OfWorks
 
     /** All is to be written to the work's file, or to one that is chosen if it has none. */
     data object SaveWanted : DocumentEvent

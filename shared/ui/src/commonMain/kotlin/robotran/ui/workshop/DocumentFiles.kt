@@ -163,9 +163,7 @@ internal class DocumentFiles(
                 }
             }
 
-            Saving.GivenUp -> {
-                Unit
-            }
+            Saving.GivenUp -> {}
 
             is Saving.Failed -> {
                 bench.sayNotSaved(saving)

@@ -10,10 +10,6 @@ import kotlinx.coroutines.launch
 import robotran.documents.ComingBack
 import robotran.documents.Keeping
 import robotran.documents.KeepingTimes
-import robotran.documents.KeptWork
-import robotran.documents.StoreResult
-import robotran.documents.WorkClaim
-import robotran.documents.WorkReading
 import robotran.documents.workName
 import robotran.projects.Project
 import robotran.ui.platform.Arrival
@@ -21,10 +17,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.documents_back
 import robotran.ui.resources.documents_back_others
 import robotran.ui.resources.documents_back_unnamed
-import robotran.ui.resources.documents_delete_failed
 import robotran.ui.resources.documents_my_work
-import robotran.ui.resources.documents_work_elsewhere
-import robotran.ui.resources.documents_work_unusable
 import robotran.world.BuiltInWorlds
 
 /** Keeps what the project is called and where it lies, and sees to it that nothing of it is lost. */
@@ -32,6 +25,7 @@ class DocumentHolder(private val bench: Bench) {
     private val keeper = DocumentKeeper(bench)
     private val files = DocumentFiles(bench, keeper, ::show, ::replaceWork)
     private val exports = DocumentExports(bench, keeper, ::show)
+    private val works = DocumentWorks(bench, keeper, { state.dialog }, ::show, ::keepNow, ::replaceWork)
     private val changes = Channel<Unit>(Channel.CONFLATED)
     private var afterLoss: (suspend () -> Unit)? = null
 
@@ -40,83 +34,25 @@ class DocumentHolder(private val bench: Bench) {
 
     fun handle(event: DocumentEvent) {
         when (event) {
-            DocumentEvent.NewWanted -> {
-                launch { replaceWork { begin() } }
-            }
-
-            DocumentEvent.OpenWanted -> {
-                launch { files.choose() }
-            }
-
-            is DocumentEvent.FilesBrought -> {
-                launch { files.open(event.files) }
-            }
-
-            is DocumentEvent.LinkOpened -> {
-                launch { files.openLink(event.link) }
-            }
-
-            is DocumentEvent.WorksWanted, is DocumentEvent.WorkOpened,
-            is DocumentEvent.WorkDeletionWanted, is DocumentEvent.WorkDeletionAnswered,
-            -> {
-                launch { handleWorks(event) }
-            }
-
-            DocumentEvent.SaveWanted -> {
-                launch { files.save() }
-            }
-
-            DocumentEvent.SaveAsWanted -> {
-                launch { files.saveAs() }
-            }
-
-            DocumentEvent.RenameWanted -> {
-                show(DocumentDialog.Renaming(keeper.name))
-            }
-
-            is DocumentEvent.Renamed -> {
-                rename(event.name)
-            }
-
-            DocumentEvent.LinkWanted -> {
-                launch { exports.makeLink() }
-            }
-
-            DocumentEvent.LinkCopied -> {
-                launch { exports.copyLink(state.dialog) }
-            }
-
-            DocumentEvent.LinkShared -> {
-                launch { exports.shareLink(state.dialog) }
-            }
-
-            DocumentEvent.LinkPastingWanted -> {
-                show(DocumentDialog.PastingLink())
-            }
-
-            is DocumentEvent.PictureWanted -> {
-                launch { exports.savePicture(event.kind) }
-            }
-
-            DocumentEvent.ReplayWanted -> {
-                launch { exports.saveReplay() }
-            }
-
-            DocumentEvent.ProgramFileWanted -> {
-                launch { exports.saveProgram() }
-            }
-
-            DocumentEvent.KitWanted -> {
-                launch { exports.saveKit() }
-            }
-
-            is DocumentEvent.Answered -> {
-                launch { answer(event.answer) }
-            }
-
-            DocumentEvent.DialogClosed -> {
-                closeDialog()
-            }
+            DocumentEvent.NewWanted -> launch { replaceWork { begin() } }
+            DocumentEvent.OpenWanted -> launch { files.choose() }
+            is DocumentEvent.FilesBrought -> launch { files.open(event.files) }
+            is DocumentEvent.LinkOpened -> launch { files.openLink(event.link) }
+            is DocumentEvent.OfWorks -> launch { works.handle(event) }
+            DocumentEvent.SaveWanted -> launch { files.save() }
+            DocumentEvent.SaveAsWanted -> launch { files.saveAs() }
+            DocumentEvent.RenameWanted -> show(DocumentDialog.Renaming(keeper.name))
+            is DocumentEvent.Renamed -> rename(event.name)
+            DocumentEvent.LinkWanted -> launch { exports.makeLink() }
+            DocumentEvent.LinkCopied -> launch { exports.copyLink(state.dialog) }
+            DocumentEvent.LinkShared -> launch { exports.shareLink(state.dialog) }
+            DocumentEvent.LinkPastingWanted -> show(DocumentDialog.PastingLink())
+            is DocumentEvent.PictureWanted -> launch { exports.savePicture(event.kind) }
+            DocumentEvent.ReplayWanted -> launch { exports.saveReplay() }
+            DocumentEvent.ProgramFileWanted -> launch { exports.saveProgram() }
+            DocumentEvent.KitWanted -> launch { exports.saveKit() }
+            is DocumentEvent.Answered -> launch { answer(event.answer) }
+            DocumentEvent.DialogClosed -> closeDialog()
         }
     }
 
@@ -208,7 +144,7 @@ class DocumentHolder(private val bench: Bench) {
 
     /** See [Bench.beginWork]. */
     fun beginWork(name: String, project: Project, into: String?, onBegun: (left: String?, begun: String?) -> Unit) = launch {
-        val taken = into?.let { claimKept(it) }
+        val taken = into?.let { works.claim(it) }
         replaceWork {
             val left = keeper.openId
             if (taken != null) {
@@ -227,7 +163,7 @@ class DocumentHolder(private val bench: Bench) {
 
     /** See [Bench.takeUpWork]. */
     fun takeUpWork(id: String?, next: () -> Unit) = launch {
-        val taken = id?.let { claimKept(it) }
+        val taken = id?.let { works.claim(it) }
         replaceWork {
             if (taken == null) {
                 begin()
@@ -238,13 +174,6 @@ class DocumentHolder(private val bench: Bench) {
             }
             next()
         }
-    }
-
-    private suspend fun claimKept(id: String): Pair<KeptWork, WorkClaim>? {
-        val claim = keeper.shelf.claim(id) ?: return null
-        val found = keeper.shelf.read(id) as? WorkReading.Found
-        if (found == null) claim.release()
-        return found?.let { it.work to claim }
     }
 
     /** Does [next], which puts another work in place of the open one, if nothing is lost by it or the pupil does not mind. */
@@ -267,65 +196,6 @@ class DocumentHolder(private val bench: Bench) {
         bench.openProject(Project(BuiltInWorlds.plain))
         keeper.beginWith("")
         show(null)
-    }
-
-    private suspend fun handleWorks(event: DocumentEvent) {
-        val dialog = state.dialog as? DocumentDialog.Works
-        when (event) {
-            is DocumentEvent.WorkOpened -> open(event.id)
-            is DocumentEvent.WorkDeletionWanted -> show(dialog?.copy(deleting = dialog.works?.firstOrNull { it.entry.id == event.id }))
-            is DocumentEvent.WorkDeletionAnswered -> delete(dialog?.deleting?.takeIf { event.delete })
-            else -> showWorks()
-        }
-    }
-
-    private suspend fun showWorks() {
-        if (state.dialog !is DocumentDialog.Works) show(DocumentDialog.Works(works = null))
-        keepNow()
-        val language = bench.settings.language?.tag.orEmpty()
-        val works = keeper.shelf.works().map { ShownWork(it, bench.platform.clock.describe(it.keptAt, language), it.id == keeper.openId) }
-        if (state.dialog is DocumentDialog.Works) show(DocumentDialog.Works(works))
-    }
-
-    private suspend fun open(id: String) {
-        if (id == keeper.openId) return show(null)
-        val claim = keeper.shelf.claim(id)
-        if (claim == null) {
-            bench.say(Notice(Res.string.documents_work_elsewhere))
-            return
-        }
-        when (val reading = keeper.shelf.read(id)) {
-            is WorkReading.Found -> {
-                replaceWork {
-                    bench.openProject(reading.work.project)
-                    keeper.tookUp(reading.work, claim)
-                    show(null)
-                }
-            }
-
-            is WorkReading.Unusable -> {
-                claim.release()
-                bench.say(Notice(Res.string.documents_work_unusable, listOf(reading.reason(bench.language)), bad = true))
-            }
-
-            WorkReading.Missing -> {
-                claim.release()
-                showWorks()
-            }
-        }
-    }
-
-    private suspend fun delete(work: ShownWork?) {
-        if (work == null) return showWorks()
-        val claim = keeper.shelf.claim(work.entry.id)
-        if (claim == null) {
-            bench.say(Notice(Res.string.documents_work_elsewhere))
-        } else {
-            val result = keeper.shelf.delete(work.entry.id)
-            if (result is StoreResult.Failed) bench.say(Notice(Res.string.documents_delete_failed, listOf(result.reason), bad = true))
-            claim.release()
-        }
-        showWorks()
     }
 
     private fun rename(name: String) {

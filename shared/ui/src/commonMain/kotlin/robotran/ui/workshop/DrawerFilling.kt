@@ -7,7 +7,7 @@ import robotran.running.Motion
 import robotran.running.RunPlayer
 import robotran.running.VariableWatch
 
-/** Fills the drawer with what its open tab shows of a run. */
+/** Fills the drawer with what its open tabs show of a run. */
 internal class DrawerFilling {
     val variables = VariableWatch()
     private var calls = FilteredRomCalls(RomLogFilter())
@@ -38,7 +38,10 @@ internal class DrawerFilling {
     }
 
     /** [drawer] with what there is to see of [player] now. */
-    fun fill(drawer: DrawerState, player: RunPlayer): DrawerState = when (drawer.tab) {
+    fun fill(drawer: DrawerState, player: RunPlayer): DrawerState =
+        drawer.open.fold(drawer) { filled, tab -> fill(filled, tab, player) }
+
+    private fun fill(drawer: DrawerState, tab: DrawerTab, player: RunPlayer): DrawerState = when (tab) {
         // On the way to another time the program is somewhere that nobody wants to see.
         DrawerTab.VARIABLES -> if (player.motion is Motion.Seeking) drawer else drawer.copy(variables = lookAtVariables(player))
 
@@ -48,7 +51,7 @@ internal class DrawerFilling {
 
         DrawerTab.WHY -> drawer.copy(why = WhyState(player.session.explain(), player.state.robots[player.watched].remarks))
 
-        DrawerTab.GOALS, null -> drawer
+        DrawerTab.GOALS -> drawer
     }
 
     private fun lookAtVariables(player: RunPlayer): VariablesState {

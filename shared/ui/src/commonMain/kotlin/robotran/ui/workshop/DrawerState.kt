@@ -14,18 +14,37 @@ import robotran.world.explain.Influence
 enum class DrawerTab { VARIABLES, LOG, CHART, GOALS, WHY }
 
 /**
- * The drawer with what can be known of the run; only what [tab] shows is kept up to date.
+ * The drawer with what can be known of the run; only what is [open] is kept up to date.
  *
  * @property tab null while it is closed.
+ * @property beside what is to be seen next to it, where there is room for two; null if nothing is.
  */
 @Immutable
 data class DrawerState(
     val tab: DrawerTab? = null,
+    val beside: DrawerTab? = null,
     val variables: VariablesState = VariablesState(),
     val log: LogState = LogState(),
     val chart: ChartState = ChartState(),
     val why: WhyState = WhyState(),
-)
+) {
+    /** What is to be seen. */
+    val open: Set<DrawerTab> get() = if (tab == null) emptySet() else setOfNotNull(tab, beside)
+
+    /** With [chosen] in the first place. What was beside and is chosen now changes places with what was there. */
+    fun choosing(chosen: DrawerTab?): DrawerState =
+        copy(tab = chosen, beside = if (chosen != null && chosen == beside) tab else beside)
+
+    /** With [chosen] in the second place; null to show the first alone. */
+    fun choosingBeside(chosen: DrawerTab?): DrawerState {
+        val first = if (chosen != null && chosen == tab) beside ?: tab else tab
+        return copy(tab = first, beside = chosen.takeIf { it != first })
+    }
+
+    /** With [lane] of the chart to be seen or, if it was, not. */
+    fun switching(lane: ChartLane): DrawerState =
+        copy(chart = chart.copy(hidden = if (lane in chart.hidden) chart.hidden - lane else chart.hidden + lane))
+}
 
 /**
  * What the running program is in the middle of.

@@ -39,8 +39,10 @@ internal class ProgramEditing(
             is ProgramEvent.ProgramBegun -> add(robot, ShelfEntry(newProgram(event.language, robot.shelf.programs)))
             ProgramEvent.ClassAdded -> addClass(robot)
             is ProgramEvent.FileRenamed -> rename(robot, event)
+            is ProgramEvent.FileClosed -> closeFile(robot, event.place)
             is ProgramEvent.ProgramClosed -> close(robot, event.slot)
             ProgramEvent.ProgramReopened -> reopen(robot)
+            ProgramEvent.FindingWanted, ProgramEvent.FindingBegun -> Unit
             is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> mistakePointedOut = false
         }
     }
@@ -122,19 +124,40 @@ internal class ProgramEditing(
         robot.shelf.change(robot.shownProgram, entry.withFileRenamed(event.place, fileNameFor(event.name, entry.program.language)))
     }
 
+    private fun closeFile(robot: RobotPrograms, place: Int) {
+        val files = robot.entry.program.files.zip(robot.entry.memories)
+        if (place !in files.indices || files.size == 1) return
+        robot.closed = ClosedFile.OfProgram(robot.shownProgram, place, files[place].first, files[place].second)
+        robot.shelf.change(robot.shownProgram, robot.entry.withFiles(files.filterIndexed { index, _ -> index != place }))
+        robot.shownFile = robot.shownFile.let { if (it > place) it - 1 else it }.coerceAtMost(files.size - 2)
+    }
+
     private fun close(robot: RobotPrograms, slot: Int) {
         val entries = robot.shelf.entries
         if (slot !in entries.indices || entries.size == 1) return
-        robot.closed = entries[slot]
+        robot.closed = ClosedFile.Program(entries[slot])
         robot.shelf.remove(slot)
         choose(robot, robot.shownProgram.let { if (it > slot || it > robot.shelf.entries.lastIndex) it - 1 else it })
     }
 
     private fun reopen(robot: RobotPrograms) {
-        val entry = robot.closed ?: return
-        if (robot.shelf.entries.size >= Brick.MOST_PROGRAMS) return
+        if (!robot.canReopen) return
+        val closed = robot.closed ?: return
         robot.closed = null
-        add(robot, entry)
+        when (closed) {
+            is ClosedFile.Program -> {
+                add(robot, closed.entry)
+            }
+
+            is ClosedFile.OfProgram -> {
+                val entry = robot.shelf.entries[closed.slot]
+                val files = entry.program.files.zip(entry.memories).toMutableList()
+                files.add(minOf(closed.place, files.size), closed.file to closed.memory)
+                robot.shelf.change(closed.slot, entry.withFiles(files))
+                robot.shownProgram = closed.slot
+                robot.shownFile = minOf(closed.place, files.lastIndex)
+            }
+        }
     }
 }
 

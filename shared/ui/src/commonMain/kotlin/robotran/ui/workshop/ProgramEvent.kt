@@ -21,6 +21,11 @@ sealed interface ProgramEvent : WorkshopEvent {
     /** The file that is shown is to be laid out as it should be. */
     data object Formatted : ProgramEvent
 
+    /** The search in the file that is shown is to be opened, which [FindingBegun] says is done. */
+    data object FindingWanted : ProgramEvent
+
+    data object FindingBegun : ProgramEvent
+
     /** The program that is shown is to stop before [line], from 1, of the file that is shown, or not any more. */
     data class BreakpointToggled(val line: Int) : ProgramEvent
 
@@ -51,9 +56,12 @@ sealed interface ProgramEvent : WorkshopEvent {
     /** The file [place] of the program that is shown is to be called [name], which must be possible, see [nameProblem]. */
     data class FileRenamed(val place: Int, val name: String) : ProgramEvent
 
-    /** The program in [slot] is to go away; it can be brought back as long as no other goes. */
+    /** The file [place] of the Java program that is shown is to go away, if there are others; it can be brought back as long as nothing else goes. */
+    data class FileClosed(val place: Int) : ProgramEvent
+
+    /** The program in [slot] is to go away; it can be brought back as long as nothing else goes. */
     data class ProgramClosed(val slot: Int) : ProgramEvent
 
-    /** The program that went away last is wanted back. */
+    /** What went away last is wanted back. */
     data object ProgramReopened : ProgramEvent
 }

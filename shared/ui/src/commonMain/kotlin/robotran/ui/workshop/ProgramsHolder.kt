@@ -27,6 +27,7 @@ class ProgramsHolder(
     private var robots = robotsOf(project)
     private var shownRobot = robots.first().place.name
     private var translationShown = false
+    private var findingWanted = false
     private val shown: RobotPrograms get() = robots.firstOrNull { it.place.name == shownRobot } ?: robots.first()
     private val readingLoop =
         ReadingLoop({ robots.any { it.shelf.hasUnread } }, { robots.forEach { it.shelf.readUnread() } }, ::showReading)
@@ -39,6 +40,7 @@ class ProgramsHolder(
     fun handle(event: ProgramEvent) {
         if (event is ProgramEvent.RobotChosen) shownRobot = event.name
         if (event is ProgramEvent.TranslationShown) translationShown = event.shown
+        if (event == ProgramEvent.FindingWanted || event == ProgramEvent.FindingBegun) return want(event == ProgramEvent.FindingWanted)
         editing.handle(event)
         readingLoop.programsChanged()
         refresh()
@@ -139,6 +141,12 @@ class ProgramsHolder(
         RobotPrograms(place, kept, reader, if (isAlone) listOf(firstProgram()) else programs)
     }
 
+    private fun want(finding: Boolean) {
+        findingWanted = finding
+        if (finding) bench.show(Pane.PROGRAM)
+        refresh()
+    }
+
     private fun showReading(reading: ProgramReading) {
         this.reading = reading
         refresh()
@@ -163,7 +171,8 @@ class ProgramsHolder(
             canUndo = robot.memory.history.canUndo,
             canRedo = robot.memory.history.canRedo,
             breakpoints = robot.memory.breakpoints,
-            closedProgram = robot.closed?.program,
+            closed = robot.closed?.name,
+            canReopen = robot.canReopen,
             mistakes = entry.mistakes,
             notes = entry.notes,
             reading = reading,
@@ -171,6 +180,7 @@ class ProgramsHolder(
             translationShown = translationShown,
             translation = if (translationShown) entry.translation else null,
             isTranslated = entry.isTranslated,
+            findingWanted = findingWanted,
         )
     }
 }

@@ -18,13 +18,15 @@ import robotran.world.RobotPlace
  * @property shownFile the file of it that is shown, from 0.
  * @property draft the text of that file, and what is selected in it.
  * @property breakpoints the lines of that file, from 1, that the program is to stop before.
- * @property closedProgram a program that was taken away and can be brought back.
+ * @property closed the name of the program, or the class of one, that was taken away last and is kept; null if nothing is.
+ * @property canReopen whether there is room to bring it back.
  * @property mistakes what is wrong with the program shown, in its order; empty as long as it was not read.
  * @property notes what is told about its lines, mistakes and doubts; as long as it was not read, what was told before.
  * @property reading how far the programs were read since they were changed.
  * @property mistakePointedOut whether somebody wanted to run a program with mistakes since it was last edited.
  * @property translationShown whether a Robolang program's translation is shown.
  * @property translation the program as Java; null if there is none, or it is not shown.
+ * @property findingWanted whether the search in the file is to be opened.
  * @property isTranslated whether [translation] is that of the program as it is now, not as it was before its mistakes.
  */
 @Immutable
@@ -39,7 +41,8 @@ data class ProgramsState(
     val canUndo: Boolean,
     val canRedo: Boolean,
     val breakpoints: Set<Int>,
-    val closedProgram: PupilProgram?,
+    val closed: String?,
+    val canReopen: Boolean,
     val mistakes: List<Mistake>,
     val notes: List<ProgramNote>,
     val reading: ProgramReading,
@@ -47,6 +50,7 @@ data class ProgramsState(
     val translationShown: Boolean,
     val translation: Translation?,
     val isTranslated: Boolean,
+    val findingWanted: Boolean,
 ) {
     val program: PupilProgram get() = programs[shownProgram]
     val file: ProgramFile get() = program.files[shownFile]

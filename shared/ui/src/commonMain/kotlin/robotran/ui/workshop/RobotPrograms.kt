@@ -4,6 +4,7 @@ import robotran.programs.ProgramReader
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.lightFacingOf
+import robotran.rom.Brick
 import robotran.world.Breakpoint
 import robotran.world.RobotLoad
 import robotran.world.RobotPlace
@@ -25,10 +26,18 @@ internal class RobotPrograms(
     val shelf = ProgramShelf((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, reader)
     var shownProgram = 0
     var shownFile = 0
-    var closed: ShelfEntry? = null
+    var closed: ClosedFile? = null
 
     val entry: ShelfEntry get() = shelf.entries[shownProgram]
     val memory: ProgramFileMemory get() = entry.memories[shownFile]
+
+    /** Whether there is room for what was taken away last. */
+    val canReopen: Boolean
+        get() = when (val closed = closed) {
+            null -> false
+            is ClosedFile.Program -> shelf.entries.size < Brick.MOST_PROGRAMS
+            is ClosedFile.OfProgram -> shelf.entries[closed.slot].program.files.none { it.name == closed.name }
+        }
 
     /** Whether nobody has given it anything, so that it has what the world gives it. */
     val isUntouched: Boolean get() = shelf.programs == listOf(given)
@@ -70,7 +79,7 @@ internal class RobotPrograms(
     fun readBy(reader: ProgramReader): RobotPrograms {
         val again = RobotPrograms(place, kept, reader, shelf.programs)
         again.remember(this) { it.unread() }
-        again.closed = closed?.unread()
+        again.closed = closed.let { if (it is ClosedFile.Program) ClosedFile.Program(it.entry.unread()) else it }
         return again
     }
 

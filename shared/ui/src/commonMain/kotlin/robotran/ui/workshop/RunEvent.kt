@@ -55,6 +55,9 @@ sealed interface RunEvent : WorkshopEvent {
     /** The drawer is to show [tab]; null to close it. */
     data class DrawerChosen(val tab: DrawerTab?) : RunEvent
 
+    /** The drawer is to show [tab] next to what it shows already; null to show that alone. */
+    data class DrawerBesideChosen(val tab: DrawerTab?) : RunEvent
+
     /** The thread with this number, and the place in its call stack, are to be looked into. */
     data class FrameChosen(val thread: Int, val frame: Int) : RunEvent
 

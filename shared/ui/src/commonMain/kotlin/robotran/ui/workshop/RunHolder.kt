@@ -3,21 +3,15 @@ package robotran.ui.workshop
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import kotlinx.coroutines.launch
 import robotran.rom.BrickButton
 import robotran.rom.RunState
 import robotran.rom.StepKind
-import robotran.rom.toLogText
 import robotran.running.Motion
 import robotran.running.RestWatch
 import robotran.running.RunPlayer
 import robotran.running.RunSetup
 import robotran.running.RunSpeed
-import robotran.ui.platform.FileKind
-import robotran.ui.platform.Saving
 import robotran.ui.resources.Res
-import robotran.ui.resources.run_log_copied
-import robotran.ui.resources.run_log_not_copied
 import robotran.ui.resources.run_new_future
 import robotran.ui.sound.SoundPlayer
 import robotran.world.Breakpoint
@@ -49,6 +43,7 @@ class RunHolder(
     private var player = newPlayer(slot = 0)
     private val rest = RestWatch()
     private val drawer = DrawerFilling()
+    private val export = RomLogExport(bench)
     private var whenRead: (() -> Unit)? = null
     private var lastSession = player.session
     private var futures = 0
@@ -80,11 +75,12 @@ class RunHolder(
             is RunEvent.ButtonReleased -> release(event.button)
             is RunEvent.SessionTouched -> touch(event.input)
             is RunEvent.DrawerChosen -> openDrawer(event.tab)
+            is RunEvent.DrawerBesideChosen -> state = state.copy(drawer = state.drawer.choosingBeside(event.tab))
             is RunEvent.FrameChosen -> drawer.choose(event.thread, event.frame)
             is RunEvent.LogFiltered -> drawer.filter(event.filter)
-            RunEvent.LogCopied -> copyLog()
-            RunEvent.LogSaved -> saveLog()
-            is RunEvent.LaneSwitched -> switch(event)
+            RunEvent.LogCopied -> export.copy(state.drawer.log)
+            RunEvent.LogSaved -> export.save(state.drawer.log, programs.state.program.name)
+            is RunEvent.LaneSwitched -> state = state.copy(drawer = state.drawer.switching(event.lane))
         }
         rest.disturb()
         show()
@@ -249,30 +245,8 @@ class RunHolder(
     }
 
     private fun openDrawer(tab: DrawerTab?) {
-        state = state.copy(drawer = state.drawer.copy(tab = tab))
+        state = state.copy(drawer = state.drawer.choosing(tab))
         if (tab != null) bench.show(Pane.WORLD)
-    }
-
-    private fun copyLog() {
-        val text = state.drawer.log.entries.toLogText()
-        bench.scope.launch {
-            val isDone = bench.platform.sharing.copy(text)
-            bench.say(Notice(if (isDone) Res.string.run_log_copied else Res.string.run_log_not_copied, bad = !isDone))
-        }
-    }
-
-    private fun saveLog() {
-        val bytes = state.drawer.log.entries.toLogText().encodeToByteArray()
-        bench.scope.launch {
-            val saving = bench.platform.files.save("${programs.state.program.name}${FileKind.TEXT.extension}", FileKind.TEXT, bytes)
-            if (saving is Saving.Failed) bench.say(Notice(null, plain = saving.reason, bad = true))
-        }
-    }
-
-    private fun switch(event: RunEvent.LaneSwitched) {
-        val chart = state.drawer.chart
-        val hidden = if (event.lane in chart.hidden) chart.hidden - event.lane else chart.hidden + event.lane
-        state = state.copy(drawer = state.drawer.copy(chart = chart.copy(hidden = hidden)))
     }
 
     private fun firstState() =
@@ -322,6 +296,7 @@ class RunHolder(
             time = player.time,
             length = player.length,
             marks = player.marks,
+            calls = player.callLine,
             drawer = drawer.fill(state.drawer, player),
             awake = isAwake(),
         )
@@ -331,7 +306,7 @@ class RunHolder(
         programs.breakpoints(world.robots[player.watched].name, player.state.robots[player.watched].brick.selectedSlot)
 
     private fun isAwake(): Boolean = when (player.motion) {
-        Motion.Still -> state.drawer.tab == DrawerTab.LOG && drawer.isBusy
+        Motion.Still -> DrawerTab.LOG in state.drawer.open && drawer.isBusy
         is Motion.Stepping, is Motion.Seeking -> true
         is Motion.Playing -> player.isInPast || rest.isAwake(player.state)
     }

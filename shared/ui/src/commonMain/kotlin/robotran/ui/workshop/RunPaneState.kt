@@ -5,6 +5,7 @@ import robotran.projects.ProjectSettings
 import robotran.rom.BrickButton
 import robotran.rom.BrickState
 import robotran.rom.RunState
+import robotran.running.RomCallLine
 import robotran.running.RunSpeed
 import robotran.running.TimelineMark
 import robotran.world.SessionState
@@ -24,6 +25,7 @@ import robotran.world.World
  * @property time where in the run it is, in milliseconds.
  * @property length how much of the run is known, in milliseconds.
  * @property marks what has happened in the run, also after [time].
+ * @property calls when the robot that is [watched] makes its ROM calls, also after [time].
  * @property watched the number of the robot that is looked into.
  * @property hasRecording whether the project came with what was done to a run.
  * @property settings how the programs run.
@@ -42,6 +44,7 @@ data class RunPaneState(
     val time: Long = 0,
     val length: Long = 0,
     val marks: List<TimelineMark> = emptyList(),
+    val calls: RomCallLine? = null,
     val watched: Int = 0,
     val hasRecording: Boolean = false,
     val settings: ProjectSettings = ProjectSettings(),

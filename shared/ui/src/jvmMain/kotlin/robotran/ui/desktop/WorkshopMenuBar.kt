@@ -9,6 +9,7 @@ import androidx.compose.ui.window.MenuBar
 import androidx.compose.ui.window.MenuScope
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.rom.StepKind
 import robotran.ui.language.InLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_close_window
@@ -39,9 +40,20 @@ import robotran.ui.resources.documents_tutorial
 import robotran.ui.resources.documents_undo
 import robotran.ui.resources.documents_untitled
 import robotran.ui.resources.documents_worlds
+import robotran.ui.resources.editor_find
+import robotran.ui.resources.editor_format
+import robotran.ui.resources.learning_help
+import robotran.ui.resources.run_go_on
+import robotran.ui.resources.run_pause
+import robotran.ui.resources.run_step_into
+import robotran.ui.resources.run_step_out
+import robotran.ui.resources.run_step_over
+import robotran.ui.resources.run_to_line
+import robotran.ui.runbar.cursorLine
 import robotran.ui.workshop.DocumentEvent
 import robotran.ui.workshop.LearningEvent
 import robotran.ui.workshop.LearningPage
+import robotran.ui.workshop.Pace
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.SettingsEvent
@@ -49,6 +61,7 @@ import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorldEditEvent
+import robotran.worldediting.Edit
 
 /** The platform's menu over a window with the workshop [state], in the language of the app. */
 @Composable
@@ -63,14 +76,8 @@ fun FrameWindowScope.WorkshopMenuBar(
     InLanguage(state.settings.language) {
         MenuBar {
             Menu(stringResource(Res.string.documents_menu_file)) { FileItems(onEvent, openAnother, close) }
-            Menu(stringResource(Res.string.documents_menu_edit)) {
-                Choice(Res.string.documents_undo, control(Key.Z)) { onEvent(ProgramEvent.Undone) }
-                Choice(Res.string.documents_redo, control(Key.Z, shift = true)) { onEvent(ProgramEvent.Redone) }
-            }
-            Menu(stringResource(Res.string.documents_menu_run)) {
-                Choice(Res.string.documents_run_now, KeyShortcut(Key.F5)) { onEvent(RunEvent.RunPressed) }
-                Choice(Res.string.documents_stop_now, KeyShortcut(Key.F5, shift = true), state.stoppable) { onEvent(RunEvent.StopPressed) }
-            }
+            Menu(stringResource(Res.string.documents_menu_edit)) { EditItems(state, onEvent) }
+            Menu(stringResource(Res.string.documents_menu_run)) { RunItems(state, onEvent) }
             Menu(stringResource(Res.string.documents_menu_view)) {
                 Choice(Res.string.documents_edit_world, enabled = state.worldEdit == null) { onEvent(WorldEditEvent.EditorOpened) }
                 Choice(Res.string.documents_worlds) { onEvent(LearningEvent.PageWanted(LearningPage.WORLDS)) }
@@ -81,6 +88,7 @@ fun FrameWindowScope.WorkshopMenuBar(
                 Choice(Res.string.documents_tutorial, KeyShortcut(Key.F1, shift = true)) {
                     onEvent(LearningEvent.PageWanted(LearningPage.TUTORIAL))
                 }
+                Choice(Res.string.learning_help) { onEvent(LearningEvent.PageWanted(LearningPage.HELP)) }
                 Choice(Res.string.documents_first_page) { onEvent(LearningEvent.PageWanted(LearningPage.FIRST_RUN)) }
             }
         }
@@ -115,6 +123,36 @@ private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: (
     Choice(Res.string.documents_kit) { onEvent(DocumentEvent.KitWanted) }
     Separator()
     Choice(Res.string.documents_close_window, control(Key.W), onClick = close)
+}
+
+/** What is edited is the world while its editor is open, otherwise the program. */
+@Composable
+private fun MenuScope.EditItems(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    val isProgram = state.worldEdit == null
+    Choice(Res.string.documents_undo, control(Key.Z)) {
+        onEvent(if (isProgram) ProgramEvent.Undone else WorldEditEvent.Edited(Edit.Undo))
+    }
+    Choice(Res.string.documents_redo, control(Key.Z, shift = true)) {
+        onEvent(if (isProgram) ProgramEvent.Redone else WorldEditEvent.Edited(Edit.Redo))
+    }
+    Separator()
+    Choice(Res.string.editor_find, control(Key.F), isProgram) { onEvent(ProgramEvent.FindingWanted) }
+    Choice(Res.string.editor_format, control(Key.F, shift = true), isProgram) { onEvent(ProgramEvent.Formatted) }
+}
+
+/** The keys are those of `runShortcut`, and F5 besides. */
+@Composable
+private fun MenuScope.RunItems(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    val isDesk = state.worldEdit == null
+    Choice(Res.string.documents_run_now, KeyShortcut(Key.F5), isDesk) { onEvent(RunEvent.RunPressed) }
+    Choice(Res.string.documents_stop_now, KeyShortcut(Key.F5, shift = true), isDesk && state.stoppable) { onEvent(RunEvent.StopPressed) }
+    val pause = if (state.run.pace == Pace.GOING) Res.string.run_pause else Res.string.run_go_on
+    Choice(pause, KeyShortcut(Key.F6), isDesk && state.run.pausable) { onEvent(RunEvent.PausePressed) }
+    Separator()
+    Choice(Res.string.run_step_into, KeyShortcut(Key.F11), isDesk) { onEvent(RunEvent.StepPressed(StepKind.INTO)) }
+    Choice(Res.string.run_step_over, KeyShortcut(Key.F10), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OVER)) }
+    Choice(Res.string.run_step_out, KeyShortcut(Key.F11, shift = true), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OUT)) }
+    Choice(Res.string.run_to_line, enabled = isDesk) { onEvent(RunEvent.RunToLine(cursorLine(state))) }
 }
 
 @Composable

@@ -1,24 +1,17 @@
 package robotran.ui.documents
 
-import androidx.compose.ui.ImageComposeScene
-import androidx.compose.ui.unit.Density
-import org.jetbrains.skia.EncodedImageFormat
 import robotran.language.Language
-import robotran.ui.RobotranApp
 import robotran.ui.platform.Arrival
-import robotran.ui.screen.onEventThread
+import robotran.ui.screen.keepAs
+import robotran.ui.screen.photograph
 import robotran.ui.workshop.DocumentEvent
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.Workshop
-import java.io.File
 import kotlin.test.Test
-import kotlin.test.assertTrue
 
 /** Writes pictures of the dialogs about the work into build/pictures, to be looked at. */
 class DocumentPictures {
-    private val folder = File(System.getProperty("robotran.pictures")).apply { mkdirs() }
-
     @Test
     fun `all dialogs about the work can be photographed`() {
         for ((name, width, height) in SCREENS) {
@@ -67,17 +60,8 @@ class DocumentPictures {
         workshop.close()
     }
 
-    private fun photograph(workshop: Workshop, width: Int, height: Int, dark: Boolean, name: String) = onEventThread {
-        val scene = ImageComposeScene(width, height, Density(1f)) { RobotranApp(workshop, dark) }
-        try {
-            scene.render()
-            val bytes = checkNotNull(scene.render(nanoTime = 1_000_000_000).encodeToData(EncodedImageFormat.PNG)).bytes
-            File(folder, "$name.png").writeBytes(bytes)
-            assertTrue(bytes.size > 1000, "$name is empty")
-        } finally {
-            scene.close()
-        }
-    }
+    private fun photograph(workshop: Workshop, width: Int, height: Int, dark: Boolean, name: String) =
+        photograph(workshop, width, height, dark).keepAs("documents/$name")
 
     private fun theme(dark: Boolean) = if (dark) "dark" else "light"
 

@@ -53,6 +53,28 @@ class RunDrawerTest {
     }
 
     @Test
+    fun `chart and log can be seen side by side, change places, and be closed one by one`() = onTablet { workshop ->
+        workshop.with("forward 5\nbeep")
+        workshop.handle(RunEvent.DrawerChosen(DrawerTab.LOG))
+        pass(400)
+        onNodeWithTag("drawer-two").performClick()
+        workshop.handle(RunEvent.RunPressed)
+        pass(400)
+        onNodeWithTag("log").assertIsDisplayed()
+        onNodeWithTag("chart-sensor_1", useUnmergedTree = true).assertIsDisplayed()
+        onNodeWithTag("beside-log").performClick()
+        pass(100)
+        assertEquals(DrawerTab.CHART to DrawerTab.LOG, workshop.state.run.drawer.run { tab to beside })
+        onNodeWithTag("drawer-log").performClick()
+        pass(100)
+        assertEquals(DrawerTab.LOG to DrawerTab.CHART, workshop.state.run.drawer.run { tab to beside })
+        onNodeWithTag("beside-close").performClick()
+        pass(100)
+        assertEquals(DrawerTab.LOG to null, workshop.state.run.drawer.run { tab to beside })
+        onNodeWithTag("log").assertIsDisplayed()
+    }
+
+    @Test
     fun `it can be made higher`() = onTablet { workshop ->
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.GOALS))
         pass(400)

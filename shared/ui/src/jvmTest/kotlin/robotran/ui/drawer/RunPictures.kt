@@ -1,16 +1,13 @@
 package robotran.ui.drawer
 
-import androidx.compose.ui.ImageComposeScene
-import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
-import org.jetbrains.skia.EncodedImageFormat
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.rom.StepKind
-import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
-import robotran.ui.screen.onEventThread
+import robotran.ui.screen.keepAs
+import robotran.ui.screen.photograph
 import robotran.ui.workshop.DrawerTab
 import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.RunEvent
@@ -20,14 +17,10 @@ import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.asProject
 import robotran.world.BuiltInWorlds
 import robotran.world.Goal
-import java.io.File
 import kotlin.test.Test
-import kotlin.test.assertTrue
 
 /** Writes pictures of the run bar and the drawer into build/pictures, to be looked at. */
 class RunPictures {
-    private val folder = File(System.getProperty("robotran.pictures"), "run").apply { mkdirs() }
-
     @Test
     fun `every tab of the drawer can be photographed`() {
         for (tab in DrawerTab.entries) {
@@ -56,19 +49,9 @@ class RunPictures {
         repeat(2) { handle(RunEvent.StepPressed(StepKind.INTO)).also { repeat(60) { frame(1_000_000_000L + it * 16_000_000L) } } }
     }
 
-    private fun Workshop.use(name: String, width: Int, height: Int, dark: Boolean = false) = onEventThread {
-        val scene = ImageComposeScene(width, height, Density(1f)) { RobotranApp(this@use, dark) }
-        try {
-            scene.render()
-            scene.render(nanoTime = 500_000_000)
-            val image = scene.render(nanoTime = 1_000_000_000)
-            val bytes = checkNotNull(image.encodeToData(EncodedImageFormat.PNG)).bytes
-            File(folder, "$name.png").writeBytes(bytes)
-            assertTrue(bytes.size > 1000, "$name is empty")
-        } finally {
-            scene.close()
-            close()
-        }
+    private fun Workshop.use(name: String, width: Int, height: Int, dark: Boolean = false) {
+        photograph(this, width, height, dark).keepAs("run/$name")
+        close()
     }
 
     private companion object {

@@ -1,13 +1,9 @@
 package robotran.ui.golden
 
-import androidx.compose.ui.ImageComposeScene
-import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
-import org.jetbrains.skia.Image
 import robotran.language.Language
-import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
-import robotran.ui.screen.onEventThread
+import robotran.ui.screen.photograph
 import robotran.ui.workshop.AppTheme
 import robotran.ui.workshop.LearningEvent
 import robotran.ui.workshop.LearningPage
@@ -73,7 +69,8 @@ class GoldenPicturesTest {
                     val settings = Settings(language = look.language, theme = look.theme, lessMotion = true)
                     workshop.handle(SettingsEvent.SettingsChanged(settings))
                     workshop.prepare()
-                    GoldenPicture.check("$scene-${screen.name.lowercase()}-${look.name.lowercase()}", photograph(workshop, screen))
+                    val picture = photograph(workshop, screen.width, screen.height)
+                    GoldenPicture.check("$scene-${screen.name.lowercase()}-${look.name.lowercase()}", picture)
                 } finally {
                     workshop.close()
                 }
@@ -84,17 +81,6 @@ class GoldenPicturesTest {
     private fun Workshop.runAWhile() {
         handle(RunEvent.RunPressed)
         advance(HALF_DRAWN)
-    }
-
-    private fun photograph(workshop: Workshop, screen: Screen): Image = onEventThread {
-        val scene = ImageComposeScene(screen.width, screen.height, Density(1f)) { RobotranApp(workshop, dark = false) }
-        try {
-            scene.render()
-            scene.render(nanoTime = SECOND)
-            scene.render(nanoTime = 2 * SECOND)
-        } finally {
-            scene.close()
-        }
     }
 
     private enum class Screen(val width: Int, val height: Int) { PHONE(411, 891), TABLET(1280, 800), LAPTOP(1440, 900) }
@@ -109,6 +95,5 @@ class GoldenPicturesTest {
     private companion object {
         /** Milliseconds into the square: somewhere on its third side. */
         const val HALF_DRAWN = 3900
-        const val SECOND = 1_000_000_000L
     }
 }

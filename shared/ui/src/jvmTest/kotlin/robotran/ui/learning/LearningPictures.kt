@@ -1,15 +1,12 @@
 package robotran.ui.learning
 
-import androidx.compose.ui.ImageComposeScene
-import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
-import org.jetbrains.skia.EncodedImageFormat
 import robotran.language.Language
 import robotran.learning.Tutorial
 import robotran.learning.WorldGallery
-import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
-import robotran.ui.screen.onEventThread
+import robotran.ui.screen.keepAs
+import robotran.ui.screen.photograph
 import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.workshop.AppTheme
@@ -20,14 +17,10 @@ import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.Settings
 import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.Workshop
-import java.io.File
 import kotlin.test.Test
-import kotlin.test.assertTrue
 
 /** Writes pictures of what there is to learn from into build/pictures, to be looked at. */
 class LearningPictures {
-    private val folder = File(System.getProperty("robotran.pictures")).apply { mkdirs() }
-
     @Test
     fun `every page can be photographed, in every size and theme, in German and with large text`() {
         for (look in Look.entries) {
@@ -61,18 +54,9 @@ class LearningPictures {
         for (world in WorldGallery.worlds) WorldPictures.of(world, SheetColours.of(colours))
     }
 
-    private fun photograph(workshop: Workshop, look: Look, name: String, prepare: Workshop.() -> Unit) = onEventThread {
+    private fun photograph(workshop: Workshop, look: Look, name: String, prepare: Workshop.() -> Unit) {
         workshop.prepare()
-        val scene = ImageComposeScene(look.width, look.height, Density(1f)) { RobotranApp(workshop, dark = false) }
-        try {
-            scene.render()
-            val image = scene.render(nanoTime = 1_000_000_000)
-            val bytes = checkNotNull(image.encodeToData(EncodedImageFormat.PNG)).bytes
-            File(folder, "learning-${look.name.lowercase()}-$name.png").writeBytes(bytes)
-            assertTrue(bytes.size > 1000, "$name is empty")
-        } finally {
-            scene.close()
-        }
+        photograph(workshop, look.width, look.height).keepAs("learning/${look.name.lowercase()}-$name")
     }
 
     private enum class Look(val width: Int, val height: Int, val settings: Settings) {

@@ -36,10 +36,12 @@ import robotran.editing.TextSelection
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.workshop.Pane
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ProgramLanguage
 import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.Workshop
+import robotran.ui.workshop.WorkshopEvent
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
@@ -237,6 +239,20 @@ class ProgramPaneTest {
     }
 
     @Test
+    fun `a menu opens the search, too, also from another pane`() = onPhone { workshop ->
+        workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+        pass(100)
+        workshop.handle(ProgramEvent.FindingWanted)
+        pass(300)
+        onNodeWithTag("find").assertIsDisplayed()
+        onNodeWithTag("find-close").performClick()
+        pass(200)
+        workshop.handle(ProgramEvent.FindingWanted)
+        pass(300)
+        onNodeWithTag("find").assertIsDisplayed()
+    }
+
+    @Test
     fun `what is found is counted, gone through and replaced`() = onTablet { workshop ->
         workshop.write("forward 20\nForward 30\nbeep", caret = 0)
         pass(100)
@@ -305,6 +321,20 @@ class ProgramPaneTest {
         onNodeWithTag("translation-keep").performClick()
         pass(300)
         assertEquals(ProgramLanguage.JAVA, workshop.state.program.language)
+    }
+
+    @Test
+    fun `one of several classes is taken away where it is renamed, and comes back`() = onTablet { workshop ->
+        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.ClassAdded)
+        pass(200)
+        rest("file-1")
+        onNodeWithTag("remove-class").performClick()
+        pass(300)
+        assertEquals(1, workshop.state.program.files.size)
+        onNodeWithTag("reopen-program").performClick()
+        pass(300)
+        assertEquals(2, workshop.state.program.files.size)
     }
 
     @Test

@@ -5,16 +5,14 @@ import androidx.compose.ui.InternalComposeUiApi
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
-import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
-import org.jetbrains.skia.EncodedImageFormat
 import robotran.editing.Draft
 import robotran.editing.EditKind
 import robotran.language.Language
-import robotran.ui.RobotranApp
 import robotran.ui.lejosExampleTexts
 import robotran.ui.openWorkshop
-import robotran.ui.screen.onEventThread
+import robotran.ui.screen.keepAs
+import robotran.ui.screen.photograph
 import robotran.ui.workshop.Pane
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.PupilProgram
@@ -22,15 +20,11 @@ import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.WorkshopEvent
-import java.io.File
 import kotlin.test.Test
-import kotlin.test.assertTrue
 
 /** Writes pictures of the program pane into build/pictures, to be looked at. */
 @OptIn(InternalComposeUiApi::class)
 class ProgramPictures {
-    private val folder = File(System.getProperty("robotran.pictures")).apply { mkdirs() }
-
     @Test
     fun `mistakes, doubts and a breakpoint can be photographed`() = photograph("notes") { workshop ->
         workshop.handle(ProgramEvent.ProgramEdited(MISTAKEN))
@@ -57,35 +51,29 @@ class ProgramPictures {
         workshop.handle(ProgramEvent.Written(Draft(draft.text).withCaret(place), EditKind.OTHER))
     }
 
-    private fun photograph(name: String, keys: List<Key> = emptyList(), prepare: (Workshop) -> Unit) = onEventThread {
+    private fun photograph(name: String, keys: List<Key> = emptyList(), prepare: (Workshop) -> Unit) {
         for (screen in Screen.entries) {
             val workshop = runBlocking { openWorkshop() }
             val settings = workshop.state.settings.copy(language = screen.language, textScale = screen.scale)
             workshop.handle(SettingsEvent.SettingsChanged(settings))
             prepare(workshop)
             workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
-            val scene = ImageComposeScene(screen.width, screen.height, Density(1f)) { RobotranApp(workshop, screen.dark) }
-            try {
-                scene.render()
-                scene.render(nanoTime = 1_000_000_000)
-                var time = 1_000_000_000L
-                for (key in keys) {
-                    scene.sendKeyEvent(KeyEvent(key, KeyEventType.KeyDown))
-                    scene.sendKeyEvent(KeyEvent(key, KeyEventType.KeyUp))
-                    time += 50_000_000
-                    scene.render(time)
-                }
-                if (keys.isNotEmpty()) scene.sendKeyEvent(KeyEvent(Key.Spacebar, KeyEventType.KeyDown, isCtrlPressed = true))
-                scene.render(time + 500_000_000)
-                val image = scene.render(time + 1_000_000_000)
-                val bytes = checkNotNull(image.encodeToData(EncodedImageFormat.PNG)).bytes
-                File(folder, "program-$name-${screen.name.lowercase()}.png").writeBytes(bytes)
-                assertTrue(bytes.size > 1000, "$name is empty")
-            } finally {
-                scene.close()
-                workshop.close()
-            }
+            photograph(workshop, screen.width, screen.height, screen.dark) { press(keys, it) }
+                .keepAs("program/$name-${screen.name.lowercase()}")
+            workshop.close()
         }
+    }
+
+    /** One after the other, and then what asks for completions. */
+    private fun press(keys: List<Key>, scene: ImageComposeScene) {
+        keys.forEachIndexed { index, key ->
+            scene.sendKeyEvent(KeyEvent(key, KeyEventType.KeyDown))
+            scene.sendKeyEvent(KeyEvent(key, KeyEventType.KeyUp))
+            scene.render(1_000_000_000L + (index + 1) * 50_000_000L)
+        }
+        if (keys.isEmpty()) return
+        scene.sendKeyEvent(KeyEvent(Key.Spacebar, KeyEventType.KeyDown, isCtrlPressed = true))
+        scene.render(2_000_000_000L + keys.size * 50_000_000L)
     }
 
     private enum class Screen(

@@ -8,10 +8,14 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onRoot
+import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.pressKey
+import androidx.compose.ui.test.withKeyDown
+import androidx.compose.ui.test.withKeysDown
 import robotran.rom.BrickButton
+import robotran.ui.workshop.Pace
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -25,6 +29,25 @@ class KeyboardTest {
         onRoot().performKeyInput { pressKey(Key.Spacebar) }
         pass(1500)
         assertTrue(workshop.state.session.ink.lengthCentimetres > 5)
+    }
+
+    @Test
+    fun `keys run, pause, step and stop from inside the program`() = onTablet { workshop ->
+        onNodeWithTag("program").performClick()
+        onRoot().performKeyInput { withKeyDown(Key.CtrlLeft) { pressKey(Key.Enter) } }
+        pass(300)
+        assertTrue(workshop.state.running)
+        onRoot().performKeyInput { pressKey(Key.F6) }
+        pass(100)
+        assertEquals(Pace.PAUSED, workshop.state.run.pace)
+        val before = workshop.state.run.time
+        onRoot().performKeyInput { pressKey(Key.F10) }
+        pass(6_000)
+        assertEquals(Pace.PAUSED, workshop.state.run.pace)
+        assertTrue(workshop.state.run.time > before)
+        onRoot().performKeyInput { withKeysDown(listOf(Key.CtrlLeft, Key.ShiftLeft)) { pressKey(Key.Enter) } }
+        pass(300)
+        assertFalse(workshop.state.running)
     }
 
     @Test

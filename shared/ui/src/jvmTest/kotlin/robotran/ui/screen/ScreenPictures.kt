@@ -1,11 +1,8 @@
 package robotran.ui.screen
 
-import androidx.compose.ui.ImageComposeScene
-import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
-import org.jetbrains.skia.EncodedImageFormat
+import org.jetbrains.skia.Image
 import robotran.rom.BrickButton
-import robotran.ui.RobotranApp
 import robotran.ui.lejosExampleTexts
 import robotran.ui.openWorkshop
 import robotran.ui.sheet.sheetPng
@@ -17,14 +14,10 @@ import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.WorkshopEvent
-import java.io.File
 import kotlin.test.Test
-import kotlin.test.assertTrue
 
 /** Writes pictures of the screen into build/pictures, to be looked at. */
 class ScreenPictures {
-    private val folder = File(System.getProperty("robotran.pictures")).apply { mkdirs() }
-
     @Test
     fun `every size of screen can be photographed by day and by night`() {
         for (screen in Screen.entries) {
@@ -109,24 +102,12 @@ class ScreenPictures {
         val workshop = newWorkshop()
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(HALF_DRAWN * 3)
-        val bytes = sheetPng(workshop.state.world, workshop.state.session)
-        File(folder, "sheet.png").writeBytes(bytes)
-        assertTrue(bytes.size > 1000)
+        Image.makeFromEncoded(sheetPng(workshop.state.world, workshop.state.session)).keepAs("sheet")
         workshop.close()
     }
 
-    private fun photograph(workshop: Workshop, screen: Screen, dark: Boolean, name: String) = onEventThread {
-        val scene = ImageComposeScene(screen.width, screen.height, Density(1f)) { RobotranApp(workshop, dark) }
-        try {
-            scene.render()
-            val image = scene.render(nanoTime = 1_000_000_000)
-            val bytes = checkNotNull(image.encodeToData(EncodedImageFormat.PNG)).bytes
-            File(folder, "$name.png").writeBytes(bytes)
-            assertTrue(bytes.size > 1000, "$name is empty")
-        } finally {
-            scene.close()
-        }
-    }
+    private fun photograph(workshop: Workshop, screen: Screen, dark: Boolean, name: String) =
+        photograph(workshop, screen.width, screen.height, dark).keepAs(name)
 
     private fun newWorkshop(): Workshop = runBlocking { openWorkshop() }
 

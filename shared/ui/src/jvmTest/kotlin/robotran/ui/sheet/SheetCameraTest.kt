@@ -52,7 +52,7 @@ class SheetCameraTest {
         val camera = SheetCamera(zoom, Point(x, y)).within(paper, window)
         val there = camera.pushedBy(Offset(31f, -17f), paper, window)
         val view = there.transform(paper, window)
-        val margin = view.toPixels(SheetCamera.MARGIN_CENTIMETRES) + 1f
+        val margin = view.toPixels(SheetCamera.marginOf(paper)) + 1f
         assertTrue(view.paper.left <= window.left + margin || view.paper.width <= window.width)
         assertTrue(view.paper.bottom >= window.bottom - margin || view.paper.height <= window.height)
         if (x in 30.0..70.0 && y in 30.0..50.0 && zoom > 5) {

@@ -143,9 +143,26 @@ class WorkshopJavaTest {
         assertEquals("program.robo", workshop.state.programName)
         workshop.handle(ProgramEvent.ProgramReopened)
         assertEquals(firstDrive, workshop.state.program)
-        assertNull(workshop.state.programs.closedProgram)
+        assertNull(workshop.state.programs.closed)
         repeat(6) { workshop.handle(ProgramEvent.ProgramClosed(0)) }
         assertEquals(1, workshop.state.programs.programs.size)
+    }
+
+    @Test
+    fun `a class of a program can be taken away and brought back, but not the last one`() = workshop(firstDrive) { workshop ->
+        workshop.handle(ProgramEvent.ClassAdded)
+        val both = workshop.state.program
+        workshop.handle(ProgramEvent.FileClosed(0))
+        assertEquals(listOf(both.files[1]), workshop.state.program.files)
+        assertEquals(both.files[0].name, workshop.state.programs.closed)
+        workshop.handle(ProgramEvent.FileClosed(0))
+        assertEquals(1, workshop.state.program.files.size)
+        workshop.handle(ProgramEvent.ProgramReopened)
+        assertEquals(both, workshop.state.program)
+        assertEquals(0, workshop.state.programs.shownFile)
+        workshop.handle(ProgramEvent.FileClosed(1))
+        workshop.handle(ProgramEvent.ClassAdded)
+        assertFalse(workshop.state.programs.canReopen, "there is a class of this name again")
     }
 
     private val paperSample get() = mainOf("Motor.A.forward(); Motor.C.forward();")

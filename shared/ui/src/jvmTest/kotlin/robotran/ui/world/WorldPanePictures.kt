@@ -1,6 +1,5 @@
 package robotran.ui.world
 
-import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Canvas
@@ -10,11 +9,10 @@ import androidx.compose.ui.graphics.drawscope.translate
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
 import kotlinx.coroutines.runBlocking
-import org.jetbrains.skia.EncodedImageFormat
 import robotran.language.Language
 import robotran.projects.Project
-import robotran.ui.RobotranApp
-import robotran.ui.screen.onEventThread
+import robotran.ui.screen.keepAs
+import robotran.ui.screen.photograph
 import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetLayer
@@ -91,17 +89,12 @@ class WorldPanePictures {
         dark: Boolean,
         events: List<WorkshopEvent>,
         settings: Settings = Settings(),
-    ) = onEventThread {
+    ) {
         val workshop = Workshop(Project(world), physics, settings = settings)
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(RUN_MILLISECONDS)
         events.forEach(workshop::handle)
-        val scene = ImageComposeScene(width, height, Density(1f)) { RobotranApp(workshop, dark) }
-        scene.render()
-        val image = scene.render(nanoTime = 1_000_000_000)
-        File(folder, "$name.png").writeBytes(checkNotNull(image.encodeToData(EncodedImageFormat.PNG)).bytes)
-        assertEquals(width, image.width)
-        scene.close()
+        photograph(workshop, width, height, dark).keepAs("world/$name")
         workshop.close()
     }
 

@@ -1,13 +1,10 @@
 package robotran.ui.worldedit
 
-import androidx.compose.ui.ImageComposeScene
-import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
-import org.jetbrains.skia.EncodedImageFormat
 import robotran.language.Language
-import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
-import robotran.ui.screen.onEventThread
+import robotran.ui.screen.keepAs
+import robotran.ui.screen.photograph
 import robotran.ui.workshop.AppTheme
 import robotran.ui.workshop.Settings
 import robotran.ui.workshop.SettingsEvent
@@ -17,14 +14,10 @@ import robotran.world.Point
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.piece
-import java.io.File
 import kotlin.test.Test
-import kotlin.test.assertTrue
 
 /** Writes pictures of the world editor into build/pictures, to be looked at. */
 class EditPictures {
-    private val folder = File(System.getProperty("robotran.pictures")).apply { mkdirs() }
-
     @Test
     fun `the editor can be photographed in every size, by day and by night`() {
         for ((name, width, height) in SCREENS) {
@@ -42,22 +35,13 @@ class EditPictures {
         }
     }
 
-    private fun photograph(width: Int, height: Int, settings: Settings, name: String) = onEventThread {
+    private fun photograph(width: Int, height: Int, settings: Settings, name: String) {
         val workshop = runBlocking { openWorkshop() }
         workshop.handle(SettingsEvent.SettingsChanged(settings))
         workshop.handle(WorldEditEvent.EditorOpened)
         build(workshop)
-        val scene = ImageComposeScene(width, height, Density(1f)) { RobotranApp(workshop, dark = false) }
-        try {
-            scene.render()
-            scene.render(nanoTime = 500_000_000)
-            val bytes = checkNotNull(scene.render(nanoTime = 1_000_000_000).encodeToData(EncodedImageFormat.PNG)).bytes
-            File(folder, "$name.png").writeBytes(bytes)
-            assertTrue(bytes.size > 1000, "$name is empty")
-        } finally {
-            scene.close()
-            workshop.close()
-        }
+        photograph(workshop, width, height).keepAs("worldedit/$name")
+        workshop.close()
     }
 
     private fun build(workshop: Workshop) {

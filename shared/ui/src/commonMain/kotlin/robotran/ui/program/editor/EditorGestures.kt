@@ -15,7 +15,9 @@ import androidx.compose.ui.input.pointer.PointerType
 import androidx.compose.ui.input.pointer.isCtrlPressed
 import androidx.compose.ui.input.pointer.isShiftPressed
 import androidx.compose.ui.unit.dp
+import robotran.ui.parts.wheelNotches
 import kotlin.math.abs
+import kotlin.math.pow
 
 /** What fingers and mice do to an editor. */
 internal interface EditorTouch {
@@ -80,8 +82,8 @@ internal suspend fun PointerInputScope.listenForZoom(touch: EditorTouch) = await
     while (true) {
         val event = awaitPointerEvent(PointerEventPass.Initial)
         if (event.type == PointerEventType.Scroll && event.keyboardModifiers.isCtrlPressed) {
-            val turned = event.changes.sumOf { it.scrollDelta.y.toDouble() }
-            if (turned != 0.0) touch.zoomed(if (turned < 0) WHEEL else 1 / WHEEL)
+            val turned = event.wheelNotches(density).coerceIn(-1f, 1f)
+            if (turned != 0f) touch.zoomed(WHEEL.pow(-turned))
             event.changes.forEach { it.consume() }
         } else if (event.changes.count { it.pressed } > 1) {
             val zoom = event.calculateZoom()

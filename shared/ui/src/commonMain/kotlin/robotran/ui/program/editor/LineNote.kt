@@ -1,8 +1,9 @@
 package robotran.ui.program.editor
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
@@ -13,7 +14,6 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
-import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.clearAndSetSemantics
@@ -36,6 +36,7 @@ import robotran.ui.theme.focusRing
 import robotran.ui.workshop.ProgramNote
 
 /** What is told about a line, under it, with a button that mends it where that is possible. */
+@OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun LineNote(note: ProgramNote, standsOut: Boolean, onFix: (Mistake) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -62,16 +63,10 @@ internal fun LineNote(note: ProgramNote, standsOut: Boolean, onFix: (Mistake) ->
             fontWeight = if (standsOut) FontWeight.Bold else FontWeight.Normal,
         )
     }
-    if (LocalDensity.current.fontScale > LARGE) {
-        Column(frame) {
-            message(Modifier)
-            if (note.mistake.fix != null) FixButton(note.mistake, onFix)
-        }
-    } else {
-        Row(frame, verticalAlignment = Alignment.CenterVertically) {
-            message(Modifier.weight(1f))
-            if (note.mistake.fix != null) FixButton(note.mistake, onFix)
-        }
+    // A button that does not fit beside the message goes under it.
+    FlowRow(frame, Arrangement.spacedBy(8.dp)) {
+        message(Modifier.align(Alignment.CenterVertically))
+        if (note.mistake.fix != null) FixButton(note.mistake, onFix)
     }
 }
 
@@ -97,6 +92,3 @@ internal fun FixButton(mistake: Mistake, onFix: (Mistake) -> Unit) {
 }
 
 private const val QUIET = 0.3f
-
-/** With larger text than this there is no room for a button beside a message. */
-private const val LARGE = 1.3f

@@ -1,0 +1,86 @@
+package robotran.build.site
+
+import org.gradle.api.DefaultTask
+import org.gradle.api.GradleException
+import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.tasks.CacheableTask
+import org.gradle.api.tasks.InputDirectory
+import org.gradle.api.tasks.OutputDirectory
+import org.gradle.api.tasks.PathSensitive
+import org.gradle.api.tasks.PathSensitivity
+import org.gradle.api.tasks.TaskAction
+import java.io.File
+
+/**
+ * Makes the folder that is put on a web server, docs/hosting.md says how: `index.html`, `manifest.webmanifest` and `service-worker.js`, and
+ * all else in `files` under names that say what is in it. The same built page gives the same folder, byte for byte.
+ */
+@CacheableTask
+abstract class AssembleSite : DefaultTask() {
+    /** The app as webpack and Kotlin's plugin leave it. */
+    @get:InputDirectory
+    @get:PathSensitive(PathSensitivity.RELATIVE)
+    abstract val app: DirectoryProperty
+
+    /** The page around it: its HTML, style, script and service worker with `{{places}}` to fill, its manifest, and the folder `icons`. */
+    @get:InputDirectory
+    @get:PathSensitive(PathSensitivity.RELATIVE)
+    abstract val page: DirectoryProperty
+
+    @get:OutputDirectory
+    abstract val site: DirectoryProperty
+
+    @TaskAction
+    fun assemble() {
+        val output = site.get().asFile
+        output.deleteRecursively()
+        val builtApp = BuiltApp(app.get().asFile)
+        val icons = page.get().asFile.resolve("icons").listFiles().orEmpty().sorted().map(SiteFile::of)
+        val files = builtApp.code + builtApp.resources.values + icons
+        for (file in files) file.content.copyTo(output.resolve(file.address), overwrite = true)
+        for (notice in builtApp.notices) notice.copyTo(output.resolve("${SiteFile.FOLDER}/${notice.name}"))
+
+        val addresses = icons.associate { it.content.name to it.address }
+        val manifest = filled("manifest.webmanifest", addresses)
+        val version = versionOf(files, manifest)
+        val html = htmlOf(builtApp, version, addresses)
+        output.resolve("index.html").writeText(html)
+        output.resolve("manifest.webmanifest").writeText(manifest)
+        val kept =
+            files.sortedBy { it.address }.distinctBy { it.address }.map { listOf(it.address, integrityOf(it.content.readBytes())) } +
+                listOf(listOf("manifest.webmanifest", integrityOf(manifest.toByteArray())), listOf("", integrityOf(html.toByteArray())))
+        output.resolve("service-worker.js").writeText(filled("service-worker.js", mapOf("version" to version, "files" to json(kept))))
+    }
+
+    private fun htmlOf(app: BuiltApp, version: String, addresses: Map<String, String>): String {
+        val script = filled("start.js", emptyMap())
+        val style = filled("page.css", emptyMap())
+        val site =
+            mapOf(
+                "version" to version,
+                "script" to app.script.address,
+                "first" to app.neededFirst.map { listOf(it.address, it.content.length()) },
+                "resources" to app.resources.mapValues { it.value.address },
+            )
+        val own = mapOf("policy" to policyFor(script, style), "script" to script, "style" to style, "site" to json(site), "start" to script)
+        return filled("index.html", addresses + own)
+    }
+
+    /** The page's shell counts, too: who has an older one is to get the new one. */
+    private fun versionOf(files: List<SiteFile>, manifest: String): String {
+        val shell = listOf("index.html", "start.js", "page.css", "service-worker.js").map { shellFile(it).readText() }
+        return hexOf(sha256((files.map { it.name }.sorted() + manifest + shell).joinToString("\n").toByteArray())).take(VERSION_DIGITS)
+    }
+
+    private fun filled(name: String, values: Map<String, String>): String =
+        PLACE.replace(shellFile(name).readText()) { place ->
+            values[place.groupValues[1]] ?: throw GradleException("Nothing is known to put in place of ${place.value} in $name.")
+        }
+
+    private fun shellFile(name: String): File = page.get().asFile.resolve(name)
+
+    private companion object {
+        val PLACE = Regex("""\{\{([\w.-]+)}}""")
+        const val VERSION_DIGITS = 16
+    }
+}

@@ -1,0 +1,12 @@
+plugins {
+    id("robotran.core")
+}
+
+kotlin {
+    sourceSets {
+        jvmTest.dependencies {
+            implementation(libs.kotest.property)
+            implementation(libs.zxing)
+        }
+    }
+}

@@ -1,0 +1,69 @@
+package robotran.ui.documents
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.aspectRatio
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.role
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.qrcode.QrCode
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_qr_code
+import robotran.ui.resources.documents_qr_help
+import robotran.ui.resources.documents_qr_long
+import kotlin.math.floor
+
+/** [link] for the camera of another machine, or why there is none. */
+@Composable
+internal fun LinkAsQrCode(link: String) {
+    val code = remember(link) { QrCode.of(link) }
+    if (code == null) {
+        Explanation(stringResource(Res.string.documents_qr_long), Modifier.testTag("qr-too-long"))
+        return
+    }
+    Explanation(stringResource(Res.string.documents_qr_help))
+    Box(Modifier.fillMaxWidth(), Alignment.Center) { QrCodeView(code) }
+}
+
+@Composable
+private fun QrCodeView(code: QrCode) {
+    val words = stringResource(Res.string.documents_qr_code)
+    Canvas(
+        Modifier.widthIn(max = MOST_SIDE).fillMaxWidth().aspectRatio(1f).testTag("qr-code").semantics {
+            role = Role.Image
+            contentDescription = words
+        },
+    ) { drawQrCode(code) }
+}
+
+/** Dark on light whatever the theme, as cameras want it, and every module a whole number of pixels. */
+private fun DrawScope.drawQrCode(code: QrCode) {
+    drawRect(Color.White)
+    val module = floor(size.width / (code.size + 2 * QrCode.MARGIN)).coerceAtLeast(1f)
+    val start = floor((size.width - module * code.size) / 2)
+    for (row in 0..<code.size) {
+        var column = 0
+        while (column < code.size) {
+            val from = column
+            while (column < code.size && code.isDark(column, row)) column++
+            drawRect(Color.Black, Offset(start + from * module, start + row * module), Size((column - from) * module, module))
+            column++
+        }
+    }
+}
+
+private val MOST_SIDE = 360.dp

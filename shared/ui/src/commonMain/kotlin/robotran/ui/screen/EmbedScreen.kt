@@ -1,0 +1,135 @@
+package robotran.ui.screen
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.brick.BRICK_ASPECT
+import robotran.ui.brick.BrickFront
+import robotran.ui.brick.BrickHint
+import robotran.ui.brick.BrickStrip
+import robotran.ui.brick.LEAST_BRICK_WIDTH
+import robotran.ui.drawer.RunAnnouncer
+import robotran.ui.resources.Res
+import robotran.ui.resources.run_start_over
+import robotran.ui.resources.run_start_over_help
+import robotran.ui.runbar.BarButton
+import robotran.ui.runbar.RunButton
+import robotran.ui.runbar.RunIcon
+import robotran.ui.runbar.RunStatus
+import robotran.ui.runbar.StopButton
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.DocumentDialog
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorkshopState
+import robotran.ui.workshop.WorkshopStatus
+import robotran.ui.world.WorldPane
+import robotran.world.SessionInput
+
+/** World and brick alone, to be looked at and run in the middle of another page; nothing there is changed or kept. */
+@Composable
+internal fun EmbedScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+    val colours = LocalRobotranColours.current
+    val trouble = (state.document.dialog as? DocumentDialog.PastingLink)?.trouble
+    Column(modifier.fillMaxSize().background(colours.desk)) {
+        if (trouble != null) {
+            Box(Modifier.weight(1f).fillMaxWidth().padding(MARGIN), Alignment.Center) {
+                val words = Modifier.testTag("document-trouble").semantics { liveRegion = LiveRegionMode.Polite }
+                Text(trouble, words, color = colours.onPane, fontSize = 18.sp, lineHeight = 26.sp)
+            }
+        } else {
+            WorldAndBrick(state, onEvent, Modifier.weight(1f))
+            EmbedBar(state, onEvent)
+            RunAnnouncer(state.run)
+        }
+    }
+}
+
+@Composable
+private fun WorldAndBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
+    BoxWithConstraints(modifier.fillMaxWidth()) {
+        val brickWidth = minOf(maxWidth * BRICK_SHARE, (maxHeight - MARGIN * 2) * BRICK_ASPECT, MOST_BRICK_WIDTH)
+        if (brickWidth >= LEAST_BRICK_WIDTH) {
+            Row(Modifier.fillMaxSize()) {
+                WorldPane(state, onEvent, Modifier.weight(1f))
+                val beside = Modifier.width(brickWidth + MARGIN).padding(end = MARGIN, bottom = MARGIN).align(Alignment.Bottom)
+                Column(beside, Arrangement.spacedBy(MARGIN)) {
+                    BrickHint(state.run.brick)
+                    BrickFront(
+                        state.run.brick,
+                        state.down,
+                        { onEvent(RunEvent.ButtonPressed(it)) },
+                        { onEvent(RunEvent.ButtonReleased(it)) },
+                        Modifier.fillMaxWidth(),
+                        state.world.robots[state.run.watched].ports,
+                        { port, pressed -> onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed))) },
+                    )
+                }
+            }
+        } else {
+            Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
+                WorldPane(state, onEvent, Modifier.weight(1f))
+                BrickStrip(
+                    state.run.brick,
+                    state.down,
+                    { onEvent(RunEvent.ButtonPressed(it)) },
+                    { onEvent(RunEvent.ButtonReleased(it)) },
+                    Modifier.padding(12.dp),
+                )
+            }
+        }
+    }
+}
+
+/** Run, Stop, back to the start, and what is going on. */
+@Composable
+private fun EmbedBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
+        val room = maxWidth / LocalDensity.current.fontScale.coerceAtLeast(1f)
+        Column(Modifier.padding(horizontal = MARGIN, vertical = 8.dp)) {
+            if (room < STATUS_BESIDE) RunStatus(state, Modifier.fillMaxWidth().padding(bottom = 8.dp))
+            Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
+                val pulsing = state.untouched && state.status == WorkshopStatus.Ready
+                RunButton(pulsing, { onEvent(RunEvent.RunPressed) }, room = room >= WORDS_FROM)
+                StopButton(state.run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room >= STATUS_BESIDE)
+                BarButton(
+                    RunIcon.PREVIOUS,
+                    stringResource(Res.string.run_start_over),
+                    stringResource(Res.string.run_start_over_help),
+                    "start-over",
+                    { onEvent(RunEvent.StartedOver) },
+                    enabled = !state.untouched,
+                    room = room >= STATUS_BESIDE,
+                )
+                if (room >= STATUS_BESIDE) RunStatus(state, Modifier.weight(1f).padding(start = 4.dp))
+            }
+        }
+    }
+}
+
+private val MARGIN = 16.dp
+private const val BRICK_SHARE = 0.34f
+private val MOST_BRICK_WIDTH = 260.dp
+
+/** From this width on what is going on has room beside the buttons, and these have their words. */
+private val STATUS_BESIDE = 640.dp
+private val WORDS_FROM = 280.dp

@@ -1,0 +1,74 @@
+package robotran.ui.documents
+
+import androidx.compose.ui.ImageComposeScene
+import androidx.compose.ui.graphics.toAwtImage
+import androidx.compose.ui.graphics.toComposeImageBitmap
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.unit.Density
+import com.google.zxing.BinaryBitmap
+import com.google.zxing.DecodeHintType
+import com.google.zxing.RGBLuminanceSource
+import com.google.zxing.common.HybridBinarizer
+import com.google.zxing.qrcode.QRCodeReader
+import org.jetbrains.skia.Image
+import robotran.ui.RobotranApp
+import robotran.ui.screen.onEventThread
+import robotran.ui.screen.onPhone
+import robotran.ui.screen.pass
+import robotran.ui.workshop.DocumentDialog
+import robotran.ui.workshop.DocumentEvent
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.Workshop
+import kotlin.random.Random
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
+
+@OptIn(ExperimentalTestApi::class)
+class QrCodeViewTest {
+    @Test
+    fun `a camera reads the link in the code that is drawn, by day and by night`() {
+        for (dark in listOf(false, true)) {
+            val workshop = Machine().window()
+            workshop.handle(ProgramEvent.ProgramEdited("pen down\nrepeat 3 times\n  forward 20\n  turn left 120 degrees\nend\n"))
+            workshop.handle(DocumentEvent.LinkWanted)
+            val link = assertNotNull((workshop.state.document.dialog as DocumentDialog.SharingLink).link)
+            assertEquals(link, readCode(photograph(workshop, dark)))
+            workshop.close()
+        }
+    }
+
+    @Test
+    fun `a link that is too long for a camera says so`() = onPhone { workshop ->
+        val random = Random(7)
+        val noise = (1..300).joinToString("\n") { "// ${random.nextLong().toString(36)}" }
+        workshop.handle(ProgramEvent.ProgramEdited(noise))
+        workshop.handle(DocumentEvent.LinkWanted)
+        pass(200)
+        onNodeWithTag("qr-too-long").assertExists()
+        onNodeWithTag("qr-code").assertDoesNotExist()
+        onNodeWithTag("link-copy").assertExists()
+    }
+
+    private fun photograph(workshop: Workshop, dark: Boolean): Image {
+        var picture: Image? = null
+        onEventThread {
+            val scene = ImageComposeScene(800, 1400, Density(1f)) { RobotranApp(workshop, dark) }
+            try {
+                scene.render()
+                picture = scene.render(nanoTime = 1_000_000_000)
+            } finally {
+                scene.close()
+            }
+        }
+        return checkNotNull(picture)
+    }
+
+    private fun readCode(picture: Image): String {
+        val image = picture.toComposeImageBitmap().toAwtImage()
+        val pixels = image.getRGB(0, 0, image.width, image.height, null, 0, image.width)
+        val bitmap = BinaryBitmap(HybridBinarizer(RGBLuminanceSource(image.width, image.height, pixels)))
+        return QRCodeReader().decode(bitmap, mapOf(DecodeHintType.TRY_HARDER to true)).text
+    }
+}

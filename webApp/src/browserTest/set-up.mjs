@@ -1,0 +1,31 @@
+// One browser and one server for all tests of a file.
+import { after, before } from 'node:test';
+import { startBrowser } from './browser.mjs';
+import { openPage } from './page.mjs';
+import { serve } from './serve.mjs';
+
+let browser;
+let site;
+
+before(async () => {
+  browser = await startBrowser();
+  site = await serve(process.env.PAGE);
+});
+
+after(async () => {
+  await browser?.close();
+  site?.stop();
+});
+
+export const TABLET = { width: 1280, height: 800 };
+export const PHONE = { width: 411, height: 891 };
+
+/** Opens the page for a test that takes it for as long as `use` does; see `openPage`. */
+export async function onPage(options, use) {
+  const opened = await openPage(browser, site, options);
+  try {
+    await use({ ...opened, site });
+  } finally {
+    await opened.page.context().close();
+  }
+}

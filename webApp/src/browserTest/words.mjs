@@ -1,0 +1,84 @@
+// What the page says of itself to screen readers, in the HTML over its canvas: tests find things there, and press where those are.
+
+/** What is called `tag` in the app. */
+export const words = (page, tag) => page.locator(`#robotran-words [data-tag="${tag}"]`);
+
+/** The middle of `tag`, in CSS pixels, once it is there and lies still: the words follow the picture a little later. */
+export async function placeOf(page, tag) {
+  const place = await page.waitForFunction((wanted) => {
+    const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
+    if (!element) return null;
+    const { left, top, width, height } = element.getBoundingClientRect();
+    const now = [left, top, width, height].join();
+    const seen = globalThis.seenStill ??= {};
+    if (seen[wanted]?.now !== now) seen[wanted] = { now, since: performance.now() };
+    if (width === 0 || performance.now() - seen[wanted].since < 450) return null;
+    delete seen[wanted];
+    return { x: left + width / 2, y: top + height / 2 };
+  }, tag, { timeout: 30_000 });
+  return place.jsonValue();
+}
+
+/** Clicks on `tag` as a mouse does. */
+export async function press(page, tag) {
+  const { x, y } = await placeOf(page, tag);
+  await page.mouse.click(x, y);
+}
+
+/** Opens the menu behind `opener` and chooses `item` in it; a menu that has only just come may miss a click. */
+export async function choose(page, opener, item) {
+  await press(page, opener);
+  for (let attempt = 0; attempt < 4; attempt++) {
+    await press(page, item);
+    try {
+      await words(page, item).waitFor({ state: 'detached', timeout: 4_000 });
+      return;
+    } catch {
+      // It is still open: once more.
+    }
+  }
+  throw new Error(`${item} cannot be chosen`);
+}
+
+/** Waits until `tag` is there, or not any more. */
+export const appears = (page, tag) => words(page, tag).first().waitFor({ state: 'attached', timeout: 30_000 });
+export const disappears = (page, tag) => words(page, tag).first().waitFor({ state: 'detached', timeout: 30_000 });
+
+/** Waits until what `tag` says matches. */
+export const says = (page, tag, pattern) => page.waitForFunction(([wanted, source]) => {
+  const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
+  const text = element && (element.value ?? '') + element.textContent + (element.getAttribute('aria-label') ?? '');
+  return text !== null && new RegExp(source, 's').test(text);
+}, [tag, pattern.source], { timeout: 30_000 });
+
+/** What is in the program's editor. */
+export const programText = (page) => page.evaluate(() => {
+  const field = document.activeElement?.tagName === 'TEXTAREA' ? document.activeElement : null;
+  return field?.value ?? document.querySelector('#robotran-words [data-tag="program"]')?.value;
+});
+
+/** Clicks into the program and writes `text`, key by key, in place of what is there. */
+export async function writeProgram(page, text) {
+  await press(page, 'program');
+  await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('Delete');
+  const lines = text.split('\n');
+  for (const [number, line] of lines.entries()) {
+    if (number > 0) await page.keyboard.press('Enter');
+    await page.keyboard.type(line);
+    // What is offered would take Enter for itself; with nothing offered, Escape is nobody's.
+    await page.keyboard.press('Escape');
+  }
+}
+
+/** Waits until the run's report is as `test` wants it, a function of the report; the page itself runs no code made of texts. */
+export async function reports(page, test) {
+  const end = Date.now() + 60_000;
+  for (;;) {
+    const now = JSON.parse(await page.evaluate(() => globalThis.robotran.report()));
+    if (test(now)) return;
+    if (Date.now() > end) throw new Error(`${JSON.stringify(now)} is not as ${test} wants it`);
+    await page.waitForTimeout(100);
+  }
+}

@@ -1,0 +1,191 @@
+// Loads the app and shows how far it is; says honestly what is the matter where it cannot start, instead of leaving an empty page.
+(() => {
+  const WORDS = {
+    en: {
+      loading: 'Robotran is getting ready.',
+      starting: 'Everything is here. Robotran starts.',
+      oldBrowser: 'This browser is too old for Robotran. Please use a newer Chrome, Edge, Firefox or Safari.',
+      noDrawing: 'This browser cannot draw Robotran, because WebGL is switched off or missing in it. Please allow WebGL, or use another browser.',
+      notFetched: 'A part of Robotran could not be fetched. Perhaps the network is away or blocks it.',
+      noNetwork: 'The network is still away. Please try again a little later.',
+      notStarted: 'Robotran could not start.',
+      again: 'Try again',
+    },
+    es: {
+      loading: 'Robotran se está preparando.',
+      starting: 'Ya está todo aquí. Robotran empieza.',
+      oldBrowser: 'Este navegador es demasiado antiguo para Robotran. Usa un Chrome, Edge, Firefox o Safari más nuevo.',
+      noDrawing: 'Este navegador no puede dibujar Robotran, porque WebGL está apagado o le falta. Permite WebGL o usa otro navegador.',
+      notFetched: 'No se ha podido traer una parte de Robotran. Quizá no hay red, o la red no la deja pasar.',
+      noNetwork: 'Sigue sin haber red. Inténtalo otra vez un poco más tarde.',
+      notStarted: 'Robotran no ha podido empezar.',
+      again: 'Intentarlo otra vez',
+    },
+    de: {
+      loading: 'Robotran macht sich bereit.',
+      starting: 'Alles ist da. Robotran fängt an.',
+      oldBrowser: 'Dieser Browser ist zu alt für Robotran. Nimm bitte ein neueres Chrome, Edge, Firefox oder Safari.',
+      noDrawing: 'Dieser Browser kann Robotran nicht zeichnen, weil WebGL ausgeschaltet ist oder fehlt. Erlaube WebGL oder nimm einen anderen Browser.',
+      notFetched: 'Ein Teil von Robotran ließ sich nicht holen. Vielleicht ist das Netz weg oder lässt ihn nicht durch.',
+      noNetwork: 'Das Netz ist noch weg. Versuche es bitte etwas später noch einmal.',
+      notStarted: 'Robotran konnte nicht starten.',
+      again: 'Noch einmal versuchen',
+    },
+  };
+  const ATTEMPTS = 3;
+  const asked = (navigator.language || 'en').split('-')[0].toLowerCase();
+  const tag = asked in WORDS ? asked : 'en';
+  const words = WORDS[tag];
+  const part = (name) => document.getElementById(name);
+
+  // What this version of the app is made of; the build writes it: see docs/hosting.md.
+  const site = JSON.parse(part('site').textContent);
+  const base = new URL('.', location.href);
+  const absolute = (address) => new URL(address, base).href;
+  const fetchAsEver = globalThis.fetch;
+
+  const say = (sentence) => {
+    const place = part('loading-words');
+    if (place) place.textContent = sentence;
+  };
+
+  let trouble = null;
+  const fail = (reason) => {
+    // What is missing explains what goes wrong after it, and a second attempt helps only with what may come.
+    if (!part('loading') || trouble === 'oldBrowser' || trouble === 'notFetched') return;
+    trouble = reason;
+    say(words[reason]);
+    part('loading-progress').hidden = true;
+    part('loading-again').hidden = reason === 'oldBrowser';
+  };
+  const canDraw = () => {
+    try {
+      return document.createElement('canvas').getContext('webgl2') !== null;
+    } catch {
+      return false;
+    }
+  };
+  const failToStart = (error) => {
+    if (error && error.name === 'CompileError') fail('oldBrowser');
+    else fail(canDraw() ? 'notStarted' : 'noDrawing');
+  };
+  const onError = (event) => (event.target instanceof HTMLScriptElement ? fail('notFetched') : failToStart(event.error));
+  const onRejection = (event) => failToStart(event.reason);
+  addEventListener('error', onError, true);
+  addEventListener('unhandledrejection', onRejection);
+
+  document.documentElement.lang = tag;
+  say(words.loading);
+  part('loading-again').textContent = words.again;
+  part('loading-again').addEventListener('click', async () => {
+    const answer = await fetchAsEver(base, { cache: 'reload' }).catch(() => null);
+    if (answer && answer.ok) location.reload();
+    else say(words.noNetwork);
+  });
+
+  const count = site.first.reduce((sum, [, bytes]) => sum + bytes, 0);
+  let here = 0;
+  const arrived = (bytes) => {
+    here += bytes;
+    const bar = part('loading-progress');
+    if (bar) bar.value = Math.min(1, here / count);
+    if (here === count && !trouble) say(words.starting);
+  };
+
+  const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+  // A network that wants to be logged into answers with a page of its own.
+  const isWanted = (response) => response.ok && !(response.headers.get('content-type') || '').startsWith('text/html');
+  const download = async (address) => {
+    for (let attempt = 1; attempt <= ATTEMPTS; attempt++) {
+      const response = await fetchAsEver(address).catch(() => null);
+      if (response && isWanted(response)) return response;
+      if (attempt < ATTEMPTS) await pause(attempt * 700);
+    }
+    fail('notFetched');
+    throw new Error(`${address} could not be fetched`);
+  };
+  const countBytes = async (response) => {
+    const reader = response.body.getReader();
+    for (;;) {
+      const { done, value } = await reader.read();
+      if (done) return;
+      arrived(value.length);
+    }
+  };
+  // Browsers compile wasm as it comes in only if the server knows its type.
+  const typed = (address, response) =>
+    !address.endsWith('.wasm') || (response.headers.get('content-type') || '').startsWith('application/wasm')
+      ? response
+      : new Response(response.body, { headers: { 'content-type': 'application/wasm' } });
+
+  // All that the first picture needs is asked for at once, and handed to the app as soon as it asks.
+  const coming = new Map();
+  const bring = ([address]) => {
+    const whole = absolute(address);
+    const response = download(whole);
+    coming.set(whole, response.then((answer) => {
+      countBytes(answer.clone()).catch(() => fail('notFetched'));
+      return typed(address, answer);
+    }));
+    coming.get(whole).catch(() => undefined);
+  };
+  // Compose fetches a file of texts anew for each text that it shows.
+  const texts = new Map();
+  const textsOf = (address) => {
+    if (!texts.has(address)) {
+      const bytes = download(address).then((response) => response.arrayBuffer());
+      texts.set(address, bytes);
+      bytes.catch(() => texts.delete(address));
+    }
+    return texts.get(address).then((bytes) => new Response(bytes));
+  };
+  const fetchWhatComes = (input, options) => {
+    const address = typeof input === 'string' || input instanceof URL ? absolute(input) : '';
+    if (address.endsWith('.cvr')) return textsOf(address);
+    const response = coming.get(address);
+    if (!response) return fetchAsEver(input, options);
+    coming.delete(address);
+    return response;
+  };
+
+  // As long as this page is open the service worker keeps the files of its version; see service-worker.js.
+  const version = `robotran ${base.pathname} ${site.version}`;
+  if (navigator.locks) navigator.locks.request(version, { mode: 'shared' }, () => new Promise(() => undefined)).catch(() => undefined);
+
+  const keepForLater = async () => {
+    // A frame in another page is not what one goes back to.
+    if (!navigator.serviceWorker || window.top !== window) return;
+    await navigator.serviceWorker.register(absolute('service-worker.js'), { updateViaCache: 'none' });
+    const { active } = await navigator.serviceWorker.ready;
+    active.postMessage('tidy up');
+  };
+  const whenIdle = (action) =>
+    'requestIdleCallback' in globalThis ? requestIdleCallback(action, { timeout: 5000 }) : setTimeout(action, 1000);
+
+  globalThis.robotranPage = {
+    /** Where one of the app's resources lies: its name says what is in it. */
+    addressOf: (path) => absolute(site.resources[path] || path),
+
+    /** The app is to be seen: it goes on by itself, and in a quiet moment everything is kept for days without a network. */
+    started() {
+      // Not before it is drawn.
+      requestAnimationFrame(() => requestAnimationFrame(() => part('loading')?.remove()));
+      coming.clear();
+      removeEventListener('error', onError, true);
+      removeEventListener('unhandledrejection', onRejection);
+      whenIdle(() => keepForLater().catch(() => undefined));
+    },
+  };
+
+  // A struct type and nothing else: only a browser with Wasm GC takes it for valid.
+  const structType = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 95, 1, 127, 0]);
+  if (typeof WebAssembly !== 'object' || !WebAssembly.validate(structType)) {
+    fail('oldBrowser');
+    return;
+  }
+  globalThis.fetch = fetchWhatComes;
+  site.first.forEach(bring);
+  const script = document.createElement('script');
+  script.src = site.script;
+  document.head.append(script);
+})();

@@ -1,0 +1,66 @@
+@file:OptIn(ExperimentalWasmJsInterop::class)
+
+package robotran.web.window
+
+import androidx.compose.ui.InternalComposeUiApi
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEvent
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.scene.ComposeScene
+import org.w3c.dom.HTMLElement
+import org.w3c.dom.events.Event
+import org.w3c.dom.events.KeyboardEvent
+
+/** Hands keys to [scene]; those that an input method is at work with, and those for the clipboard, stay with the browser. */
+@OptIn(InternalComposeUiApi::class)
+internal class PageKeys(private val scene: ComposeScene, private val clipboard: PageClipboard) {
+    fun listenTo(element: HTMLElement) {
+        element.addEventListener("keydown") { take(it as KeyboardEvent, KeyEventType.KeyDown) }
+        element.addEventListener("keyup") { take(it as KeyboardEvent, KeyEventType.KeyUp) }
+        element.addEventListener("copy") { give(it, Key.C) }
+        element.addEventListener("cut") { give(it, Key.X) }
+    }
+
+    private fun take(event: KeyboardEvent, type: KeyEventType) {
+        if (event.isComposing || event.keyCode == AT_WORK || event.key in UNFINISHED || isForClipboard(event)) return
+        val isThirdLevel = event.getModifierState("AltGraph")
+        val pressed = KeyEvent(
+            key = keyOf(event.key, event.code),
+            type = type,
+            codePoint = if (event.key.length == 1) event.key[0].code else 0,
+            isCtrlPressed = event.ctrlKey && !isThirdLevel,
+            isMetaPressed = event.metaKey,
+            isAltPressed = event.altKey && !isThirdLevel,
+            isShiftPressed = event.shiftKey,
+            nativeEvent = event,
+        )
+        if (scene.sendKeyEvent(pressed)) event.preventDefault()
+    }
+
+    /** What is selected goes into the clipboard that [event] brings, as Ctrl and [key] would have it. */
+    private fun give(event: Event, key: Key) {
+        val (text, isTaken) = clipboard.listen {
+            scene.sendKeyEvent(KeyEvent(key, KeyEventType.KeyDown, isCtrlPressed = true, isMetaPressed = isApple()))
+        }
+        if (text != null) fill(event, text)
+        if (isTaken) event.preventDefault()
+    }
+
+    private fun isForClipboard(event: KeyboardEvent): Boolean {
+        val isHeld = (event.ctrlKey || event.metaKey) && !event.altKey
+        return (isHeld && !event.shiftKey && event.key.lowercase() in CLIPBOARD) ||
+            (event.key == "Insert" && isHeld != event.shiftKey) || (event.key == "Delete" && event.shiftKey && !isHeld)
+    }
+
+    private companion object {
+        /** The number that browsers give to keys that an input method has taken. */
+        const val AT_WORK = 229
+        val UNFINISHED = setOf("Dead", "Process", "Unidentified")
+        val CLIPBOARD = setOf("c", "x", "v")
+    }
+}
+
+private fun fill(event: Event, text: String): Unit =
+    js("{ event.clipboardData.setData('text/plain', text); event.preventDefault(); }")
+
+private fun isApple(): Boolean = js("/Mac|iPhone|iPad/.test(navigator.platform)")

@@ -1,0 +1,123 @@
+@file:OptIn(ExperimentalWasmJsInterop::class)
+
+package robotran.web.window
+
+import androidx.compose.ui.ExperimentalComposeUiApi
+import androidx.compose.ui.InternalComposeUiApi
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.input.pointer.PointerButton
+import androidx.compose.ui.input.pointer.PointerButtons
+import androidx.compose.ui.input.pointer.PointerEventType
+import androidx.compose.ui.input.pointer.PointerId
+import androidx.compose.ui.input.pointer.PointerKeyboardModifiers
+import androidx.compose.ui.input.pointer.PointerType
+import androidx.compose.ui.scene.ComposeScene
+import androidx.compose.ui.scene.ComposeScenePointer
+import org.w3c.dom.HTMLCanvasElement
+import org.w3c.dom.events.Event
+import org.w3c.dom.events.MouseEvent
+import org.w3c.dom.events.WheelEvent
+import org.w3c.dom.pointerevents.PointerEvent
+
+/**
+ * Hands fingers, pens, mice and wheels on [canvas] to [scene]. Each event of a finger tells of all fingers that are down, as Compose expects.
+ *
+ * @param density device pixels of a CSS pixel.
+ * @param onDown something goes down on the canvas.
+ */
+@OptIn(InternalComposeUiApi::class, ExperimentalComposeUiApi::class)
+internal class PagePointers(
+    private val canvas: HTMLCanvasElement,
+    private val scene: ComposeScene,
+    private val density: () -> Float,
+    private val onDown: () -> Unit,
+) {
+    private val fingers = LinkedHashMap<Int, Offset>()
+
+    fun listen() {
+        // The browser neither scrolls nor zooms nor goes back under a finger here.
+        canvas.style.setProperty("touch-action", "none")
+        for (type in TYPES.keys) canvas.addEventListener(type) { event -> take(event as PointerEvent, TYPES.getValue(type)) }
+        canvas.addEventListener("wheel") { turn(it as WheelEvent) }
+        // What has the focus keeps it: the field that a keyboard writes into, or the canvas.
+        canvas.addEventListener("mousedown", Event::preventDefault)
+        canvas.addEventListener("contextmenu", Event::preventDefault)
+    }
+
+    private fun take(event: PointerEvent, type: PointerEventType) {
+        if (type == PointerEventType.Press) {
+            capture(canvas, event.pointerId)
+            onDown()
+        }
+        if (event.pointerType == "mouse") mouse(event, type) else finger(event, type)
+    }
+
+    private fun finger(event: PointerEvent, type: PointerEventType) {
+        val id = event.pointerId
+        when (type) {
+            PointerEventType.Press -> fingers[id] = placeOf(event)
+            PointerEventType.Move, PointerEventType.Release -> if (id in fingers) fingers[id] = placeOf(event) else return
+            else -> return
+        }
+        val isUp = type == PointerEventType.Release
+        val pointers = fingers.map { (finger, position) ->
+            ComposeScenePointer(PointerId(finger.toLong()), position, pressed = !(isUp && finger == id), type = PointerType.Touch)
+        }
+        scene.sendPointerEvent(type, pointers, keyboardModifiers = modifiersOf(event), nativeEvent = event)
+        if (isUp) fingers -= id
+    }
+
+    private fun mouse(event: PointerEvent, type: PointerEventType) {
+        val changes = type == PointerEventType.Press || type == PointerEventType.Release
+        scene.sendPointerEvent(
+            type, placeOf(event),
+            buttons = PointerButtons(event.buttons.toInt()),
+            keyboardModifiers = modifiersOf(event),
+            nativeEvent = event,
+            button = if (changes) BUTTONS.getOrNull(event.button.toInt()) else null,
+        )
+    }
+
+    private fun turn(event: WheelEvent) {
+        event.preventDefault()
+        val pixels = UNITS.getOrElse(event.deltaMode) { 1f } * density()
+        scene.sendPointerEvent(
+            PointerEventType.Scroll, placeOf(event),
+            scrollDelta = Offset(event.deltaX.toFloat(), event.deltaY.toFloat()) * pixels,
+            buttons = PointerButtons(event.buttons.toInt()),
+            keyboardModifiers = modifiersOf(event),
+            nativeEvent = event,
+        )
+    }
+
+    private fun placeOf(event: MouseEvent) = Offset(event.offsetX.toFloat(), event.offsetY.toFloat()) * density()
+
+    private fun modifiersOf(event: MouseEvent) = PointerKeyboardModifiers(
+        isCtrlPressed = event.ctrlKey,
+        isMetaPressed = event.metaKey,
+        isAltPressed = event.altKey,
+        isShiftPressed = event.shiftKey,
+    )
+
+    private companion object {
+        val TYPES = mapOf(
+            "pointerdown" to PointerEventType.Press,
+            "pointermove" to PointerEventType.Move,
+            "pointerup" to PointerEventType.Release,
+            "pointercancel" to PointerEventType.Release,
+            "pointerenter" to PointerEventType.Enter,
+            "pointerleave" to PointerEventType.Exit,
+        )
+
+        /** By their numbers in an event. */
+        val BUTTONS =
+            listOf(PointerButton.Primary, PointerButton.Tertiary, PointerButton.Secondary, PointerButton.Back, PointerButton.Forward)
+
+        /** CSS pixels of what a wheel counts in: pixels, lines, pages. */
+        val UNITS = listOf(1f, 16f, 400f)
+    }
+}
+
+/** All that [pointer] does goes to [canvas] until it comes up, wherever it is. */
+private fun capture(canvas: HTMLCanvasElement, pointer: Int): Unit =
+    js("{ try { canvas.setPointerCapture(pointer); } catch (gone) { /* It has come up already. */ } }")

@@ -1,0 +1,166 @@
+@file:OptIn(ExperimentalWasmJsInterop::class)
+
+package robotran.web.window
+
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.CompositionLocalProvider
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.ExperimentalComposeUiApi
+import androidx.compose.ui.InternalComposeUiApi
+import androidx.compose.ui.LocalSystemTheme
+import androidx.compose.ui.SystemTheme
+import androidx.compose.ui.graphics.asComposeCanvas
+import androidx.compose.ui.input.InputMode
+import androidx.compose.ui.input.InputModeManager
+import androidx.compose.ui.input.pointer.PointerIcon
+import androidx.compose.ui.platform.LocalClipboardManager
+import androidx.compose.ui.platform.PlatformContext
+import androidx.compose.ui.platform.ViewConfiguration
+import androidx.compose.ui.platform.WindowInfo
+import androidx.compose.ui.scene.CanvasLayersComposeScene
+import androidx.compose.ui.scene.ComposeScene
+import androidx.compose.ui.scene.ComposeSceneContext
+import androidx.compose.ui.text.input.PlatformTextInputService
+import androidx.compose.ui.unit.Density
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.IntSize
+import androidx.compose.ui.unit.dp
+import kotlinx.browser.document
+import kotlinx.browser.window
+import kotlinx.coroutines.Dispatchers
+import org.jetbrains.skia.Canvas
+import org.jetbrains.skiko.SkiaLayer
+import org.jetbrains.skiko.SkikoRenderDelegate
+import org.w3c.dom.HTMLCanvasElement
+import org.w3c.dom.HTMLElement
+import robotran.ui.screen.LocalKeyboardHeight
+
+/**
+ * Compose in a canvas, with what its own window for browsers does not have: several fingers at once, input methods and dead keys, the clipboard, a
+ * keyboard on the screen that covers nothing, and HTML beside the canvas for those who cannot see it.
+ *
+ * @param body what it fills, as far as no keyboard on the screen covers that and no notch or rounded corner cuts it off.
+ */
+@OptIn(InternalComposeUiApi::class, ExperimentalComposeUiApi::class)
+internal class PageWindow(body: HTMLElement, content: @Composable () -> Unit) {
+    private val place = PagePlace(body)
+    private val canvas = document.createElement("canvas") as HTMLCanvasElement
+    private val layer = SkiaLayer()
+    private val clipboard = PageClipboard(::paste)
+    private val mirror: SemanticsMirror
+    private val input: PageTextInput
+    private var density by mutableStateOf(Density(1f))
+    private var size by mutableStateOf(IntSize.Zero)
+    private var keyboardHeight by mutableStateOf(0.dp)
+    private var theme by mutableStateOf(SystemTheme.Unknown)
+
+    init {
+        canvas.tabIndex = 0
+        // What has the focus has a ring of its own.
+        canvas.style.setProperty("outline", "none")
+        canvas.style.setProperty("display", "block")
+        place.element.appendChild(canvas)
+        input = PageTextInput(place.element, canvas) { density.density }
+        mirror = SemanticsMirror(place.element, canvas, input) { density.density }
+    }
+
+    private val scene: ComposeScene = CanvasLayersComposeScene(
+        coroutineContext = Dispatchers.Main,
+        composeSceneContext = object : ComposeSceneContext {
+            override val platformContext: PlatformContext = PageContext()
+        },
+        invalidate = layer::needRedraw,
+    )
+
+    init {
+        layer.renderDelegate = object : SkikoRenderDelegate {
+            override fun onRender(
+                canvas: Canvas,
+                width: Int,
+                height: Int,
+                nanoTime: Long,
+            ) = scene.render(canvas.asComposeCanvas(), nanoTime)
+        }
+        val keys = PageKeys(scene, clipboard)
+        keys.listenTo(canvas)
+        input.listen(keys)
+        PagePointers(canvas, scene, { density.density }) { input.keepFocus() }.listen()
+        whenDarkChanges { dark -> theme = if (dark) SystemTheme.Dark else SystemTheme.Light }
+        scene.setContent {
+            CompositionLocalProvider(
+                LocalSystemTheme provides theme,
+                LocalClipboardManager provides clipboard,
+                LocalKeyboardHeight provides keyboardHeight,
+                content = content,
+            )
+        }
+        place.whenChanged(::fit)
+        canvas.focus()
+    }
+
+    private fun fit(width: Int, height: Int, covered: Dp) {
+        keyboardHeight = covered
+        val scale = window.devicePixelRatio
+        if (width <= 0 || height <= 0) return
+        val pixels = IntSize((width * scale).toInt(), (height * scale).toInt())
+        if (pixels == size && density.density == scale.toFloat()) return
+        size = pixels
+        density = Density(scale.toFloat())
+        canvas.width = pixels.width
+        canvas.height = pixels.height
+        canvas.style.width = "${width}px"
+        canvas.style.height = "${height}px"
+        scene.density = density
+        scene.size = pixels
+        // A canvas of another size has to be got ready for drawing anew.
+        layer.attachTo(canvas)
+        layer.needRedraw()
+    }
+
+    private fun paste(text: String) = input.insert(text)
+
+    private inner class PageContext : PlatformContext {
+        override val windowInfo: WindowInfo = object : WindowInfo {
+            override val isWindowFocused: Boolean get() = true
+            override val containerSize: IntSize get() = size
+        }
+        override val inputModeManager: InputModeManager = FingersOrKeys()
+        override val textInputService: PlatformTextInputService = input
+        override val semanticsOwnerListener: PlatformContext.SemanticsOwnerListener = mirror
+        override val viewConfiguration: ViewConfiguration = object : ViewConfiguration by PlatformContext.Empty.viewConfiguration {
+            override val touchSlop: Float get() = with(density) { TOUCH_SLOP.toPx() }
+        }
+
+        override fun setPointerIcon(pointerIcon: PointerIcon) {
+            canvas.style.cursor = CURSORS[pointerIcon] ?: "default"
+        }
+    }
+
+    private companion object {
+        /** How far a finger trembles. */
+        val TOUCH_SLOP = 8.dp
+        val CURSORS = mapOf(PointerIcon.Text to "text", PointerIcon.Hand to "pointer", PointerIcon.Crosshair to "crosshair")
+    }
+}
+
+/** Whether fingers or keys were used last. */
+private class FingersOrKeys : InputModeManager {
+    override var inputMode: InputMode by mutableStateOf(InputMode.Keyboard)
+        private set
+
+    @ExperimentalComposeUiApi
+    override fun requestInputMode(inputMode: InputMode): Boolean {
+        this.inputMode = inputMode
+        return true
+    }
+}
+
+private fun whenDarkChanges(tell: (Boolean) -> Unit): Unit = js(
+    """{
+        const dark = matchMedia('(prefers-color-scheme: dark)');
+        dark.addEventListener('change', () => tell(dark.matches));
+        tell(dark.matches);
+    }""",
+)
