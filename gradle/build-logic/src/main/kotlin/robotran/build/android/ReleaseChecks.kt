@@ -72,13 +72,18 @@ internal class ReleaseChecks(
     }
 
     /** The same jars as in the app: core modules have one for the JVM, which Android takes, too. */
-    private fun belowTheScreen(): Configuration = project.configurations.create("belowTheScreen") {
-        it.isCanBeConsumed = false
-        it.attributes { attributes ->
-            attributes.attribute(Usage.USAGE_ATTRIBUTE, project.objects.named(Usage::class.java, Usage.JAVA_RUNTIME))
-            attributes.attribute(KotlinPlatformType.attribute, KotlinPlatformType.jvm)
+    private fun belowTheScreen(): Configuration {
+        val below = project.configurations.create("belowTheScreen") {
+            it.isCanBeConsumed = false
+            it.attributes { attributes ->
+                attributes.attribute(Usage.USAGE_ATTRIBUTE, project.objects.named(Usage::class.java, Usage.JAVA_RUNTIME))
+                attributes.attribute(KotlinPlatformType.attribute, KotlinPlatformType.jvm)
+            }
+            it.dependencies.add(project.dependencies.project(mapOf("path" to ":shared:projects")))
         }
-        it.dependencies.add(project.dependencies.project(mapOf("path" to ":shared:projects")))
+        // The program runs its suspending functions by it.
+        project.dependencies.add(below.name, catalog(project).findLibrary("coroutines-core").get())
+        return below
     }
 
     private fun besideMapping(mapping: RegularFile): Provider<RegularFile> =
