@@ -3,7 +3,7 @@ package robotran.android
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import kotlinx.coroutines.yield
-import robotran.documents.replayFile
+import robotran.documents.projectFile
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
@@ -20,12 +20,11 @@ internal class KeptRun(private val file: File) {
     /** Keeps the run of [workshop], if there is one that can be made again. */
     suspend fun keep(workshop: Workshop) {
         val state = workshop.state
-        // A replay runs the first program, as it is written.
-        val canBeMadeAgain = !state.untouched && !state.changed && state.session.brick.selectedSlot == 0
-        val project = workshop.project
-        val inputs = workshop.inputs
+        // A replay runs the programs as they are written now.
+        val canBeMadeAgain = !state.untouched && !state.changed
+        val replay = workshop.replay
         withContext(Dispatchers.IO) {
-            val bytes = if (canBeMadeAgain && inputs.isNotEmpty()) replayFile(project, inputs) else null
+            val bytes = if (canBeMadeAgain && replay.inputs.isNotEmpty()) projectFile(replay) else null
             try {
                 if (bytes == null) file.delete() else file.writeBytes(bytes)
             } catch (_: IOException) {
@@ -44,7 +43,7 @@ internal class KeptRun(private val file: File) {
     ) {
         if (time !in 1..LONGEST) return
         val replay = withContext(Dispatchers.IO) { read() } ?: return
-        if (replay.copy(inputs = emptyList()) != workshop.project) return
+        if (replay.withoutRun() != workshop.project.withoutRun()) return
         workshop.openProject(replay)
         workshop.readPrograms()
         workshop.handle(RunEvent.RecordingPlayed)
@@ -54,6 +53,9 @@ internal class KeptRun(private val file: File) {
         }
         workshop.handle(RunEvent.PausePressed)
     }
+
+    /** What belongs to the work itself. */
+    private fun Project.withoutRun() = copy(robots = robots.map { it.copy(firstProgram = 0) }, inputs = emptyList())
 
     private fun read(): Project? =
         try {

@@ -4,14 +4,10 @@ import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
 import robotran.projects.writeProject
-import robotran.world.RecordedInput
 
 /** [project] as the bytes of a `.robotran` file; null if there is more in it than any Robotran would read again. */
 fun projectFile(project: Project): ByteArray? =
     writeProject(project).takeIf { readProject(it) is ProjectFileResult.Loaded }?.encodeToByteArray()
-
-/** The same as a replay: opened again, it makes the same run with all that was done from outside. */
-fun replayFile(project: Project, inputs: List<RecordedInput>): ByteArray? = projectFile(project.copy(inputs = inputs))
 
 /** What is to be done about the file of a work before it is written. */
 enum class SavingCheck {

@@ -17,8 +17,9 @@ class SavedFileTest {
     @Test
     fun `a replay holds what was done to the run`() {
         val inputs = listOf(RecordedInput(5, SessionInput.Press(BrickButton.RUN)), RecordedInput(9, SessionInput.Stop))
-        val file = assertNotNull(replayFile(projectOf("beep"), inputs))
-        assertEquals(ProjectFileResult.Loaded(projectOf("beep").copy(inputs = inputs)), readProject(file))
+        val replay = projectOf("beep").copy(inputs = inputs)
+        val file = assertNotNull(projectFile(replay))
+        assertEquals(ProjectFileResult.Loaded(replay), readProject(file))
     }
 
     @Test

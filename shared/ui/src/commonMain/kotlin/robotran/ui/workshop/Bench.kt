@@ -25,6 +25,9 @@ interface Bench {
     /** What was done to the session that is on the desk, so far. */
     val inputs: List<RecordedInput>
 
+    /** What makes the session that is on the desk again: [project] with [inputs] and with the programs that Run has started. */
+    val replay: Project
+
     /** What is to be seen on the desk now. */
     val session: SessionState
 

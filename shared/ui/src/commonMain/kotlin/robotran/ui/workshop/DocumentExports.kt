@@ -4,7 +4,7 @@ import kotlinx.coroutines.withContext
 import org.jetbrains.compose.resources.StringResource
 import robotran.documents.ZipEntry
 import robotran.documents.fileNameFor
-import robotran.documents.replayFile
+import robotran.documents.projectFile
 import robotran.documents.zipOf
 import robotran.projects.LinkMaking
 import robotran.projects.linkOf
@@ -64,9 +64,9 @@ internal class DocumentExports(
     }
 
     suspend fun saveReplay() {
-        val inputs = bench.inputs
-        if (inputs.isEmpty()) return bench.say(Notice(Res.string.documents_replay_empty))
-        val bytes = withContext(bench.platform.background) { replayFile(bench.project, inputs) }
+        val replay = bench.replay
+        if (replay.inputs.isEmpty()) return bench.say(Notice(Res.string.documents_replay_empty))
+        val bytes = withContext(bench.platform.background) { projectFile(replay) }
             ?: return bench.say(Notice(Res.string.documents_too_long, bad = true))
         save("${title()} replay", FileKind.PROJECT, bytes)
     }

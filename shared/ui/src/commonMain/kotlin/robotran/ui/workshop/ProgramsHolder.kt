@@ -60,10 +60,12 @@ class ProgramsHolder(
     fun projectRobots(world: World): List<ProjectRobot> =
         robots.filter { robot -> world.robots.any { it.name == robot.place.name } }.mapNotNull { it.asProject() }
 
-    /** What the robots of [world] are loaded with, as the programs were last read; Run starts that of the first robot in [firstSlot]. */
-    fun loads(world: World, firstSlot: Int): List<RobotLoad> = world.robots.mapIndexed { index, place ->
-        val robot = robots.firstOrNull { it.place.name == place.name }
-        robot?.load(if (index == 0) firstSlot else robot.shownProgram) ?: RobotLoad(emptyList())
+    /** The slots whose programs Run in the run bar starts: [first] of the first robot, and of the others what was shown last. */
+    fun slotsBeginning(first: Int): List<Int> = starting(first).map { it.second }
+
+    /** What the robots of [world] are loaded with, as the programs were last read; Run starts the programs in [firstSlots], robot by robot. */
+    fun loads(world: World, firstSlots: List<Int>): List<RobotLoad> = world.robots.mapIndexed { index, place ->
+        robots.firstOrNull { it.place.name == place.name }?.load(firstSlots.getOrElse(index) { 0 }) ?: RobotLoad(emptyList())
     }
 
     /** Where the program in [slot] of the robot called [robot] is to stop. */

@@ -24,7 +24,7 @@ internal class RobotPrograms(
     private val given: PupilProgram = ownProgramOf(place)
 
     val shelf = ProgramShelf((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, reader)
-    var shownProgram = 0
+    var shownProgram = kept.firstProgram.coerceIn(shelf.entries.indices)
     var shownFile = 0
     var closed: ClosedFile? = null
 

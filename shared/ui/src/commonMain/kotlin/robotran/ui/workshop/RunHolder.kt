@@ -40,7 +40,8 @@ class RunHolder(
 ) {
     private var loaded = programs.written
     private val sound = SoundPlayer(bench.platform.speaker)
-    private var player = newPlayer(slot = 0)
+    private var firstSlots = programs.slotsBeginning(programs.slotToRun)
+    private var player = newPlayer()
     private val rest = RestWatch()
     private val drawer = DrawerFilling()
     private val export = RomLogExport(bench)
@@ -54,6 +55,9 @@ class RunHolder(
     init {
         sound.listenTo(player.sounds)
     }
+
+    /** The program of each robot of the world that Run started, or would start, in this run, as long as Prgm was not pressed. */
+    val startedPrograms: List<Int> get() = firstSlots
 
     /** What was done to the run, also after the time that is looked at. */
     val inputs: List<RecordedInput> get() = player.inputs
@@ -126,7 +130,7 @@ class RunHolder(
     fun changeWorld(world: World, recording: List<RecordedInput> = emptyList()) {
         this.world = world
         this.recording = recording
-        beginAfresh(slot = 0)
+        beginAfresh(programs.slotToRun)
         state = state.copy(untouched = true, hasRecording = recording.isNotEmpty(), settings = bench.project.settings)
         rest.disturb()
         show()
@@ -216,7 +220,8 @@ class RunHolder(
 
     private fun playRecording() {
         if (recording.isEmpty()) return
-        beginAfresh(slot = 0, inputs = recording)
+        val robots = bench.project.robots.associateBy { it.name }
+        beginAfresh(world.robots.map { robots[it.name]?.firstProgram ?: 0 }, recording)
         state = state.copy(untouched = false)
         bench.show(Pane.WORLD)
     }
@@ -254,10 +259,13 @@ class RunHolder(
 
     private fun slotOnBrick() = player.state.brick.selectedSlot.coerceAtMost(programs.count - 1)
 
-    private fun beginAfresh(slot: Int, inputs: List<RecordedInput> = emptyList()) {
+    private fun beginAfresh(slot: Int) = beginAfresh(programs.slotsBeginning(slot))
+
+    private fun beginAfresh(slots: List<Int>, inputs: List<RecordedInput> = emptyList()) {
+        firstSlots = slots
         player.close()
         loaded = programs.written
-        player = newPlayer(slot, inputs).also {
+        player = newPlayer(inputs).also {
             it.speed = state.speed
             if (state.watched in world.robots.indices) it.watched = state.watched
         }
@@ -267,8 +275,8 @@ class RunHolder(
         show()
     }
 
-    private fun newPlayer(slot: Int, inputs: List<RecordedInput> = emptyList()) =
-        RunPlayer(RunSetup(world, programs.loads(world, slot), physics, bench.language), inputs)
+    private fun newPlayer(inputs: List<RecordedInput> = emptyList()) =
+        RunPlayer(RunSetup(world, programs.loads(world, firstSlots), physics, bench.language), inputs)
 
     private fun hearWhatIsNew() {
         val isHeard = state.speed != RunSpeed.FASTEST && (player.motion is Motion.Playing || player.motion is Motion.Stepping)

@@ -61,6 +61,12 @@ class Workshop(
     override val project: Project get() = opened.copy(robots = programs.projectRobots(opened.world), inputs = emptyList())
     override val shownProgram: PupilProgram get() = programs.state.program
     override val inputs: List<RecordedInput> get() = run.inputs
+    override val replay: Project
+        get() {
+            val first = opened.world.robots.map { it.name }.zip(run.startedPrograms).toMap()
+            val now = project
+            return now.copy(robots = now.robots.map { it.copy(firstProgram = first[it.name] ?: 0) }, inputs = inputs)
+        }
     override val session: SessionState get() = run.state.session
     override val settings: Settings get() = settingsHolder.state
     override val language: Language get() = spokenLanguage(settings.language)

@@ -175,7 +175,7 @@ class RunHolderTest {
         frames(1_000)
         did(RunEvent.SessionTouched(SessionInput.PlaceRobot(0, Pose(60.0, 40.0, 90.0))))
         frames()
-        val project = workshop.project.copy(inputs = workshop.inputs)
+        val project = workshop.replay
         val report = workshop.state.session.robot
         workshop.openProject(project)
         assertTrue(run.hasRecording)
@@ -183,6 +183,23 @@ class RunHolderTest {
         frames()
         assertEquals(report, workshop.state.session.robot)
         assertEquals(project.inputs, workshop.inputs)
+    }
+
+    @Test
+    fun `a replay runs the program that was run, whichever is shown, and a project begins with the program it says`() {
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("second.robo", "pen down\nbackward 10\npen up\nbeep")))
+        did(RunEvent.RunPressed)
+        frames()
+        val report = workshop.state.session.robot
+        workshop.handle(ProgramEvent.ProgramChosen(0))
+        val replay = workshop.replay
+        assertEquals(listOf(1), replay.robots.map { it.firstProgram })
+        workshop.openProject(replay)
+        assertEquals(1, workshop.state.programs.shownProgram)
+        workshop.handle(ProgramEvent.ProgramChosen(0))
+        did(RunEvent.RecordingPlayed)
+        frames()
+        assertEquals(report, workshop.state.session.robot)
     }
 
     @Test

@@ -80,7 +80,7 @@ class SeveralRobotsTest {
         workshop.handle(ProgramEvent.ProgramEdited(program))
         val place = workshop.state.world.robots.first()
         val holder = ProgramsHolder(workshop.project, workshop) { }
-        assertEquals(LightFacing.FORWARD, holder.loads(workshop.state.world, 0).first().lightFacing)
+        assertEquals(LightFacing.FORWARD, holder.loads(workshop.state.world, listOf(0)).first().lightFacing)
         assertEquals(setOf<Breakpoint>(), holder.breakpoints(place.name, 0))
     }
 
