@@ -1,5 +1,6 @@
 package robotran.desktop.window
 
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.WindowPlacement
@@ -7,7 +8,6 @@ import androidx.compose.ui.window.WindowPosition
 import androidx.compose.ui.window.WindowState
 import java.awt.GraphicsEnvironment
 import java.awt.Rectangle
-import java.awt.Toolkit
 
 /**
  * Where a window was on the screen, as one line of text: left, top, width and height in units of the screen, and whether it filled it.
@@ -44,14 +44,14 @@ internal data class WindowPlace(
     }
 }
 
-/** Where a window begins: where the last one was, if that is still on a screen and not taken; otherwise the platform chooses. */
+/** Where a window begins: where the last one was, if that is still on a screen and not taken; otherwise in the middle. */
 internal fun windowStateFor(
     last: WindowPlace?,
     screens: List<Rectangle> = screens(),
 ): WindowState {
     val width = last?.width?.coerceAtLeast(LEAST_WIDTH) ?: 0
     if (last == null || screens.none { it.intersection(Rectangle(last.left, last.top, width, TITLE_HEIGHT)).width >= GRIP }) {
-        return WindowState(size = firstSize())
+        return WindowState(position = WindowPosition(Alignment.Center), size = firstSize())
     }
     return WindowState(
         placement = if (last.isMaximised) WindowPlacement.Maximized else WindowPlacement.Floating,
@@ -60,9 +60,9 @@ internal fun windowStateFor(
     )
 }
 
-/** A laptop's window, but never larger than the screen it opens on. */
+/** A laptop's window, but never larger than what the screen it opens on has free. */
 private fun firstSize(): DpSize {
-    val screen = Toolkit.getDefaultToolkit().screenSize
+    val screen = GraphicsEnvironment.getLocalGraphicsEnvironment().maximumWindowBounds
     return DpSize(minOf(1280, screen.width).dp, minOf(840, screen.height).dp)
 }
 

@@ -13,19 +13,24 @@ import robotran.rom.StepKind
 import robotran.ui.workshop.RunEvent
 
 /**
- * What a key does with the run, wherever the focus is; null for nothing. Ctrl (on a Mac also Command) with Enter runs, with Shift it stops; F6 pauses, F10 and F11
- * step as in other debuggers. Browsers keep F11 to themselves.
+ * What a key does with the run, wherever the focus is; null for nothing. Ctrl (on a Mac also Command) with Enter runs, with Shift it stops; F6 pauses, F7 steps:
+ * alone into what a line calls, with Ctrl over it, with Shift out of it. F10 and F11, which other debuggers take, belong to menus and browsers.
  */
 internal fun runShortcut(event: KeyEvent): RunEvent? {
     if (event.type != KeyEventType.KeyDown || event.isAltPressed) return null
     val shift = event.isShiftPressed
-    if (event.isCtrlPressed || event.isMetaPressed) {
-        return if (event.key == Key.Enter) (if (shift) RunEvent.StopPressed else RunEvent.RunPressed) else null
-    }
+    val control = event.isCtrlPressed || event.isMetaPressed
     return when (event.key) {
-        Key.F6 -> RunEvent.PausePressed.takeIf { !shift }
-        Key.F10 -> RunEvent.StepPressed(StepKind.OVER).takeIf { !shift }
-        Key.F11 -> RunEvent.StepPressed(if (shift) StepKind.OUT else StepKind.INTO)
+        Key.Enter -> (if (shift) RunEvent.StopPressed else RunEvent.RunPressed).takeIf { control }
+        Key.F6 -> RunEvent.PausePressed.takeIf { !shift && !control }
+        Key.F7 -> stepFor(control, shift)?.let(RunEvent::StepPressed)
         else -> null
     }
+}
+
+private fun stepFor(control: Boolean, shift: Boolean): StepKind? = when {
+    control && shift -> null
+    control -> StepKind.OVER
+    shift -> StepKind.OUT
+    else -> StepKind.INTO
 }

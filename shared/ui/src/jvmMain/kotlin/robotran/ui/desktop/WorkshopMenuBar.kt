@@ -149,9 +149,9 @@ private fun MenuScope.RunItems(state: WorkshopState, onEvent: (WorkshopEvent) ->
     val pause = if (state.run.pace == Pace.GOING) Res.string.run_pause else Res.string.run_go_on
     Choice(pause, KeyShortcut(Key.F6), isDesk && state.run.pausable) { onEvent(RunEvent.PausePressed) }
     Separator()
-    Choice(Res.string.run_step_into, KeyShortcut(Key.F11), isDesk) { onEvent(RunEvent.StepPressed(StepKind.INTO)) }
-    Choice(Res.string.run_step_over, KeyShortcut(Key.F10), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OVER)) }
-    Choice(Res.string.run_step_out, KeyShortcut(Key.F11, shift = true), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OUT)) }
+    Choice(Res.string.run_step_into, KeyShortcut(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.INTO)) }
+    Choice(Res.string.run_step_over, control(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OVER)) }
+    Choice(Res.string.run_step_out, KeyShortcut(Key.F7, shift = true), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OUT)) }
     Choice(Res.string.run_to_line, enabled = isDesk) { onEvent(RunEvent.RunToLine(cursorLine(state))) }
 }
 

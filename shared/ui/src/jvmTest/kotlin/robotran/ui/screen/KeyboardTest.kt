@@ -41,7 +41,7 @@ class KeyboardTest {
         pass(100)
         assertEquals(Pace.PAUSED, workshop.state.run.pace)
         val before = workshop.state.run.time
-        onRoot().performKeyInput { pressKey(Key.F10) }
+        onRoot().performKeyInput { pressKey(Key.F7) }
         pass(6_000)
         assertEquals(Pace.PAUSED, workshop.state.run.pace)
         assertTrue(workshop.state.run.time > before)
