@@ -33,7 +33,7 @@ internal fun DrawScope.drawGridFigures(paper: Paper, view: SheetTransform, colou
     val height = FIGURE_SIZE.toPx()
     // Every second, fifth or tenth line where they are too close for figures.
     val step = FIGURE_STEPS.firstOrNull { it * view.pixelsPerCentimetre >= height * FIGURE_ROOM } ?: return
-    val low = (view.paper.bottom + height).coerceIn(height, (size.height - height).coerceAtLeast(height))
+    val low = (view.paper.bottom + view.pixelsPerCentimetre + height).coerceIn(height, (size.height - height).coerceAtLeast(height))
     for (x in step..paper.width.toInt() step step) {
         val place = view.toPixels(x.toDouble(), 0.0).x
         if (place in 0f..size.width) drawLabel(labels, "$x", Offset(place, low), height, colours.figures)

@@ -3,7 +3,6 @@ package robotran.ui.workshop
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import kotlinx.coroutines.launch
 import robotran.learning.GalleryWorld
 import robotran.learning.WorldGallery
 import robotran.ui.resources.Res
@@ -15,6 +14,7 @@ import robotran.world.SessionState
 /** Keeps what is being learned from, and how far somebody has come with it. */
 class LearningHolder(private val bench: Bench) {
     private var progress = LearningProgress()
+    private val writes = WritesInOrder(bench)
     private var goalsSeen: List<GoalProgress> = emptyList()
     private val tutorial = TutorialDesk(bench, { progress }, ::keep)
     private val help = HelpFinder(bench)
@@ -145,10 +145,13 @@ class LearningHolder(private val bench: Bench) {
         state = state.copy(page = LearningPage.HELP, help = found)
     }
 
+    /** Waits until what was learned is kept. */
+    suspend fun keepNow() = writes.finish()
+
     private fun keep(now: LearningProgress) {
         if (now == progress) return
         progress = now
-        bench.scope.launch { now.keepIn(bench.platform.store) }
+        writes.add { now.keepIn(bench.platform.store) }
     }
 }
 

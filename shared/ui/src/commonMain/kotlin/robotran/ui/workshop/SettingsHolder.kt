@@ -3,7 +3,6 @@ package robotran.ui.workshop
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import kotlinx.coroutines.launch
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import robotran.ui.platform.WorkStore
@@ -17,6 +16,8 @@ class SettingsHolder(private val bench: Bench, first: Settings) {
     var shown: Boolean by mutableStateOf(false)
         private set
 
+    private val writes = WritesInOrder(bench)
+
     fun handle(event: SettingsEvent) {
         when (event) {
             is SettingsEvent.SettingsChanged -> change(event.settings)
@@ -25,10 +26,13 @@ class SettingsHolder(private val bench: Bench, first: Settings) {
         }
     }
 
+    /** Waits until what was changed is kept. */
+    suspend fun keepNow() = writes.finish()
+
     private fun change(settings: Settings) {
         if (settings == state) return
         state = settings
-        bench.scope.launch { bench.platform.store.write(NAME, JSON.encodeToString(Settings.serializer(), settings)) }
+        writes.add { bench.platform.store.write(NAME, JSON.encodeToString(Settings.serializer(), settings)) }
     }
 
     companion object {

@@ -104,13 +104,27 @@ class Workshop(
     suspend fun keepDocument() = document.keepKeeping()
 
     /** Keeps what has changed at once; false if it cannot be kept. */
-    suspend fun keepDocumentNow(): Boolean = document.keepNow()
+    suspend fun keepDocumentNow(): Boolean {
+        keepSettings()
+        return document.keepNow()
+    }
 
     /** Keeps what has changed at once, since the window is out of sight and may be gone without a word. */
-    suspend fun restDocument() = document.rest()
+    suspend fun restDocument() {
+        keepSettings()
+        document.rest()
+    }
 
     /** Keeps what has changed at once; see [DocumentHolder.close] about the rest. */
-    suspend fun closeDocument(onLoss: () -> Unit): Boolean = document.close(onLoss)
+    suspend fun closeDocument(onLoss: () -> Unit): Boolean {
+        keepSettings()
+        return document.close(onLoss)
+    }
+
+    private suspend fun keepSettings() {
+        settingsHolder.keepNow()
+        learning.keepNow()
+    }
 
     /** Reads all programs that were not read yet, and does what waited for it. */
     suspend fun readPrograms() = programs.readPrograms()
