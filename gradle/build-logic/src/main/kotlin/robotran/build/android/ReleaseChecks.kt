@@ -5,7 +5,6 @@ import com.android.build.api.variant.ApplicationVariant
 import org.gradle.api.Project
 import org.gradle.api.artifacts.Configuration
 import org.gradle.api.attributes.Usage
-import org.gradle.api.file.RegularFile
 import org.gradle.api.provider.Provider
 import org.gradle.api.tasks.TaskProvider
 import org.gradle.language.base.plugins.LifecycleBasePlugin
@@ -63,8 +62,10 @@ internal class ReleaseChecks(
             task.read.from(project.rootProject.fileTree("examples"))
             val recording = listOf("world", "programs", "projects").map { "shared/$it/src/commonTest/resources/runs" }
             task.read.from(recording.map { project.rootProject.fileTree(it) })
-            // R8 writes it beside its mapping.
-            task.configuration.set(variant.artifacts.get(SingleArtifact.OBFUSCATION_MAPPING_FILE).flatMap(::besideMapping))
+            // The Android plugin tells of R8's mapping, but not of the configuration beside it.
+            val shrinking = "minify${variant.name.replaceFirstChar(Char::uppercase)}WithR8"
+            task.dependsOn(shrinking)
+            task.configuration.set(project.layout.buildDirectory.file("intermediates/mapping/${variant.name}/$shrinking/configuration.txt"))
             task.framework.from(framework())
             task.shrunk.set(project.layout.buildDirectory.file("shrunk/robotran.jar"))
             task.report.set(reports.map { folder -> folder.file("runShrunk.txt") })
@@ -85,9 +86,6 @@ internal class ReleaseChecks(
         project.dependencies.add(below.name, catalog(project).findLibrary("coroutines-core").get())
         return below
     }
-
-    private fun besideMapping(mapping: RegularFile): Provider<RegularFile> =
-        project.layout.file(project.provider { mapping.asFile.resolveSibling("configuration.txt") })
 
     private fun framework(): Provider<String> =
         project.providers.environmentVariable("ANDROID_HOME").map { "$it/platforms/android-${AndroidPlugin.COMPILE_SDK}/android.jar" }
