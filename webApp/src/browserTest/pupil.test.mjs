@@ -76,7 +76,13 @@ test('accents that an input method or a dead key makes are written once', () => 
 
 test('text is copied, cut and pasted by keys, within the program and from elsewhere', () => onPage(TABLET, async ({ page, troubles }) => {
   await writeProgram(page, 'beep');
+  // The browser cuts and copies what its own field has selected, which follows with the next picture.
+  const selects = (length) => page.waitForFunction((wanted) => {
+    const { selectionStart, selectionEnd } = document.activeElement;
+    return selectionEnd - selectionStart === wanted;
+  }, length);
   await page.keyboard.press('Control+a');
+  await selects(4);
   await page.keyboard.press('Control+x');
   await page.waitForFunction(() => document.activeElement.value === '');
   await page.keyboard.press('Control+v');
@@ -85,8 +91,10 @@ test('text is copied, cut and pasted by keys, within the program and from elsewh
   await page.keyboard.press('Control+v');
   await page.waitForFunction(() => document.activeElement.value === 'beep\nbeep');
   await page.keyboard.press('Control+a');
+  await selects(9);
   await page.keyboard.press('Control+c');
   await page.keyboard.press('End');
+  await selects(0);
   await page.keyboard.press('Enter');
   await page.keyboard.press('Control+v');
   await page.waitForFunction(() => document.activeElement.value === 'beep\nbeep\nbeep\nbeep');

@@ -60,15 +60,15 @@
   };
   const canDraw = () => {
     try {
-      return document.createElement('canvas').getContext('webgl2') !== null;
+      const drawing = document.createElement('canvas').getContext('webgl2');
+      // A browser has few of them to give.
+      drawing?.getExtension('WEBGL_lose_context')?.loseContext();
+      return drawing !== null;
     } catch {
       return false;
     }
   };
-  const failToStart = (error) => {
-    if (error && error.name === 'CompileError') fail('oldBrowser');
-    else fail(canDraw() ? 'notStarted' : 'noDrawing');
-  };
+  const failToStart = (error) => fail(error && error.name === 'CompileError' ? 'oldBrowser' : 'notStarted');
   const onError = (event) => (event.target instanceof HTMLScriptElement ? fail('notFetched') : failToStart(event.error));
   const onRejection = (event) => failToStart(event.reason);
   addEventListener('error', onError, true);
@@ -181,6 +181,10 @@
   const structType = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 95, 1, 127, 0]);
   if (typeof WebAssembly !== 'object' || !WebAssembly.validate(structType)) {
     fail('oldBrowser');
+    return;
+  }
+  if (!canDraw()) {
+    fail('noDrawing');
     return;
   }
   globalThis.fetch = fetchWhatComes;
