@@ -60,15 +60,21 @@ test('a program that is typed runs, and is there again after a reload', () => on
 test('accents that an input method or a dead key makes are written once', () => onPage(TABLET, async ({ page, troubles }) => {
   await writeProgram(page, '');
   const keyboard = await page.context().newCDPSession(page);
+  // Nobody begins to compose before what was typed is to be seen.
+  const seen = (text) => page.waitForFunction((wanted) => document.activeElement.value.endsWith(wanted), text)
+    .then(() => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))));
   await page.keyboard.type('// ma');
+  await seen('// ma');
   await keyboard.send('Input.imeSetComposition', { text: '~', selectionStart: 1, selectionEnd: 1 });
   await keyboard.send('Input.imeSetComposition', { text: 'ñ', selectionStart: 1, selectionEnd: 1 });
   await keyboard.send('Input.insertText', { text: 'ñ' });
+  await seen('mañ');
   await page.keyboard.type('ana');
+  await seen('mañana');
   await keyboard.send('Input.imeSetComposition', { text: 'にほ', selectionStart: 2, selectionEnd: 2 });
   await keyboard.send('Input.imeSetComposition', { text: '日本', selectionStart: 2, selectionEnd: 2 });
   await keyboard.send('Input.insertText', { text: '日本' });
-  await page.waitForFunction(() => document.activeElement.value.includes('mañana日本'));
+  await seen('mañana日本');
   assert.match(await programText(page), /\/\/ mañana日本$/);
   await isKept(page, 'mañana日本');
   assert.deepEqual(troubles, []);
@@ -81,23 +87,30 @@ test('text is copied, cut and pasted by keys, within the program and from elsewh
     const { selectionStart, selectionEnd } = document.activeElement;
     return selectionEnd - selectionStart === wanted;
   }, length);
+  const has = (text) => page.waitForFunction((wanted) => {
+    const { value, selectionStart } = document.activeElement;
+    return value === wanted && selectionStart === wanted.length;
+  }, text);
+  await has('beep');
   await page.keyboard.press('Control+a');
   await selects(4);
   await page.keyboard.press('Control+x');
-  await page.waitForFunction(() => document.activeElement.value === '');
+  await has('');
   await page.keyboard.press('Control+v');
-  await page.waitForFunction(() => document.activeElement.value === 'beep');
+  await has('beep');
   await page.keyboard.press('Enter');
+  await has('beep\n');
   await page.keyboard.press('Control+v');
-  await page.waitForFunction(() => document.activeElement.value === 'beep\nbeep');
+  await has('beep\nbeep');
   await page.keyboard.press('Control+a');
   await selects(9);
   await page.keyboard.press('Control+c');
   await page.keyboard.press('End');
   await selects(0);
   await page.keyboard.press('Enter');
+  await has('beep\nbeep\n');
   await page.keyboard.press('Control+v');
-  await page.waitForFunction(() => document.activeElement.value === 'beep\nbeep\nbeep\nbeep');
+  await has('beep\nbeep\nbeep\nbeep');
   assert.deepEqual(troubles, []);
 }));
 
