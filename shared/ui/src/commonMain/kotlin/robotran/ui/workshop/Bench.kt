@@ -5,7 +5,6 @@ import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.ui.platform.Platform
-import robotran.world.RecordedInput
 import robotran.world.SessionState
 import robotran.world.World
 
@@ -16,16 +15,13 @@ interface Bench {
     /** Lives as long as the workshop; runs on the thread of the screen. */
     val scope: CoroutineScope
 
-    /** What would be saved now: programs, world and settings; without inputs, see [inputs]. */
+    /** What would be saved now: programs, world and settings; without inputs, see [replay]. */
     val project: Project
 
     /** The program that is shown. */
     val shownProgram: PupilProgram
 
-    /** What was done to the session that is on the desk, so far. */
-    val inputs: List<RecordedInput>
-
-    /** What makes the session that is on the desk again: [project] with [inputs] and with the programs that Run has started. */
+    /** What makes the session that is on the desk again: [project] with what was done to the session so far and with the programs that Run has started. */
     val replay: Project
 
     /** What is to be seen on the desk now. */

@@ -60,7 +60,9 @@ class Workshop(
 
     override val project: Project get() = opened.copy(robots = programs.projectRobots(opened.world), inputs = emptyList())
     override val shownProgram: PupilProgram get() = programs.state.program
-    override val inputs: List<RecordedInput> get() = run.inputs
+
+    /** What was done to the session that is on the desk, so far. */
+    val inputs: List<RecordedInput> get() = run.inputs
     override val replay: Project
         get() {
             val first = opened.world.robots.map { it.name }.zip(run.startedPrograms).toMap()
