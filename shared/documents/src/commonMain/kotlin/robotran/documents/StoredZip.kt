@@ -83,9 +83,11 @@ private class ZipBytes {
 }
 
 /** The CRC-32 of ISO 3309. */
+@OptIn(ExperimentalUnsignedTypes::class)
 private fun crc32(bytes: ByteArray): UInt =
     bytes.fold(UInt.MAX_VALUE) { crc, byte -> (crc shr 8) xor CRC_TABLE[((crc xor byte.toUInt()) and 0xFFu).toInt()] }.inv()
 
+@OptIn(ExperimentalUnsignedTypes::class)
 private val CRC_TABLE = UIntArray(256) { index ->
     (0 until 8).fold(index.toUInt()) { crc, _ -> if (crc and 1u == 1u) (crc shr 1) xor POLYNOMIAL else crc shr 1 }
 }

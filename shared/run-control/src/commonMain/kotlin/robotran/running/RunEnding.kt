@@ -17,8 +17,8 @@ internal class RunEnding(private val world: World) {
         if (world.goals.isEmpty()) return false
         val last = before
         before = state
-        val isQuiet = last != null && hasEnded(state) && !moves(last, state) && state.robots.none { it.brick.sounding }
-        quiet = if (isQuiet && last != null) quiet + state.milliseconds - last.milliseconds else 0
+        val isQuiet = hasEnded(state) && state.robots.none { it.brick.sounding }
+        quiet = if (last != null && isQuiet && !moves(last, state)) quiet + state.milliseconds - last.milliseconds else 0
         return quiet >= QUIET_MILLISECONDS || state.milliseconds >= world.timeLimit * MILLISECONDS_PER_SECOND
     }
 

@@ -38,15 +38,7 @@ internal enum class PluggedSensor(val words: StringResource, val isSwitch: Boole
 
     companion object {
         /** What stands for [plugged], all that is on one port: one that a finger can press, or the first. */
-        fun of(plugged: List<PortSensor>): PluggedSensor = when (
-            if (PortSensor.TOUCH in
-                plugged
-            ) {
-                PortSensor.TOUCH
-            } else {
-                plugged.firstOrNull()
-            }
-        ) {
+        fun of(plugged: List<PortSensor>): PluggedSensor = when (plugged.find { it == PortSensor.TOUCH } ?: plugged.firstOrNull()) {
             PortSensor.LEFT_BUMPER -> LEFT_BUMPER
             PortSensor.RIGHT_BUMPER -> RIGHT_BUMPER
             PortSensor.TOUCH -> TOUCH
@@ -82,9 +74,7 @@ internal fun DrawScope.drawPlugged(sensor: PluggedSensor, pressed: Boolean) = sc
             drawCircle(colour, 3.2f, Offset(8f, 12f))
         }
 
-        PluggedSensor.NOTHING -> {
-            Unit
-        }
+        PluggedSensor.NOTHING -> {}
     }
 }
 

@@ -9,11 +9,7 @@ import robotran.rom.StepKind
 import robotran.running.Motion
 import robotran.running.RestWatch
 import robotran.running.RunPlayer
-import robotran.running.RunSetup
 import robotran.running.RunSpeed
-import robotran.ui.resources.Res
-import robotran.ui.resources.run_new_future
-import robotran.ui.sound.SoundPlayer
 import robotran.world.Breakpoint
 import robotran.world.RecordedInput
 import robotran.world.RunReport
@@ -32,39 +28,32 @@ import robotran.world.report
  * @param recording what was done to a run that the project came with; it can be played.
  */
 class RunHolder(
-    private var world: World,
-    private val physics: PhysicsEngine,
+    world: World,
+    physics: PhysicsEngine,
     private val programs: ProgramsHolder,
     private val bench: Bench,
     private var recording: List<RecordedInput> = emptyList(),
 ) {
-    private var loaded = programs.written
-    private val sound = SoundPlayer(bench.platform.speaker)
-    private var firstSlots = programs.slotsBeginning(programs.slotToRun)
-    private var player = newPlayer()
+    private val run = WatchedRun(world, physics, programs, bench)
     private val rest = RestWatch()
     private val drawer = DrawerFilling()
     private val export = RomLogExport(bench)
     private var whenRead: (() -> Unit)? = null
-    private var lastSession = player.session
-    private var futures = 0
+
+    private val player: RunPlayer get() = run.player
 
     var state: RunPaneState by mutableStateOf(firstState())
         private set
 
-    init {
-        sound.listenTo(player.sounds)
-    }
-
     /** The program of each robot of the world that Run started, or would start, in this run, as long as Prgm was not pressed. */
-    val startedPrograms: List<Int> get() = firstSlots
+    val startedPrograms: List<Int> get() = run.firstSlots
 
     /** What was done to the run, also after the time that is looked at. */
     val inputs: List<RecordedInput> get() = player.inputs
 
     fun handle(event: RunEvent) {
         when (event) {
-            RunEvent.RunPressed -> run()
+            RunEvent.RunPressed -> play()
             RunEvent.StopPressed -> stop()
             RunEvent.PausePressed -> pauseOrGoOn()
             is RunEvent.StepPressed -> step(event.kind)
@@ -101,7 +90,7 @@ class RunHolder(
     fun programsRead(reading: ProgramReading) {
         if (reading == ProgramReading.NO_COMPILER) whenRead = null
         if (reading == ProgramReading.DONE) {
-            if (state.untouched) beginAfresh(slotOnBrick())
+            if (state.untouched) beginAfresh(run.slotOnBrick)
             whenRead?.also { whenRead = null }?.invoke()
         }
         rest.disturb()
@@ -113,7 +102,7 @@ class RunHolder(
         if (!state.awake) return player.rest()
         player.frame(nanoseconds)
         rest.passed(player.state)
-        hearWhatIsNew()
+        run.hearWhatIsNew()
         show()
         if (!state.awake) player.rest()
     }
@@ -122,15 +111,14 @@ class RunHolder(
     fun advance(milliseconds: Int) {
         player.pass(milliseconds)
         rest.passed(player.state)
-        sound.skip()
+        run.skipSound()
         show()
     }
 
     /** Puts the robots into [world], with the programs as they are, and with [recording], which can be played there. */
     fun changeWorld(world: World, recording: List<RecordedInput> = emptyList()) {
-        this.world = world
         this.recording = recording
-        beginAfresh(programs.slotToRun)
+        beginAfresh(programs.slotsBeginning(programs.slotToRun), world)
         state = state.copy(untouched = true, hasRecording = recording.isNotEmpty(), settings = bench.project.settings)
         rest.disturb()
         show()
@@ -140,15 +128,10 @@ class RunHolder(
     fun report(): RunReport = player.session.report()
 
     /** Whether the brick's tones are to be heard. */
-    fun hear(on: Boolean) {
-        sound.muted = !on
-    }
+    fun hear(on: Boolean) = run.hear(on)
 
     /** Gives back what the session holds. Nothing may be called afterwards. */
-    fun close() {
-        sound.close()
-        player.close()
-    }
+    fun close() = run.close()
 
     /** Presses Run on a clean sheet, with the program in [slot], and then does [what] is wanted of it; if it was not read yet, once it is. */
     private fun start(slot: Int, what: () -> Unit) {
@@ -156,14 +139,14 @@ class RunHolder(
         if (!programs.canStart(slot)) return
         beginAfresh(slot)
         state = state.copy(untouched = false)
-        for (robot in world.robots.indices) {
+        for (robot in run.world.robots.indices) {
             player.apply(SessionInput.Press(BrickButton.RUN, robot))
             player.apply(SessionInput.Release(BrickButton.RUN, robot))
         }
         what()
     }
 
-    private fun run() = start(programs.slotToRun) {
+    private fun play() = start(programs.slotToRun) {
         player.play()
         bench.show(Pane.WORLD)
     }
@@ -183,7 +166,7 @@ class RunHolder(
             goOn { player.play() }
         } else {
             player.pause()
-            sound.silence()
+            run.silence()
         }
     }
 
@@ -201,7 +184,7 @@ class RunHolder(
 
     private fun startOver() {
         whenRead = null
-        beginAfresh(slotOnBrick())
+        beginAfresh(run.slotOnBrick)
     }
 
     private fun choose(speed: RunSpeed) {
@@ -210,18 +193,16 @@ class RunHolder(
     }
 
     private fun watch(robot: Int) {
-        if (robot !in world.robots.indices) return
-        player.watched = robot
+        if (robot !in run.world.robots.indices) return
+        run.watch(robot)
         drawer.beginAfresh()
         state = state.copy(watched = robot)
-        sound.listenTo(player.sounds)
-        sound.skip()
     }
 
     private fun playRecording() {
         if (recording.isEmpty()) return
         val robots = bench.project.robots.associateBy { it.name }
-        beginAfresh(world.robots.map { robots[it.name]?.firstProgram ?: 0 }, recording)
+        beginAfresh(run.world.robots.map { robots[it.name]?.firstProgram ?: 0 }, inputs = recording)
         state = state.copy(untouched = false)
         bench.show(Pane.WORLD)
     }
@@ -229,7 +210,7 @@ class RunHolder(
     private fun press(button: BrickButton) {
         state = state.copy(down = state.down + button)
         if (button == BrickButton.RUN && state.brick.run !is RunState.Running && state.changed) {
-            val slot = slotOnBrick()
+            val slot = run.slotOnBrick
             whenRead = if (programs.isRead(slot)) null else ({ start(slot) { player.play() } })
             if (!programs.canStart(slot)) return
             beginAfresh(slot)
@@ -255,51 +236,24 @@ class RunHolder(
     }
 
     private fun firstState() =
-        RunPaneState(world, player.state, hasRecording = recording.isNotEmpty(), settings = bench.project.settings)
-
-    private fun slotOnBrick() = player.state.brick.selectedSlot.coerceAtMost(programs.count - 1)
+        RunPaneState(run.world, player.state, hasRecording = recording.isNotEmpty(), settings = bench.project.settings)
 
     private fun beginAfresh(slot: Int) = beginAfresh(programs.slotsBeginning(slot))
 
-    private fun beginAfresh(slots: List<Int>, inputs: List<RecordedInput> = emptyList()) {
-        firstSlots = slots
-        player.close()
-        loaded = programs.written
-        player = newPlayer(inputs).also {
-            it.speed = state.speed
-            if (state.watched in world.robots.indices) it.watched = state.watched
-        }
+    private fun beginAfresh(firstSlots: List<Int>, world: World = run.world, inputs: List<RecordedInput> = emptyList()) {
+        run.beginAfresh(firstSlots, world, inputs)
         state = state.copy(watched = player.watched)
         drawer.beginAfresh()
-        futures = 0
         show()
     }
 
-    private fun newPlayer(inputs: List<RecordedInput> = emptyList()) =
-        RunPlayer(RunSetup(world, programs.loads(world, firstSlots), physics, bench.language), inputs)
-
-    private fun hearWhatIsNew() {
-        val isHeard = state.speed != RunSpeed.FASTEST && (player.motion is Motion.Playing || player.motion is Motion.Stepping)
-        if (isHeard) sound.follow() else sound.skip()
-    }
-
     private fun show() {
-        if (player.session !== lastSession) {
-            val isAfresh = player.session.milliseconds == 0L && player.time == 0L
-            lastSession = player.session
-            sound.listenTo(player.sounds)
-            if (!isAfresh) sound.skip()
-        }
-        if (player.newFutures != futures) bench.say(Notice(Res.string.run_new_future))
-        futures = player.newFutures
-        val changed = programs.written != loaded
-        // The lines of a program that was changed are not those of the one that runs.
-        if (!changed) player.breakpoints = breakpoints()
+        run.look()
         state = state.copy(
-            world = world,
+            world = run.world,
             session = player.state,
             drawn = player.drawn,
-            changed = changed,
+            changed = run.isChanged,
             pace = paceOf(player.motion),
             time = player.time,
             length = player.length,
@@ -309,9 +263,6 @@ class RunHolder(
             awake = isAwake(),
         )
     }
-
-    private fun breakpoints(): Set<Breakpoint> =
-        programs.breakpoints(world.robots[player.watched].name, player.state.robots[player.watched].brick.selectedSlot)
 
     private fun isAwake(): Boolean = when (player.motion) {
         Motion.Still -> DrawerTab.LOG in state.drawer.open && drawer.isBusy

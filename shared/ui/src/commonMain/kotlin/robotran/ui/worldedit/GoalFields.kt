@@ -21,18 +21,12 @@ import robotran.ui.resources.worldedit_laps
 import robotran.ui.resources.worldedit_length
 import robotran.ui.resources.worldedit_line
 import robotran.ui.resources.worldedit_lowest
-import robotran.ui.resources.worldedit_pitch
 import robotran.ui.resources.worldedit_says
 import robotran.ui.resources.worldedit_says_hint
-import robotran.ui.resources.worldedit_seconds
 import robotran.ui.resources.worldedit_stays
 import robotran.ui.resources.worldedit_text
 import robotran.ui.resources.worldedit_times
-import robotran.ui.resources.worldedit_tolerance
 import robotran.ui.resources.worldedit_touch_what
-import robotran.ui.resources.worldedit_who
-import robotran.ui.resources.worldedit_whole
-import robotran.ui.resources.worldedit_within
 import robotran.ui.settings.SwitchRow
 import robotran.world.Goal
 import robotran.world.MarkFigure
@@ -42,15 +36,11 @@ import robotran.worldediting.Edit
 import robotran.worldediting.Piece
 import robotran.worldediting.Thing
 import robotran.worldediting.ThingKind
-import robotran.worldediting.freeName
 import robotran.worldediting.isGroup
 import robotran.worldediting.name
-import robotran.worldediting.named
 import robotran.worldediting.piece
 import robotran.worldediting.region
 import robotran.worldediting.saying
-import robotran.worldediting.who
-import robotran.worldediting.withWho
 
 /** All that can be said of a goal. */
 @Composable
@@ -109,27 +99,6 @@ private fun ReachFields(sender: GoalSender, goal: Goal.Reach) = Column(Modifier.
 }
 
 @Composable
-private fun WholeField(whole: Boolean, onChange: (Boolean) -> Unit) =
-    SwitchRow(stringResource(Res.string.worldedit_whole), whole, "field-whole", onChange)
-
-/** Up to a second, or at any time. */
-@Composable
-private fun WithinField(sender: GoalSender, within: Int?, onChange: (Int?) -> Unit) {
-    SwitchRow(stringResource(Res.string.worldedit_within), within != null, "field-within") {
-        sender.settle()
-        onChange(if (it) sender.making.world.timeLimit else null)
-        sender.settle()
-    }
-    if (within != null) SecondsField(sender, within, onChange)
-}
-
-@Composable
-private fun SecondsField(sender: GoalSender, seconds: Int, onChange: (Int) -> Unit) = NumberRow(
-    stringResource(Res.string.worldedit_seconds), seconds.toDouble(), 1.0..WorldLimits.MAXIMUM_SECONDS.toDouble(), "field-seconds",
-    { onChange(it.toInt()) }, sender::settle, step = 5.0, unit = "s", isWhole = true, slider = 1f..120f,
-)
-
-@Composable
 private fun TouchFields(sender: GoalSender, goal: Goal.NeverTouch) = Column(Modifier.fillMaxWidth()) {
     RowHeading(stringResource(Res.string.worldedit_touch_what))
     for (kind in TouchKind.entries) {
@@ -151,12 +120,6 @@ private fun TemplateFields(sender: GoalSender, goal: Goal.DrawTemplate) = Column
         { sender.change(goal.copy(excess = it / PERCENT)) }, sender::settle, step = 5.0, unit = "%", slider = 0f..100f,
     )
 }
-
-@Composable
-private fun ToleranceField(sender: GoalSender, tolerance: Double, onChange: (Double) -> Unit) = NumberRow(
-    stringResource(Res.string.worldedit_tolerance), tolerance, WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_TOLERANCE,
-    "field-tolerance", onChange, sender::settle, step = 0.5, unit = "cm", slider = 0.5f..10f,
-)
 
 @Composable
 private fun InkFields(sender: GoalSender, goal: Goal.InkLength) = Column(Modifier.fillMaxWidth()) {
@@ -209,52 +172,6 @@ private fun SoundFields(sender: GoalSender, goal: Goal.PlaySound) = Column(Modif
     ToneField(sender, Res.string.worldedit_highest, goal.highest, "highest", maxOf(USUAL_TONE, goal.lowest ?: USUAL_TONE)) {
         sender.change(goal.copy(highest = it))
     }
-}
-
-@Composable
-private fun ToneField(sender: GoalSender, title: StringResource, hertz: Int?, tag: String, usual: Int, onChange: (Int?) -> Unit) {
-    SwitchRow(stringResource(title), hertz != null, "field-has-$tag") {
-        sender.settle()
-        onChange(if (it) usual else null)
-        sender.settle()
-    }
-    if (hertz == null) return
-    NumberRow(
-        stringResource(Res.string.worldedit_pitch), hertz.toDouble(),
-        WorldLimits.LOWEST_TONE.toDouble()..WorldLimits.HIGHEST_TONE.toDouble(),
-        "field-$tag",
-        { onChange(it.toInt()) }, sender::settle, step = 10.0, unit = "Hz", isWhole = true,
-    )
-}
-
-/** Robots, and where a place is meant blocks too. */
-@Composable
-private fun WhoField(sender: GoalSender, goal: Goal) {
-    val world = sender.making.world
-    val robots = world.robots.indices.drop(1).map { Thing(ThingKind.ROBOT, it) }
-    val blocks = if (goal.region != null) world.blocks.indices.map { Thing(ThingKind.BLOCK, it) } else emptyList()
-    val first = Thing(ThingKind.ROBOT, 0)
-    val choices = (listOf(first) + robots + blocks).map { it to thingInWords(world, it) }
-    val shown = goal.who ?: choices.first().second
-    MenuRow(stringResource(Res.string.worldedit_who), choices, shown, "field-who") { thing ->
-        if (thing == first) {
-            sender.once(goal.withWho(null))
-        } else {
-            sender.making.nameAnd(thing, choices) { name -> Edit.Change(sender.thing, Piece.OfGoal(goal.withWho(name))) }
-        }
-    }
-}
-
-/**
- * Gives [thing] its word from [words] for a name if it has none, since goals know things by their names, and goes on with that as one
- * step.
- */
-private fun Making.nameAnd(thing: Thing, words: List<Pair<Thing, String>>, next: (String) -> Edit) {
-    val piece = world.piece(thing) ?: return
-    val known = piece.name
-    if (known != null) return makeAtOnce(next(known))
-    val name = world.freeName(words.first { it.first == thing }.second.take(WorldLimits.MAXIMUM_NAME_CHARACTERS))
-    makeAtOnce(Edit.Together(listOf(Edit.Change(thing, piece.named(name)), next(name))))
 }
 
 private fun touchWord(kind: TouchKind): StringResource = when (kind) {

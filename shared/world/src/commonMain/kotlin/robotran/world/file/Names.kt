@@ -76,9 +76,7 @@ private class GoalNames(private val world: World) {
                 if (world.template == null) place.refuse(told { needsTemplate() })
             }
 
-            is Goal.InkLength -> {
-                Unit
-            }
+            is Goal.InkLength -> {}
 
             is Goal.InOrder -> {
                 check(goal.goals, place.member("goals"))

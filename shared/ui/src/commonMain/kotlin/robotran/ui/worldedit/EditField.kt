@@ -1,0 +1,111 @@
+package robotran.ui.worldedit
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.text.BasicTextField
+import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.onFocusChanged
+import androidx.compose.ui.graphics.SolidColor
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.error
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.input.KeyboardType
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+
+/** The box around [field]. */
+@Composable
+internal fun EditFieldBox(isWrong: Boolean, modifier: Modifier, field: @Composable () -> Unit) {
+    val colours = LocalRobotranColours.current
+    Box(
+        modifier
+            .defaultMinSize(minHeight = Measures.TARGET)
+            .focusRing(FIELD_CORNER)
+            .background(if (colours.isDark) colours.desk else colours.paper, RoundedCornerShape(FIELD_CORNER))
+            .border(if (isWrong) 2.dp else 1.dp, if (isWrong) colours.mistake else colours.quiet, RoundedCornerShape(FIELD_CORNER)),
+        Alignment.Center,
+    ) { field() }
+}
+
+/**
+ * What is typed into.
+ *
+ * @param wrong what is wrong with [text], for who hears it; null if nothing is.
+ * @param onLeft it does not have the focus any more.
+ * @param number whether only digits are wanted of a keyboard on the screen.
+ * @param tall whether there may be several lines.
+ * @param hint what is shown as long as there is no text.
+ */
+@Composable
+internal fun EditField(
+    text: String,
+    label: String,
+    tag: String,
+    wrong: String?,
+    onText: (String) -> Unit,
+    onLeft: () -> Unit,
+    number: Boolean = false,
+    tall: Boolean = false,
+    hint: String = "",
+) {
+    val colours = LocalRobotranColours.current
+    var focused by remember { mutableStateOf(false) }
+    BasicTextField(
+        value = text,
+        onValueChange = onText,
+        modifier = Modifier
+            .fillMaxWidth()
+            .padding(horizontal = 8.dp, vertical = 10.dp)
+            .testTag(tag)
+            .onFocusChanged {
+                if (focused && !it.isFocused) onLeft()
+                focused = it.isFocused
+            }
+            .semantics {
+                contentDescription = label
+                if (wrong != null) error(wrong)
+            },
+        textStyle = TextStyle(colours.onPane, fontSize = 16.sp, textAlign = if (number) TextAlign.Center else TextAlign.Start),
+        keyboardOptions = KeyboardOptions(keyboardType = if (number) KeyboardType.Decimal else KeyboardType.Text),
+        singleLine = !tall,
+        minLines = if (tall) TALL_LINES else 1,
+        cursorBrush = SolidColor(colours.onPane),
+        decorationBox = { inner ->
+            if (text.isEmpty() && hint.isNotEmpty()) Text(hint, color = colours.quiet, fontSize = 16.sp)
+            inner()
+        },
+    )
+}
+
+/** What is wrong, under a field. */
+@Composable
+internal fun Wrong(text: String, modifier: Modifier = Modifier) = Text(
+    text,
+    modifier.semantics { liveRegion = LiveRegionMode.Polite },
+    color = LocalRobotranColours.current.mistake,
+    fontSize = 14.sp,
+)
+
+private val FIELD_CORNER = 8.dp
+private const val TALL_LINES = 4

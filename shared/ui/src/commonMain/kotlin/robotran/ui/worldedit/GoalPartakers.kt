@@ -1,0 +1,49 @@
+package robotran.ui.worldedit
+
+import androidx.compose.runtime.Composable
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.worldedit_who
+import robotran.world.Goal
+import robotran.world.WorldLimits
+import robotran.worldediting.Edit
+import robotran.worldediting.Piece
+import robotran.worldediting.Thing
+import robotran.worldediting.ThingKind
+import robotran.worldediting.freeName
+import robotran.worldediting.name
+import robotran.worldediting.named
+import robotran.worldediting.piece
+import robotran.worldediting.region
+import robotran.worldediting.who
+import robotran.worldediting.withWho
+
+/** Robots, and where a place is meant blocks too. */
+@Composable
+internal fun WhoField(sender: GoalSender, goal: Goal) {
+    val world = sender.making.world
+    val robots = world.robots.indices.drop(1).map { Thing(ThingKind.ROBOT, it) }
+    val blocks = if (goal.region != null) world.blocks.indices.map { Thing(ThingKind.BLOCK, it) } else emptyList()
+    val first = Thing(ThingKind.ROBOT, 0)
+    val choices = (listOf(first) + robots + blocks).map { it to thingInWords(world, it) }
+    val shown = goal.who ?: choices.first().second
+    MenuRow(stringResource(Res.string.worldedit_who), choices, shown, "field-who") { thing ->
+        if (thing == first) {
+            sender.once(goal.withWho(null))
+        } else {
+            sender.making.nameAnd(thing, choices) { name -> Edit.Change(sender.thing, Piece.OfGoal(goal.withWho(name))) }
+        }
+    }
+}
+
+/**
+ * Gives [thing] its word from [words] for a name if it has none, since goals know things by their names, and goes on with that as one
+ * step.
+ */
+internal fun Making.nameAnd(thing: Thing, words: List<Pair<Thing, String>>, next: (String) -> Edit) {
+    val piece = world.piece(thing) ?: return
+    val known = piece.name
+    if (known != null) return makeAtOnce(next(known))
+    val name = world.freeName(words.first { it.first == thing }.second.take(WorldLimits.MAXIMUM_NAME_CHARACTERS))
+    makeAtOnce(Edit.Together(listOf(Edit.Change(thing, piece.named(name)), next(name))))
+}

@@ -1,0 +1,125 @@
+package robotran.ui.worldedit
+
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.width
+import androidx.compose.material3.Slider
+import androidx.compose.material3.SliderDefaults
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.IconTouch
+import robotran.ui.resources.Res
+import robotran.ui.resources.worldedit_less
+import robotran.ui.resources.worldedit_more
+import robotran.ui.resources.worldedit_range
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.worldediting.readFigure
+import robotran.worldediting.written
+
+/**
+ * A number that can be typed and stepped, and drawn with a slider if there is a range for one.
+ *
+ * @param unit what it counts, behind the title.
+ * @param slider the part of [range] that is usual; null for no slider.
+ */
+@Composable
+internal fun NumberRow(
+    title: String,
+    value: Double,
+    range: ClosedRange<Double>,
+    tag: String,
+    onChange: (Double) -> Unit,
+    onSettle: () -> Unit,
+    step: Double = 1.0,
+    unit: String = "",
+    slider: ClosedFloatingPointRange<Float>? = null,
+    isWhole: Boolean = false,
+) {
+    var draft by remember(tag) { mutableStateOf<String?>(null) }
+    val accepted = { number: Double? -> number?.takeIf { it in range && (!isWhole || it % 1.0 == 0.0) } }
+    val isWrong = draft != null && accepted(readFigure(draft.orEmpty())) == null
+    val label = if (unit.isEmpty()) title else "$title ($unit)"
+    val wrong = stringResource(Res.string.worldedit_range, written(range.start), written(range.endInclusive)).takeIf { isWrong }
+    val stepped = { by: Double ->
+        draft = null
+        onChange((value + by).coerceIn(range.start, range.endInclusive))
+        onSettle()
+    }
+    Column(Modifier.fillMaxWidth()) {
+        Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
+            Text(label, Modifier.weight(1f), color = LocalRobotranColours.current.onPane, fontSize = 15.sp)
+            IconTouch(EditIcons.SMALLER, stringResource(Res.string.worldedit_less, label), "$tag-less", { stepped(-step) })
+            EditFieldBox(isWrong, Modifier.width(figureWidth())) {
+                EditField(
+                    text = draft ?: written(value),
+                    label = label,
+                    tag = tag,
+                    wrong = wrong,
+                    onText = { text ->
+                        draft = text
+                        accepted(readFigure(text))?.let(onChange)
+                    },
+                    onLeft = {
+                        draft = null
+                        onSettle()
+                    },
+                    number = true,
+                )
+            }
+            IconTouch(EditIcons.LARGER, stringResource(Res.string.worldedit_more, label), "$tag-more", { stepped(step) })
+        }
+        if (wrong != null) Wrong(wrong)
+        if (slider != null) {
+            FigureSlider(label, value, slider, step, "$tag-slider", {
+                draft = null
+                onChange(it)
+            }, onSettle)
+        }
+    }
+}
+
+/** The field grows with the text, but leaves room for what stands beside it. */
+@Composable
+private fun figureWidth() = 68.dp * LocalDensity.current.fontScale.coerceIn(1f, 1.5f)
+
+@Composable
+private fun FigureSlider(
+    label: String,
+    value: Double,
+    range: ClosedFloatingPointRange<Float>,
+    step: Double,
+    tag: String,
+    onChange: (Double) -> Unit,
+    onSettle: () -> Unit,
+) {
+    val colours = LocalRobotranColours.current
+    Slider(
+        value.toFloat().coerceIn(range),
+        { onChange(kotlin.math.round(it / step) * step) },
+        Modifier.fillMaxWidth().defaultMinSize(minHeight = Measures.TARGET).testTag(tag).focusRing().semantics {
+            contentDescription = label
+            stateDescription = written(value)
+        },
+        valueRange = range,
+        onValueChangeFinished = onSettle,
+        colors = SliderDefaults.colors(thumbColor = colours.onPane, activeTrackColor = colours.onPane, inactiveTrackColor = colours.line),
+    )
+}

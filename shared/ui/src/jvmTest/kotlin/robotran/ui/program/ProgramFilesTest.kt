@@ -1,0 +1,48 @@
+package robotran.ui.program
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsNotEnabled
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performTextReplacement
+import robotran.ui.screen.onTablet
+import robotran.ui.screen.pass
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.ProgramLanguage
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** The tabs of programs and of their files. */
+@OptIn(ExperimentalTestApi::class)
+class ProgramFilesTest {
+    @Test
+    fun `one of several classes is taken away where it is renamed, and comes back`() = onTablet { workshop ->
+        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.ClassAdded)
+        pass(200)
+        rest("file-1")
+        onNodeWithTag("remove-class").performClick()
+        pass(300)
+        assertEquals(1, workshop.state.program.files.size)
+        onNodeWithTag("reopen-program").performClick()
+        pass(300)
+        assertEquals(2, workshop.state.program.files.size)
+    }
+
+    @Test
+    fun `a file is renamed in its tab, a class with it`() = onTablet { workshop ->
+        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        pass(200)
+        rest("program-1")
+        onNodeWithTag("rename-name").performTextReplacement("2x")
+        pass(100)
+        onNodeWithTag("rename-done").assertIsNotEnabled()
+        onNodeWithTag("rename-name").performTextReplacement("Dancer")
+        pass(100)
+        onNodeWithTag("rename-done").performClick()
+        pass(300)
+        assertEquals("Dancer.java", workshop.state.programName)
+        assertTrue("public class Dancer {" in workshop.text)
+    }
+}

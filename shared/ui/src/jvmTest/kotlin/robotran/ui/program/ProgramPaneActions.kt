@@ -1,0 +1,51 @@
+package robotran.ui.program
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.semantics.SemanticsActions
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onRoot
+import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performSemanticsAction
+import androidx.compose.ui.test.performTouchInput
+import androidx.compose.ui.test.pressKey
+import androidx.compose.ui.test.withKeyDown
+import robotran.editing.Draft
+import robotran.editing.EditKind
+import robotran.editing.TextSelection
+import robotran.ui.screen.pass
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.Workshop
+
+internal fun Workshop.write(text: String, caret: Int = text.length, anchor: Int = caret) =
+    handle(ProgramEvent.Written(Draft(text, TextSelection(anchor, caret)), EditKind.OTHER))
+
+internal val Workshop.text get() = state.programText
+internal val Workshop.selected get() = state.programs.draft.selectedText
+internal val Workshop.caret get() = state.programs.draft.selection.caret
+
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.focusProgram() {
+    onNodeWithTag("program").performSemanticsAction(SemanticsActions.RequestFocus)
+    pass(100)
+}
+
+/** A finger rests on [tag]; null for its middle. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.rest(tag: String, place: Offset? = null) {
+    onNodeWithTag(tag).performTouchInput { down(place ?: center) }
+    pass(800)
+    onNodeWithTag(tag).performTouchInput { up() }
+    pass(300)
+}
+
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.keys(keys: List<Key>, with: Key? = null) {
+    onRoot().performKeyInput {
+        val press = { keys.forEach { pressKey(it) } }
+        if (with == null) press() else withKeyDown(with) { press() }
+    }
+    pass(100)
+}

@@ -1,0 +1,128 @@
+package robotran.ui.program
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.assertTextEquals
+import androidx.compose.ui.test.onAllNodesWithTag
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performTextInput
+import robotran.ui.screen.onPhone
+import robotran.ui.screen.onTablet
+import robotran.ui.screen.pass
+import robotran.ui.workshop.Pane
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.ProgramLanguage
+import robotran.ui.workshop.PupilProgram
+import robotran.ui.workshop.WorkshopEvent
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** What helps with a program: mistakes, finding, tidying up, the translation. */
+@OptIn(ExperimentalTestApi::class)
+class ProgramToolsTest {
+    @Test
+    fun `a mistake is told under its line when the keys rest, and mended by a button`() = onTablet { workshop ->
+        workshop.write("beep\nforwrd 20")
+        pass(100)
+        onNodeWithText("Line 2:", substring = true).assertIsDisplayed()
+        onNodeWithTag("mistakes").assertIsDisplayed()
+        focusProgram()
+        onNodeWithTag("program").performTextInput("0")
+        pass(200)
+        assertEquals(0, onAllNodesWithTag("mistake").fetchSemanticsNodes().size)
+        pass(1_000)
+        assertEquals(1, onAllNodesWithTag("mistake").fetchSemanticsNodes().size)
+        onNodeWithTag("fix").performClick()
+        pass(300)
+        assertEquals("beep\nforward 200", workshop.text)
+        onNodeWithTag("undo").performClick()
+        assertEquals("beep\nforwrd 200", workshop.text)
+    }
+
+    @Test
+    fun `the next mistake is a touch away`() = onTablet { workshop ->
+        workshop.write("bep\nbeep\nbep", caret = 0)
+        pass(100)
+        onNodeWithTag("next-mistake").performClick()
+        pass(100)
+        assertEquals(9, workshop.caret)
+    }
+
+    @Test
+    fun `a menu opens the search, too, also from another pane`() = onPhone { workshop ->
+        workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+        pass(100)
+        workshop.handle(ProgramEvent.FindingWanted)
+        pass(300)
+        onNodeWithTag("find").assertIsDisplayed()
+        onNodeWithTag("find-close").performClick()
+        pass(200)
+        workshop.handle(ProgramEvent.FindingWanted)
+        pass(300)
+        onNodeWithTag("find").assertIsDisplayed()
+    }
+
+    @Test
+    fun `what is found is counted, gone through and replaced`() = onTablet { workshop ->
+        workshop.write("forward 20\nForward 30\nbeep", caret = 0)
+        pass(100)
+        onNodeWithTag("find-open").performClick()
+        pass(200)
+        onNodeWithTag("find").performTextInput("forward")
+        pass(100)
+        onNodeWithTag("find-count").assertTextEquals("0 of 2")
+        onNodeWithTag("find-next").performClick()
+        pass(100)
+        onNodeWithTag("find-count").assertTextEquals("1 of 2")
+        onNodeWithTag("find-next").performClick()
+        pass(100)
+        assertEquals("Forward", workshop.selected)
+        onNodeWithTag("replace").performTextInput("backward")
+        pass(100)
+        onNodeWithTag("replace-one").performClick()
+        pass(100)
+        assertEquals("forward 20\nbackward 30\nbeep", workshop.text)
+        onNodeWithTag("replace-all").performClick()
+        pass(100)
+        assertEquals("backward 20\nbackward 30\nbeep", workshop.text)
+        onNodeWithTag("find-close").performClick()
+        pass(100)
+        assertEquals(0, onAllNodesWithTag("find-bar").fetchSemanticsNodes().size)
+    }
+
+    @Test
+    fun `tidying up lays out either language`() = onTablet { workshop ->
+        workshop.write("REPEAT forever\nbeep\nend")
+        pass(100)
+        onNodeWithTag("editor-more").performClick()
+        pass(500)
+        onNodeWithTag("tool-format").performClick()
+        pass(500)
+        assertEquals("repeat forever\n  beep\nend\n", workshop.text)
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("A.java", "class A {\nint a;\n}")))
+        workshop.handle(ProgramEvent.Formatted)
+        assertEquals("class A {\n    int a;\n}\n", workshop.text)
+    }
+
+    @Test
+    fun `a Robolang program is shown in Java, and a line there leads to its own`() = onTablet { workshop ->
+        onNodeWithTag("translation-switch").performClick()
+        pass(300)
+        val java = workshop.state.programs.translation?.java.orEmpty()
+        onNodeWithTag("translation-text").assertTextContains("public class Square", substring = true)
+        val line = java.lines().indexOfFirst { "FORWARD" in it || "forward(" in it }
+        assertTrue(line >= 0, java)
+        workshop.write("beep\nbep")
+        pass(300)
+        onNodeWithText("As it was before the mistakes").assertIsDisplayed()
+        workshop.write("beep\nbuzz")
+        pass(300)
+        onNodeWithTag("translation-keep").performClick()
+        pass(300)
+        assertEquals(ProgramLanguage.JAVA, workshop.state.program.language)
+    }
+}
