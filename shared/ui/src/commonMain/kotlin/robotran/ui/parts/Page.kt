@@ -16,8 +16,11 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
+import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusDirection
 import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusProperties
 import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEventType
@@ -40,10 +43,12 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 
 /**
- * A page over the workshop, with its [title] and a way back: a touch on the arrow, or Escape.
+ * A page over the workshop, with its [title] and a way back: a touch on the arrow, or Escape. What lies under it is out of reach of fingers and of the
+ * Tab key.
  *
  * @param mostWidth how wide its content gets at most; it stands in the middle of a wider screen.
  */
+@OptIn(ExperimentalComposeUiApi::class)
 @Composable
 internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp = 720.dp, content: @Composable ColumnScope.() -> Unit) {
     val colours = LocalRobotranColours.current
@@ -60,8 +65,8 @@ internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp
                 if (event.type == KeyEventType.KeyDown) onClose()
                 true
             }
-            // What lies under the page is out of reach.
             .pointerInput(Unit) { }
+            .focusProperties { exit = { direction -> if (direction in TAB) FocusRequester.Cancel else FocusRequester.Default } }
             .focusRequester(focus)
             .focusable(),
     ) {
@@ -81,3 +86,5 @@ internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp
         }
     }
 }
+
+private val TAB = setOf(FocusDirection.Next, FocusDirection.Previous)

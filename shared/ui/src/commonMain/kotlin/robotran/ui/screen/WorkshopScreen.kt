@@ -9,6 +9,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.semantics.clearAndSetSemantics
 import robotran.ui.documents.DocumentDialogs
 import robotran.ui.documents.KeepingBanner
 import robotran.ui.documents.documentShortcut
@@ -37,7 +38,9 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         val isWide = maxWidth >= Measures.WIDE_WIDTH * widthScale(scale) && maxHeight + LocalKeyboardHeight.current >= Measures.WIDE_HEIGHT
         val back = backEvent(state, isWide)
         BackGesture(back != null) { back?.let(onEvent) }
-        Column(Modifier.fillMaxSize()) {
+        val isCovered = state.settingsShown || state.learning.page?.coversAll == true
+        // Nobody is told of what nobody can see.
+        Column(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             KeepingBanner(state.document, onEvent)
             Box(Modifier.weight(1f)) {
                 val edit = state.worldEdit

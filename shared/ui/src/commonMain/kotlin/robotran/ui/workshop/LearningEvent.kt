@@ -54,5 +54,14 @@ sealed interface LearningEvent : WorkshopEvent {
     data object ExampleTried : LearningEvent
 }
 
-/** What there is to learn from. */
-enum class LearningPage { FIRST_RUN, TUTORIAL, WORLDS, HELP }
+/**
+ * What there is to learn from.
+ *
+ * @property coversAll whether nothing else is to be seen while it is open.
+ */
+enum class LearningPage(val coversAll: Boolean) {
+    FIRST_RUN(coversAll = true),
+    TUTORIAL(coversAll = false),
+    WORLDS(coversAll = true),
+    HELP(coversAll = false),
+}

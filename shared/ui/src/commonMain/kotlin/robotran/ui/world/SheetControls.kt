@@ -1,8 +1,9 @@
 package robotran.ui.world
 
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowColumn
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
@@ -21,11 +22,12 @@ import robotran.world.Surroundings
 import robotran.world.World
 
 /**
- * The buttons at the edge of the sheet.
+ * The buttons at the edge of the sheet; where they do not fit in one line, as on a small screen with large text, they stand in several.
  *
  * @param upright whether they stand one under the other.
  * @param withZoom whether there is room for those that two fingers can do without.
  */
+@OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun SheetControls(
     world: World,
@@ -47,7 +49,8 @@ internal fun SheetControls(
         LayerMenu(view.shown) { layer, on -> onEvent(SheetEvent.LayerSwitched(layer, on)) }
         if (noticesSurroundings(world)) SurroundingsMenu(world, surroundings, inputs)
     }
-    if (upright) Column(modifier, Arrangement.spacedBy(GAP)) { buttons() } else Row(modifier, Arrangement.spacedBy(GAP)) { buttons() }
+    val gap = Arrangement.spacedBy(GAP)
+    if (upright) FlowColumn(modifier, gap, gap) { buttons() } else FlowRow(modifier, gap, gap) { buttons() }
 }
 
 @Composable

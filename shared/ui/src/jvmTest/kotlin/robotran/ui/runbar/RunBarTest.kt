@@ -22,6 +22,7 @@ import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
 import robotran.running.RunSpeed
+import robotran.ui.screen.checkTargets
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
@@ -184,15 +185,5 @@ class RunBarTest {
         workshop.handle(RunEvent.RunSettingsChanged(workshop.state.run.settings.copy(seed = seed + 1)))
         pass(200)
         assertEquals(seed + 1, workshop.state.world.seed)
-    }
-
-    private fun ComposeUiTest.checkTargets(vararg tags: String) {
-        val screen = onRoot().fetchSemanticsNode().boundsInRoot
-        for (tag in tags) {
-            val place = onNodeWithTag(tag).fetchSemanticsNode().touchBoundsInRoot
-            assertTrue(place.width >= 48f && place.height >= 48f, "$tag is only ${place.size}")
-            val isInside = place.left >= 0f && place.right <= screen.right + 0.5f && place.bottom <= screen.bottom + 0.5f
-            assertTrue(isInside, "$tag is at $place of $screen")
-        }
     }
 }

@@ -6,6 +6,9 @@ import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.hasAnyAncestor
+import androidx.compose.ui.test.hasTestTag
+import androidx.compose.ui.test.isFocused
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performClick
@@ -15,7 +18,10 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.withKeyDown
 import androidx.compose.ui.test.withKeysDown
 import robotran.rom.BrickButton
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningPage
 import robotran.ui.workshop.Pace
+import robotran.ui.workshop.SettingsEvent
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -84,6 +90,24 @@ class KeyboardTest {
     }
 
     @Test
+    fun `what lies under a page is neither reached by the Tab key nor told`() = onTablet { workshop ->
+        for (page in listOf(LearningEvent.PageWanted(LearningPage.FIRST_RUN), SettingsEvent.SettingsShown(true))) {
+            workshop.handle(page)
+            pass(300)
+            onNodeWithTag("run").assertDoesNotExist()
+            val onPage = hasAnyAncestor(hasTestTag("first-run")) or hasAnyAncestor(hasTestTag("settings"))
+            repeat(STEPS_ON_PAGE) {
+                onRoot().performKeyInput { pressKey(Key.Tab) }
+                pass(50)
+                onNode(isFocused() and onPage).assertExists()
+            }
+            onRoot().performKeyInput { pressKey(Key.Escape) }
+            pass(300)
+            goTo("run")
+        }
+    }
+
+    @Test
     fun `a screen reader's click presses and releases a button of the brick`() = onTablet { workshop ->
         onNodeWithTag("brick-run").performSemanticsAction(SemanticsActions.OnClick)
         pass(100)
@@ -104,5 +128,8 @@ class KeyboardTest {
     private companion object {
         /** More than there are things to focus. */
         const val STEPS = 60
+
+        /** More than there are things to focus on one page. */
+        const val STEPS_ON_PAGE = 30
     }
 }

@@ -12,6 +12,8 @@ import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
 import robotran.ui.workshop.Pane
 import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.Settings
+import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.WorkshopEvent
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -60,6 +62,18 @@ class PhoneTest {
         workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
         pass(300)
         assertEquals(emptySet(), workshop.state.down)
+    }
+
+    @Test
+    fun `held across, with text of twice the size, every button of the sheet is in sight`() = onScreen(891, 411) { workshop ->
+        workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = 2f)))
+        pass(300)
+        checkTargets("sheet-whole", "sheet-follow", "sheet-show", "run", "stop")
+        val sheet = onNodeWithTag("world").fetchSemanticsNode().boundsInRoot
+        for (tag in listOf("sheet-whole", "sheet-follow", "sheet-show")) {
+            val button = onNodeWithTag(tag).fetchSemanticsNode().touchBoundsInRoot
+            assertTrue(button.bottom <= sheet.bottom && button.top >= sheet.top, "$tag is at $button of $sheet")
+        }
     }
 
     @Test
