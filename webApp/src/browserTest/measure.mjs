@@ -149,13 +149,14 @@ async function openDriving(context, project) {
 
 const projectOf = (world) => ({
   format: 'robotran-project', version: 1, world,
-  robots: [{ name: world.robots[0].name, programs: [{ name: 'driving.robo', language: 'robolang', text: DRIVING }] }],
+  robots: [{ name: world.robots[0].name ?? 'yellow', programs: [{ name: 'driving.robo', language: 'robolang', text: DRIVING }] }],
 });
 const fromTree = (path) => JSON.parse(readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8'));
+const plain = () => projectOf(fromTree('worlds/plain.world.json'));
 const full = () => projectOf(fromTree('shared/projects/src/commonTest/resources/runs/full-of-things-0.robotran').world);
 
 async function measureFrames() {
-  for (const [name, project] of [['a world full of things', full()]]) {
+  for (const [name, project] of [['a plain sheet', plain()], ['a world full of things', full()]]) {
     const context = await browser.newContext({ viewport: SIZE, serviceWorkers: 'block' });
     const page = await openDriving(context, project);
     await page.evaluate(() => Object.assign(globalThis.robotranFrames, { work: [], between: [] }));

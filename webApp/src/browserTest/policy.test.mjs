@@ -2,23 +2,10 @@
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
-import { after, before, test } from 'node:test';
-import { findColour, startBrowser } from './browser.mjs';
-import { openPage, RUN_GREEN } from './page.mjs';
-import { serve } from './serve.mjs';
-
-let browser;
-let site;
-
-before(async () => {
-  browser = await startBrowser();
-  site = await serve(process.env.PAGE);
-});
-
-after(async () => {
-  await browser?.close();
-  site?.stop();
-});
+import { test } from 'node:test';
+import { findColour } from './browser.mjs';
+import { RUN_GREEN } from './page.mjs';
+import { onPage, TABLET } from './set-up.mjs';
 
 /** Runs in the page: remembers what the policy forbids. */
 function watch() {
@@ -29,43 +16,41 @@ function watch() {
 
 const violations = (page) => page.evaluate(() => globalThis.violations);
 
-test('the app needs nothing that its policy forbids, and nothing from elsewhere', async () => {
-  const { page, troubles, fetched } = await openPage(browser, site, { width: 1280, height: 800, prepare: watch, serviceWorkers: 'allow' });
-  const { x, y } = await findColour(page, RUN_GREEN);
-  await page.mouse.click(x, y);
-  await page.keyboard.press('Tab');
-  await page.keyboard.type('a');
-  await page.evaluate(() => globalThis.robotran.run('public class A { public static void main(String[] a) { } }', 1000, 'A.java'));
-  await page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
-  assert.deepEqual(await violations(page), []);
-  assert.deepEqual(fetched.filter((address) => !address.startsWith(site.address) && !/^(data|blob):/.test(address)), []);
-  assert.deepEqual(troubles, []);
-  await page.context().close();
-});
+test('the app needs nothing that its policy forbids, and nothing from elsewhere', () =>
+  onPage({ ...TABLET, prepare: watch, serviceWorkers: 'allow' }, async ({ page, site, troubles, fetched }) => {
+    const { x, y } = await findColour(page, RUN_GREEN);
+    await page.mouse.click(x, y);
+    await page.keyboard.press('Tab');
+    await page.keyboard.type('a');
+    await page.evaluate(() => globalThis.robotran.run('public class A { public static void main(String[] a) { } }', 1000, 'A.java'));
+    await page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
+    assert.deepEqual(await violations(page), []);
+    assert.deepEqual(fetched.filter((address) => !address.startsWith(site.address) && !/^(data|blob):/.test(address)), []);
+    assert.deepEqual(troubles, []);
+  }));
 
-test('the policy holds: no code from texts, no script in the page, nothing from elsewhere', async () => {
-  const { page } = await openPage(browser, site, { width: 1280, height: 800, prepare: watch });
-  const outcome = await page.evaluate(async () => {
-    const tell = (action) => { try { action(); return 'allowed'; } catch (error) { return error.name; } };
-    const script = document.createElement('script');
-    script.textContent = 'globalThis.intruder = true';
-    document.head.append(script);
-    const style = document.createElement('style');
-    style.textContent = 'body { display: none }';
-    document.head.append(style);
-    return {
-      // Later, since what a debugger evaluates is let off.
-      text: await new Promise((resolve) => setTimeout(() => resolve(tell(() => new Function('return 1')())))),
-      intruder: globalThis.intruder ?? false,
-      hidden: getComputedStyle(document.body).display === 'none',
-      elsewhere: await fetch('https://robotran.example/').then(() => 'allowed', (error) => error.name),
-    };
-  });
-  assert.deepEqual(outcome, { text: 'EvalError', intruder: false, hidden: false, elsewhere: 'TypeError' });
-  const directives = new Set((await violations(page)).map((violation) => violation.split(' ')[0]));
-  assert.deepEqual([...directives].sort(), ['connect-src', 'script-src', 'script-src-elem', 'style-src-elem']);
-  await page.context().close();
-});
+test('the policy holds: no code from texts, no script in the page, nothing from elsewhere', () =>
+  onPage({ ...TABLET, prepare: watch }, async ({ page }) => {
+    const outcome = await page.evaluate(async () => {
+      const tell = (action) => { try { action(); return 'allowed'; } catch (error) { return error.name; } };
+      const script = document.createElement('script');
+      script.textContent = 'globalThis.intruder = true';
+      document.head.append(script);
+      const style = document.createElement('style');
+      style.textContent = 'body { display: none }';
+      document.head.append(style);
+      return {
+        // Later, since what a debugger evaluates is let off.
+        text: await new Promise((resolve) => setTimeout(() => resolve(tell(() => new Function('return 1')())))),
+        intruder: globalThis.intruder ?? false,
+        hidden: getComputedStyle(document.body).display === 'none',
+        elsewhere: await fetch('https://robotran.example/').then(() => 'allowed', (error) => error.name),
+      };
+    });
+    assert.deepEqual(outcome, { text: 'EvalError', intruder: false, hidden: false, elsewhere: 'TypeError' });
+    const directives = new Set((await violations(page)).map((violation) => violation.split(' ')[0]));
+    assert.deepEqual([...directives].sort(), ['connect-src', 'script-src', 'script-src-elem', 'style-src-elem']);
+  }));
 
 test('all files but three say in their names what is in them', async () => {
   const top = (await readdir(process.env.PAGE)).sort();

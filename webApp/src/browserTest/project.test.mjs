@@ -2,28 +2,10 @@
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
-import { after, before, test } from 'node:test';
-import { startBrowser } from './browser.mjs';
-import { openPage } from './page.mjs';
-import { serve } from './serve.mjs';
+import { test } from 'node:test';
+import { onPage, TABLET } from './set-up.mjs';
 
-let browser;
-let site;
-
-before(async () => {
-  browser = await startBrowser();
-  site = await serve(process.env.PAGE);
-});
-
-after(async () => {
-  await browser?.close();
-  site?.stop();
-});
-
-const open = () => openPage(browser, site, { width: 1280, height: 800 });
-
-test('ten projects full of things make their recorded runs in the browser, bit for bit', async () => {
-  const { page, troubles } = await open();
+test('ten projects full of things make their recorded runs in the browser, bit for bit', () => onPage(TABLET, async ({ page, troubles }) => {
   const folder = process.env.EXPECTED_PROJECT_RUNS;
   const projects = (await readdir(folder)).filter((name) => name.endsWith('.robotran'));
   assert.equal(projects.length, 10);
@@ -34,11 +16,10 @@ test('ten projects full of things make their recorded runs in the browser, bit f
     assert.equal(`${run.report}\n`, expected, name);
   }
   assert.deepEqual(troubles, []);
-});
+}));
 
-test('a broken project is refused with what is wrong and where', async () => {
-  const { page, troubles } = await open();
+test('a broken project is refused with what is wrong and where', () => onPage(TABLET, async ({ page, troubles }) => {
   await assert.rejects(page.evaluate(() => globalThis.robotran.runProject('{\n"format": 7}', 1000)), /project/);
   await assert.rejects(page.evaluate(() => globalThis.robotran.runProject('{\n"format" 7}', 1000)), /Line 2/);
   assert.deepEqual(troubles, []);
-});
+}));

@@ -2,34 +2,12 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
+import { isKept } from './kept.mjs';
 import { isReady, photograph, report } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
-import { appears, choose, disappears, press, programText, reports, says, words, writeProgram } from './words.mjs';
+import { appears, choose, disappears, press, reports, says, words, writeProgram } from './words.mjs';
 
 const IN_MEMORY = /^robotran-work 1\n/;
-
-/** All works that the page has kept, as their texts. */
-const keptWorks = (page) => page.evaluate(() => new Promise((resolve, reject) => {
-  const request = indexedDB.open('robotran', 1);
-  request.onerror = () => reject(request.error);
-  request.onsuccess = () => {
-    const texts = request.result.transaction('texts').objectStore('texts');
-    const names = texts.getAllKeys();
-    const all = texts.getAll();
-    all.onsuccess = () => resolve(all.result.filter((_, place) => names.result[place].startsWith('work-')));
-  };
-}));
-
-/** Waits until what the page keeps holds `part`. */
-async function isKept(page, part) {
-  const end = Date.now() + 20_000;
-  for (;;) {
-    const works = await keptWorks(page);
-    if (works.some((text) => text.includes(part))) return works;
-    assert.ok(Date.now() < end, `${part} is not kept: ${works}`);
-    await page.waitForTimeout(100);
-  }
-}
 
 test('who is here for the first time is welcomed, and not a second time', () => onPage({ ...TABLET, welcome: true }, async ({ page, troubles }) => {
   await appears(page, 'first-run');
@@ -54,63 +32,6 @@ test('a program that is typed runs, and is there again after a reload', () => on
   await page.reload();
   await isReady(page);
   await says(page, 'program', /repeat 2 times\n.*forward 15\n.*turn left 180 degrees\n.*end/);
-  assert.deepEqual(troubles, []);
-}));
-
-test('accents that an input method or a dead key makes are written once', () => onPage(TABLET, async ({ page, troubles }) => {
-  await writeProgram(page, '');
-  const keyboard = await page.context().newCDPSession(page);
-  // Nobody begins to compose before what was typed is to be seen.
-  const seen = (text) => page.waitForFunction((wanted) => document.activeElement.value.endsWith(wanted), text)
-    .then(() => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))));
-  await page.keyboard.type('// ma');
-  await seen('// ma');
-  await keyboard.send('Input.imeSetComposition', { text: '~', selectionStart: 1, selectionEnd: 1 });
-  await keyboard.send('Input.imeSetComposition', { text: 'ñ', selectionStart: 1, selectionEnd: 1 });
-  await keyboard.send('Input.insertText', { text: 'ñ' });
-  await seen('mañ');
-  await page.keyboard.type('ana');
-  await seen('mañana');
-  await keyboard.send('Input.imeSetComposition', { text: 'にほ', selectionStart: 2, selectionEnd: 2 });
-  await keyboard.send('Input.imeSetComposition', { text: '日本', selectionStart: 2, selectionEnd: 2 });
-  await keyboard.send('Input.insertText', { text: '日本' });
-  await seen('mañana日本');
-  assert.match(await programText(page), /\/\/ mañana日本$/);
-  await isKept(page, 'mañana日本');
-  assert.deepEqual(troubles, []);
-}));
-
-test('text is copied, cut and pasted by keys, within the program and from elsewhere', () => onPage(TABLET, async ({ page, troubles }) => {
-  await writeProgram(page, 'beep');
-  // The browser cuts and copies what its own field has selected, which follows with the next picture.
-  const selects = (length) => page.waitForFunction((wanted) => {
-    const { selectionStart, selectionEnd } = document.activeElement;
-    return selectionEnd - selectionStart === wanted;
-  }, length);
-  const has = (text) => page.waitForFunction((wanted) => {
-    const { value, selectionStart } = document.activeElement;
-    return value === wanted && selectionStart === wanted.length;
-  }, text);
-  await has('beep');
-  await page.keyboard.press('Control+a');
-  await selects(4);
-  await page.keyboard.press('Control+x');
-  await has('');
-  await page.keyboard.press('Control+v');
-  await has('beep');
-  await page.keyboard.press('Enter');
-  await has('beep\n');
-  await page.keyboard.press('Control+v');
-  await has('beep\nbeep');
-  await page.keyboard.press('Control+a');
-  await selects(9);
-  await page.keyboard.press('Control+c');
-  await page.keyboard.press('End');
-  await selects(0);
-  await page.keyboard.press('Enter');
-  await has('beep\nbeep\n');
-  await page.keyboard.press('Control+v');
-  await has('beep\nbeep\nbeep\nbeep');
   assert.deepEqual(troubles, []);
 }));
 

@@ -1,22 +1,9 @@
 // Listens to what the page asks of the browser's loudspeaker; the machine that tests needs none.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { findColour, startBrowser } from './browser.mjs';
-import { openPage, putWelcomeAway, RUN_GREEN } from './page.mjs';
-import { serve } from './serve.mjs';
-
-let browser;
-let site;
-
-before(async () => {
-  browser = await startBrowser();
-  site = await serve(process.env.PAGE);
-});
-
-after(async () => {
-  await browser?.close();
-  site?.stop();
-});
+import { test } from 'node:test';
+import { findColour } from './browser.mjs';
+import { putWelcomeAway, RUN_GREEN } from './page.mjs';
+import { onPage, TABLET } from './set-up.mjs';
 
 /** Runs in the page: an AudioContext that makes no sound and remembers its tones in `sounds`. */
 function listen() {
@@ -64,30 +51,29 @@ const heard = (page) =>
     return { contexts, resumed, tones: tones.map(({ type, frequency, from, until }) => ({ type, hertz: frequency.value, from, until })) };
   });
 
-test('the page makes no sound before it is touched, and the beeps of the brick after', async () => {
-  const { page, troubles } = await openPage(browser, site, { width: 1280, height: 800, prepare: listen, welcome: true });
-  assert.deepEqual(await heard(page), { contexts: 0, resumed: 0, tones: [] });
-  await putWelcomeAway(page);
+test('the page makes no sound before it is touched, and the beeps of the brick after', () =>
+  onPage({ ...TABLET, prepare: listen, welcome: true }, async ({ page, troubles }) => {
+    assert.deepEqual(await heard(page), { contexts: 0, resumed: 0, tones: [] });
+    await putWelcomeAway(page);
 
-  const { x, y } = await findColour(page, RUN_GREEN);
-  await page.mouse.click(x, y);
-  // The square ends with a beep, and the brick says with two that it is ready again.
-  await page.waitForFunction(() => globalThis.sounds.tones.length >= 3, null, { timeout: 60_000 });
-  const { contexts, resumed, tones } = await heard(page);
-  assert.equal(contexts, 1);
-  assert.equal(resumed, 1);
-  assert.deepEqual(tones.slice(-2).map(({ type, hertz }) => [type, hertz]), [['square', 1000], ['square', 1000]]);
-  assert.ok(tones.every(({ from, until }) => until > from && until - from < 0.2), JSON.stringify(tones));
-  const [first, second] = tones.slice(-2);
-  assert.ok(second.from - first.from > 0.199, 'the two beeps keep the rhythm of the brick, or a slower one on a slow machine');
-  assert.deepEqual(troubles, []);
-});
+    const { x, y } = await findColour(page, RUN_GREEN);
+    await page.mouse.click(x, y);
+    // The square ends with a beep, and the brick says with two that it is ready again.
+    await page.waitForFunction(() => globalThis.sounds.tones.length >= 3, null, { timeout: 60_000 });
+    const { contexts, resumed, tones } = await heard(page);
+    assert.equal(contexts, 1);
+    assert.equal(resumed, 1);
+    assert.deepEqual(tones.slice(-2).map(({ type, hertz }) => [type, hertz]), [['square', 1000], ['square', 1000]]);
+    assert.ok(tones.every(({ from, until }) => until > from && until - from < 0.2), JSON.stringify(tones));
+    const [first, second] = tones.slice(-2);
+    assert.ok(second.from - first.from > 0.199, 'the two beeps keep the rhythm of the brick, or a slower one on a slow machine');
+    assert.deepEqual(troubles, []);
+  }));
 
-test('the browser itself plays the beeps without a complaint', async () => {
-  const { page, troubles } = await openPage(browser, site, { width: 1280, height: 800 });
+test('the browser itself plays the beeps without a complaint', () => onPage(TABLET, async ({ page, troubles }) => {
   const { x, y } = await findColour(page, RUN_GREEN);
   await page.mouse.click(x, y);
   await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended', null, { timeout: 60_000 });
   await page.waitForTimeout(500);
   assert.deepEqual(troubles, []);
-});
+}));

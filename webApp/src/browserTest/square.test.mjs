@@ -1,28 +1,12 @@
 // Drives the built page as a pupil would: looks for the green Run on the brick, presses it, and watches the robot draw.
 import assert from 'node:assert/strict';
 import path from 'node:path';
-import { after, before, test } from 'node:test';
-import { findColour, startBrowser } from './browser.mjs';
-import { assertRecordedRun, openPage, photograph, report, RUN_GREEN } from './page.mjs';
-import { serve } from './serve.mjs';
+import { test } from 'node:test';
+import { findColour } from './browser.mjs';
+import { assertRecordedRun, photograph, report, RUN_GREEN } from './page.mjs';
+import { onPage, PHONE, TABLET } from './set-up.mjs';
 
-let browser;
-let site;
-
-before(async () => {
-  browser = await startBrowser();
-  site = await serve(process.env.PAGE);
-});
-
-after(async () => {
-  await browser?.close();
-  site?.stop();
-});
-
-const open = (size) => openPage(browser, site, size);
-
-test('Run on the brick makes the robot draw the square, with about eighty centimetres of ink', async () => {
-  const { page, troubles } = await open({ width: 1280, height: 800 });
+test('Run on the brick makes the robot draw the square, with about eighty centimetres of ink', () => onPage(TABLET, async ({ page, troubles }) => {
   await photograph(page, 'tablet-before');
   const button = await findColour(page, RUN_GREEN);
   assert.ok(button, 'there is a green Run button to be seen');
@@ -38,26 +22,25 @@ test('Run on the brick makes the robot draw the square, with about eighty centim
   const { inkCentimetres } = await report(page);
   assert.ok(inkCentimetres > 79 && inkCentimetres < 81, `${inkCentimetres} cm of ink`);
   assert.deepEqual(troubles, []);
-});
+}));
 
-test('every example makes its recorded run in the browser, bit for bit', async () => {
-  const { page, troubles } = await open({ width: 1280, height: 800 });
+test('every example makes its recorded run in the browser, bit for bit', () => onPage(TABLET, async ({ page, troubles }) => {
   const examples = process.env.EXAMPLES.split(path.delimiter).filter((file) => file.endsWith('.robo'));
   assert.notEqual(examples.length, 0);
   for (const example of examples) await assertRecordedRun(page, example, process.env.EXPECTED_RUNS);
   assert.deepEqual(troubles, []);
-});
+}));
 
 test('the page fits a phone and a laptop, by day and by night', async () => {
   for (const [name, size] of Object.entries({
-    phone: { width: 411, height: 891 },
-    'phone-dark': { width: 411, height: 891, dark: true },
+    phone: PHONE,
+    'phone-dark': { ...PHONE, dark: true },
     laptop: { width: 1440, height: 900 },
     'laptop-dark': { width: 1440, height: 900, dark: true },
   })) {
-    const { page, troubles } = await open(size);
-    await photograph(page, name);
-    assert.deepEqual(troubles, [], name);
-    await page.context().close();
+    await onPage(size, async ({ page, troubles }) => {
+      await photograph(page, name);
+      assert.deepEqual(troubles, [], name);
+    });
   }
 });

@@ -1,3 +1,5 @@
+@file:OptIn(ExperimentalWasmJsInterop::class)
+
 package robotran.web
 
 import org.jetbrains.compose.resources.ExperimentalResourceApi

@@ -37,15 +37,11 @@ class BenchmarksPlugin : Plugin<Project> {
         }
         project.tasks.register("runInBrowser", BrowserBenchmark::class.java) { task ->
             task.description = "Measures on the JVM and in headless Chromium."
-            task.dependsOn(":${WebTools.SET_UP_TASK}", ":${Chromium.SET_UP_TASK}")
             task.jvmClasses.from(jvmClasses)
             task.jvmMain.set(JVM_MAIN)
             task.names.set(project.providers.gradleProperty("benchmarks").map { it.split(",") }.orElse(emptyList()))
             task.page.fileProvider(project.tasks.named("wasmJsBrowserDistribution").map { it.outputs.files.singleFile })
             task.driver.set(project.file("src/browser/measure.mjs"))
-            task.browserFinder.set(project.rootProject.file(Chromium.SCRIPT))
-            task.node.set(WebTools.node(project).path)
-            task.modules.set(WebTools.directory(project).resolve("node_modules").path)
         }
         project.tasks.named("check") { it.dependsOn(jvm.compileTaskProvider, "compileKotlinWasmJs") }
     }

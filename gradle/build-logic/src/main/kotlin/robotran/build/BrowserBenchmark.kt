@@ -1,17 +1,13 @@
 package robotran.build
 
-import org.gradle.api.DefaultTask
 import org.gradle.api.GradleException
 import org.gradle.api.file.ConfigurableFileCollection
-import org.gradle.api.file.DirectoryProperty
 import org.gradle.api.file.RegularFileProperty
 import org.gradle.api.provider.ListProperty
 import org.gradle.api.provider.Property
 import org.gradle.api.tasks.Classpath
 import org.gradle.api.tasks.Input
-import org.gradle.api.tasks.InputDirectory
 import org.gradle.api.tasks.InputFile
-import org.gradle.api.tasks.Internal
 import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
@@ -24,9 +20,7 @@ import javax.inject.Inject
 @DisableCachingByDefault(because = "What is measured is another thing each time")
 abstract class BrowserBenchmark
     @Inject
-    constructor(
-        private val processes: ExecOperations,
-    ) : DefaultTask() {
+    constructor(processes: ExecOperations) : BrowserTask(processes) {
         @get:Classpath
         abstract val jvmClasses: ConfigurableFileCollection
 
@@ -37,27 +31,10 @@ abstract class BrowserBenchmark
         @get:Input
         abstract val names: ListProperty<String>
 
-        /** The folder of the built page. */
-        @get:InputDirectory
-        @get:PathSensitive(PathSensitivity.RELATIVE)
-        abstract val page: DirectoryProperty
-
         /** The script that opens the page and prints what it measures. */
         @get:InputFile
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val driver: RegularFileProperty
-
-        /** A script that prints the path of a Chromium. */
-        @get:InputFile
-        @get:PathSensitive(PathSensitivity.NONE)
-        abstract val browserFinder: RegularFileProperty
-
-        @get:Internal
-        abstract val node: Property<String>
-
-        /** The folder that holds Playwright's driver. */
-        @get:Internal
-        abstract val modules: Property<String>
 
         @TaskAction
         fun measure() {
@@ -87,20 +64,8 @@ abstract class BrowserBenchmark
         }
 
         private fun measureInBrowser(): String {
-            val browser = ByteArrayOutputStream()
-            processes.exec {
-                it.commandLine(browserFinder.get().asFile.path)
-                it.standardOutput = browser
-            }
             val output = ByteArrayOutputStream()
-            processes.exec {
-                it.commandLine(node.get(), driver.get().asFile.path)
-                it.environment("CHROMIUM", browser.toString().trim())
-                it.environment("NODE_PATH", modules.get())
-                it.environment("PAGE", page.get().asFile.path)
-                it.args(names.get())
-                it.standardOutput = output
-            }
+            runNode(listOf(driver.get().asFile.path) + names.get()) { it.standardOutput = output }
             return output.toString()
         }
     }

@@ -1,37 +1,23 @@
 package robotran.build
 
-import org.gradle.api.DefaultTask
 import org.gradle.api.file.ConfigurableFileCollection
 import org.gradle.api.file.DirectoryProperty
-import org.gradle.api.file.RegularFileProperty
-import org.gradle.api.provider.Property
 import org.gradle.api.tasks.CacheableTask
-import org.gradle.api.tasks.Input
 import org.gradle.api.tasks.InputDirectory
-import org.gradle.api.tasks.InputFile
 import org.gradle.api.tasks.InputFiles
-import org.gradle.api.tasks.Internal
 import org.gradle.api.tasks.OutputDirectory
 import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 import org.gradle.process.ExecOperations
-import java.io.ByteArrayOutputStream
 import java.io.File
 import javax.inject.Inject
 
-/** Runs the `*.test.mjs` among [tests] with Node's own test runner; they serve [page] themselves and drive it in Chromium. */
+/** Runs the `*.test.mjs` among [tests] with Node's own test runner; they hold [page] against the runs that are recorded. */
 @CacheableTask
 abstract class BrowserTest
     @Inject
-    constructor(
-        private val processes: ExecOperations,
-    ) : DefaultTask() {
-        /** The folder of the built page. */
-        @get:InputDirectory
-        @get:PathSensitive(PathSensitivity.RELATIVE)
-        abstract val page: DirectoryProperty
-
+    constructor(processes: ExecOperations) : BrowserTask(processes) {
         @get:InputFiles
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val tests: ConfigurableFileCollection
@@ -54,18 +40,6 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedProjectRuns: DirectoryProperty
 
-        /** A script that prints the path of a Chromium. */
-        @get:InputFile
-        @get:PathSensitive(PathSensitivity.NONE)
-        abstract val browserFinder: RegularFileProperty
-
-        @get:Internal
-        abstract val node: Property<String>
-
-        /** The folder that holds Playwright's driver; its name changes with the pinned versions. */
-        @get:Input
-        abstract val modules: Property<String>
-
         /** What the tests photograph. */
         @get:OutputDirectory
         abstract val pictures: DirectoryProperty
@@ -76,19 +50,11 @@ abstract class BrowserTest
 
         @TaskAction
         fun test() {
-            val browser = ByteArrayOutputStream()
-            processes.exec {
-                it.commandLine(browserFinder.get().asFile.path)
-                it.standardOutput = browser
-            }
-            processes.exec { exec ->
-                exec.executable(node.get())
-                exec.args("--test", "--test-concurrency=1", "--test-reporter=spec", "--test-reporter-destination=stdout")
-                exec.args("--test-reporter=junit", "--test-reporter-destination=${results.file("TEST-browser.xml").get().asFile}")
-                exec.args(tests.files.filter { it.name.endsWith(".test.mjs") }.map { it.path }.sorted())
-                exec.environment("CHROMIUM", browser.toString().trim())
-                exec.environment("NODE_PATH", modules.get())
-                exec.environment("PAGE", page.get().asFile.path)
+            val runner = listOf(
+                "--test", "--test-concurrency=1", "--test-reporter=spec", "--test-reporter-destination=stdout",
+                "--test-reporter=junit", "--test-reporter-destination=${results.file("TEST-browser.xml").get().asFile}",
+            )
+            runNode(runner + tests.files.filter { it.name.endsWith(".test.mjs") }.map { it.path }.sorted()) { exec ->
                 exec.environment("EXAMPLES", examples.files.joinToString(File.pathSeparator) { it.path })
                 exec.environment("EXPECTED_RUNS", expectedRuns.get().asFile.path)
                 exec.environment("EXPECTED_JAVA_RUNS", expectedJavaRuns.get().asFile.path)

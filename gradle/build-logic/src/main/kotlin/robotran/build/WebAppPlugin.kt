@@ -55,7 +55,6 @@ class WebAppPlugin : Plugin<Project> {
         project.tasks.register("browserTest", BrowserTest::class.java) { task ->
             task.group = "verification"
             task.description = "Drives the built page in headless Chromium and takes pictures of it."
-            task.dependsOn(":${WebTools.SET_UP_TASK}", ":${Chromium.SET_UP_TASK}")
             task.page.set(dist.flatMap { it.site })
             task.tests.from(project.fileTree("src/browserTest"))
             // Solutions need the worlds that they are for, which the page does not open.
@@ -63,9 +62,6 @@ class WebAppPlugin : Plugin<Project> {
             task.expectedProjectRuns.set(project.rootProject.file("shared/projects/src/commonTest/resources/runs"))
             task.expectedRuns.set(project.rootProject.file("shared/world/src/commonTest/resources/runs"))
             task.expectedJavaRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/runs"))
-            task.browserFinder.set(project.rootProject.file(Chromium.SCRIPT))
-            task.node.set(WebTools.node(project).path)
-            task.modules.set(WebTools.directory(project).resolve("node_modules").path)
             task.pictures.set(project.layout.buildDirectory.dir("pictures"))
             task.results.set(project.layout.buildDirectory.dir("test-results/browserTest"))
         }
@@ -75,13 +71,9 @@ class WebAppPlugin : Plugin<Project> {
         project.tasks.register("measurePage", MeasurePage::class.java) { task ->
             task.group = "verification"
             task.description = "Measures the built page in headless Chromium: loading over a slow network, frames, memory."
-            task.dependsOn(":${WebTools.SET_UP_TASK}", ":${Chromium.SET_UP_TASK}")
             task.page.set(dist.flatMap { it.site })
             task.script.set(project.file("src/browserTest/measure.mjs"))
             task.names.set(project.providers.gradleProperty("measure").map { it.split(",") }.orElse(emptyList()))
-            task.browserFinder.set(project.rootProject.file(Chromium.SCRIPT))
-            task.node.set(WebTools.node(project).path)
-            task.modules.set(WebTools.directory(project).resolve("node_modules").path)
         }
     }
 }

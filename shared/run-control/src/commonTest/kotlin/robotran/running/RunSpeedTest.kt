@@ -36,7 +36,41 @@ class RunSpeedTest {
         assertTrue(quick.last() > quick[1] && quick.last() <= 5_000, "$quick")
         val late = frames(320, 60)
         assertTrue(late.last() < late.first(), "$late")
-        assertTrue(late.all { it >= 50 }, "$late")
+        assertTrue(late.all { it >= 100 }, "$late")
+    }
+
+    /** What the last of 200 frames ask for in the middle, and how long they take, if a frame takes as many real milliseconds as [cost] says. */
+    private fun settled(cost: (Int) -> Int): Pair<Int, Int> {
+        val pace = FramePace()
+        var now = 0L
+        val frames = List(200) {
+            val asked = pace.millisecondsTo(now * 1_000_000, RunSpeed.FASTEST)
+            val took = cost(asked)
+            now += took
+            asked to took
+        }.takeLast(50)
+        return frames.map { it.first }.sorted()[25] to frames.maxOf { it.second }
+    }
+
+    @Test
+    fun `as fast as it goes is as fast as that where frames are drawn slowly`() {
+        val (asked, longest) = settled { 60 + it / 50 }
+        assertTrue(asked >= 1_000, "$asked virtual milliseconds in a frame")
+        assertTrue(longest <= 120, "$longest real milliseconds for a frame")
+    }
+
+    @Test
+    fun `as fast as it goes leaves time for drawing where computing is slow`() {
+        val (asked, longest) = settled { maxOf(16, 4 + it / 20) }
+        assertTrue(asked >= 300, "$asked virtual milliseconds in a frame")
+        assertTrue(longest <= 45, "$longest real milliseconds for a frame")
+    }
+
+    @Test
+    fun `a screen with ten frames a second shows real time`() = runTest {
+        val player = started(BUSY)
+        player.frames(11, milliseconds = 100)
+        assertEquals(1_000, player.time)
     }
 
     @Test
@@ -44,7 +78,7 @@ class RunSpeedTest {
         val player = started(BUSY)
         player.frame(0)
         player.frame(10_000_000_000)
-        assertEquals(50, player.time)
+        assertEquals(100, player.time)
     }
 
     @Test

@@ -36,12 +36,22 @@ class InputLink(private val language: CodeLanguage) {
         field = written
         val typed = typedBetween(before, written)
         val isInStep = draft == shown
-        return when {
+        val after = when {
             typed != null && typed.isNotEmpty() && !isComposing -> draft.typed(typed, language)
             isInStep -> window.applied(draft, written.text, written.selection)
             typed != null -> draft.replaced(typed)
             written.text.length < before.text.length -> draft.erasedBackwards(language)
             else -> draft
         }
+        if (isInStep) stayInStep(after)
+        return after
+    }
+
+    /** If the field holds of [after] just what it should, more can be received before anything is shown anew, whatever it is. */
+    private fun stayInStep(after: Draft) {
+        val kept = window.keptFor(after, editBetween(shown, after)) ?: return
+        if (kept.textOf(after) != field.text || kept.selectionOf(after) != field.selection) return
+        window = kept
+        shown = after
     }
 }

@@ -32,6 +32,19 @@ class InputLinkTest {
     }
 
     @Test
+    fun `a word that an input method changes again before the screen is drawn is not lost`() {
+        var draft = Draft("// \nbeep", TextSelection(3))
+        link.fieldFor(draft)
+        for (stage in listOf("~", "ñ", "にほ", "日本")) {
+            draft = link.received(draft, Draft("// $stage\nbeep", TextSelection(3 + stage.length)), isComposing = true)
+        }
+        assertEquals("// 日本\nbeep", draft.text)
+        draft = link.received(draft, Draft("// 日本", TextSelection(5)), isComposing = false)
+        assertEquals("// 日本", draft.text)
+        assertEquals(Draft("// 日本", TextSelection(5)), link.fieldFor(draft))
+    }
+
+    @Test
     fun `erasing, selecting and replacing in the field do the same in the text`() {
         val draft = Draft("forward 20", TextSelection(10))
         link.fieldFor(draft)

@@ -11,19 +11,31 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.events.Event
 import org.w3c.dom.events.KeyboardEvent
 
-/** Hands keys to [scene]; those that an input method is at work with, and those for the clipboard, stay with the browser. */
+/**
+ * Hands keys to [scene]; those that an input method is at work with, and those for the clipboard, stay with the browser. Each finds done what the ones
+ * before it did, see [frames].
+ */
 @OptIn(InternalComposeUiApi::class)
-internal class PageKeys(private val scene: ComposeScene, private val clipboard: PageClipboard) {
-    fun listenTo(element: HTMLElement) {
-        element.addEventListener("keydown") { take(it as KeyboardEvent, KeyEventType.KeyDown) }
-        element.addEventListener("keyup") { take(it as KeyboardEvent, KeyEventType.KeyUp) }
+internal class PageKeys(
+    private val scene: ComposeScene,
+    private val frames: SceneFrames,
+    private val clipboard: PageClipboard,
+) {
+    /** @param isWrittenInto whether the browser writes into [element] what is typed there. */
+    fun listenTo(element: HTMLElement, isWrittenInto: Boolean = false) {
+        element.addEventListener("keydown") { take(it as KeyboardEvent, KeyEventType.KeyDown, isWrittenInto) }
+        element.addEventListener("keyup") { take(it as KeyboardEvent, KeyEventType.KeyUp, isWrittenInto) }
         element.addEventListener("copy") { give(it, Key.C) }
         element.addEventListener("cut") { give(it, Key.X) }
+        element.addEventListener("paste") { frames.catchUp() }
+        element.addEventListener("input") { frames.fallBehind() }
     }
 
-    private fun take(event: KeyboardEvent, type: KeyEventType) {
+    private fun take(event: KeyboardEvent, type: KeyEventType, isWritten: Boolean) {
+        if (type == KeyEventType.KeyDown && !event.isComposing) frames.catchUp()
         if (event.isComposing || event.keyCode == AT_WORK || event.key in UNFINISHED || isForClipboard(event)) return
         val isThirdLevel = event.getModifierState("AltGraph")
+        if (isWritten && event.key.length == 1 && (isThirdLevel || writes(event))) return
         val pressed = KeyEvent(
             key = keyOf(event.key, event.code),
             type = type,
@@ -35,16 +47,22 @@ internal class PageKeys(private val scene: ComposeScene, private val clipboard: 
             nativeEvent = event,
         )
         if (scene.sendKeyEvent(pressed)) event.preventDefault()
+        frames.fallBehind()
     }
 
     /** What is selected goes into the clipboard that [event] brings, as Ctrl and [key] would have it. */
     private fun give(event: Event, key: Key) {
+        frames.catchUp()
         val (text, isTaken) = clipboard.listen {
             scene.sendKeyEvent(KeyEvent(key, KeyEventType.KeyDown, isCtrlPressed = true, isMetaPressed = isApple()))
         }
         if (text != null) fill(event, text)
         if (isTaken) event.preventDefault()
+        frames.fallBehind()
     }
+
+    /** Whether a letter that is held with these keys is one to be written, and no order to the app. */
+    private fun writes(event: KeyboardEvent) = !event.ctrlKey && !event.metaKey && (!event.altKey || isApple())
 
     private fun isForClipboard(event: KeyboardEvent): Boolean {
         val isHeld = (event.ctrlKey || event.metaKey) && !event.altKey

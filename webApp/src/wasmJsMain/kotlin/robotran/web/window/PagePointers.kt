@@ -29,6 +29,7 @@ import org.w3c.dom.pointerevents.PointerEvent
 internal class PagePointers(
     private val canvas: HTMLCanvasElement,
     private val scene: ComposeScene,
+    private val frames: SceneFrames,
     private val density: () -> Float,
     private val onDown: () -> Unit,
 ) {
@@ -50,6 +51,7 @@ internal class PagePointers(
             onDown()
         }
         if (event.pointerType == "mouse") mouse(event, type) else finger(event, type)
+        if (type in CHANGING) frames.fallBehind()
     }
 
     private fun finger(event: PointerEvent, type: PointerEventType) {
@@ -68,13 +70,12 @@ internal class PagePointers(
     }
 
     private fun mouse(event: PointerEvent, type: PointerEventType) {
-        val changes = type == PointerEventType.Press || type == PointerEventType.Release
         scene.sendPointerEvent(
             type, placeOf(event),
             buttons = PointerButtons(event.buttons.toInt()),
             keyboardModifiers = modifiersOf(event),
             nativeEvent = event,
-            button = if (changes) BUTTONS.getOrNull(event.button.toInt()) else null,
+            button = if (type in CHANGING) BUTTONS.getOrNull(event.button.toInt()) else null,
         )
     }
 
@@ -108,6 +109,8 @@ internal class PagePointers(
             "pointerenter" to PointerEventType.Enter,
             "pointerleave" to PointerEventType.Exit,
         )
+
+        val CHANGING = setOf(PointerEventType.Press, PointerEventType.Release)
 
         /** By their numbers in an event. */
         val BUTTONS =

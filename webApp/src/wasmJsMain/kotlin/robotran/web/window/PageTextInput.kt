@@ -52,7 +52,7 @@ internal class PageTextInput(
     }
 
     fun listen(keys: PageKeys) {
-        keys.listenTo(field)
+        keys.listenTo(field, isWrittenInto = true)
         field.addEventListener("beforeinput") { beforeInput(it) }
         field.addEventListener("input") { tellText() }
         field.addEventListener("compositionstart") {

@@ -11,7 +11,6 @@ import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.InternalComposeUiApi
 import androidx.compose.ui.LocalSystemTheme
 import androidx.compose.ui.SystemTheme
-import androidx.compose.ui.graphics.asComposeCanvas
 import androidx.compose.ui.input.InputMode
 import androidx.compose.ui.input.InputModeManager
 import androidx.compose.ui.input.pointer.PointerIcon
@@ -30,9 +29,7 @@ import androidx.compose.ui.unit.dp
 import kotlinx.browser.document
 import kotlinx.browser.window
 import kotlinx.coroutines.Dispatchers
-import org.jetbrains.skia.Canvas
 import org.jetbrains.skiko.SkiaLayer
-import org.jetbrains.skiko.SkikoRenderDelegate
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 import robotran.ui.screen.LocalKeyboardHeight
@@ -75,18 +72,12 @@ internal class PageWindow(body: HTMLElement, content: @Composable () -> Unit) {
     )
 
     init {
-        layer.renderDelegate = object : SkikoRenderDelegate {
-            override fun onRender(
-                canvas: Canvas,
-                width: Int,
-                height: Int,
-                nanoTime: Long,
-            ) = scene.render(canvas.asComposeCanvas(), nanoTime)
-        }
-        val keys = PageKeys(scene, clipboard)
+        val frames = SceneFrames(scene)
+        layer.renderDelegate = frames
+        val keys = PageKeys(scene, frames, clipboard)
         keys.listenTo(canvas)
         input.listen(keys)
-        PagePointers(canvas, scene, { density.density }) { input.keepFocus() }.listen()
+        PagePointers(canvas, scene, frames, { density.density }) { input.keepFocus() }.listen()
         whenDarkChanges { dark -> theme = if (dark) SystemTheme.Dark else SystemTheme.Light }
         scene.setContent {
             CompositionLocalProvider(

@@ -1,0 +1,59 @@
+package robotran.build
+
+import org.gradle.api.DefaultTask
+import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.file.RegularFileProperty
+import org.gradle.api.provider.Property
+import org.gradle.api.tasks.Input
+import org.gradle.api.tasks.InputDirectory
+import org.gradle.api.tasks.InputFile
+import org.gradle.api.tasks.Internal
+import org.gradle.api.tasks.PathSensitive
+import org.gradle.api.tasks.PathSensitivity
+import org.gradle.process.ExecOperations
+import org.gradle.process.ExecSpec
+import java.io.ByteArrayOutputStream
+
+/** A task whose scripts, run by Node, serve [page] themselves and drive it in Chromium. */
+abstract class BrowserTask(protected val processes: ExecOperations) : DefaultTask() {
+    /** The folder of the built page. */
+    @get:InputDirectory
+    @get:PathSensitive(PathSensitivity.RELATIVE)
+    abstract val page: DirectoryProperty
+
+    /** A script that prints the path of a Chromium. */
+    @get:InputFile
+    @get:PathSensitive(PathSensitivity.NONE)
+    abstract val browserFinder: RegularFileProperty
+
+    @get:Internal
+    abstract val node: Property<String>
+
+    /** The folder that holds Playwright's driver; its name changes with the pinned versions. */
+    @get:Input
+    abstract val modules: Property<String>
+
+    init {
+        dependsOn(":${WebTools.SET_UP_TASK}", ":${Chromium.SET_UP_TASK}")
+        browserFinder.set(project.rootProject.file(Chromium.SCRIPT))
+        node.set(WebTools.node(project).path)
+        modules.set(WebTools.directory(project).resolve("node_modules").path)
+    }
+
+    /** Runs Node with [arguments] where scripts find the browser, its driver and the page. */
+    protected fun runNode(arguments: List<String>, configure: (ExecSpec) -> Unit = {}) {
+        val browser = ByteArrayOutputStream()
+        processes.exec {
+            it.commandLine(browserFinder.get().asFile.path)
+            it.standardOutput = browser
+        }
+        processes.exec { exec ->
+            exec.executable(node.get())
+            exec.args(arguments)
+            exec.environment("CHROMIUM", browser.toString().trim())
+            exec.environment("NODE_PATH", modules.get())
+            exec.environment("PAGE", page.get().asFile.path)
+            configure(exec)
+        }
+    }
+}
