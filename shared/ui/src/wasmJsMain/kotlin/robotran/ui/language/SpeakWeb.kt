@@ -1,3 +1,5 @@
+@file:OptIn(ExperimentalWasmJsInterop::class)
+
 package robotran.ui.language
 
 import robotran.language.Language
