@@ -20,7 +20,7 @@ import javax.inject.Inject
 @DisableCachingByDefault(because = "What is measured is another thing each time")
 abstract class BrowserBenchmark
     @Inject
-    constructor(processes: ExecOperations) : BrowserTask(processes) {
+    constructor(private val processes: ExecOperations) : BrowserTask(processes) {
         @get:Classpath
         abstract val jvmClasses: ConfigurableFileCollection
 

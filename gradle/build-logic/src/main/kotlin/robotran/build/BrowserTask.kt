@@ -15,7 +15,7 @@ import org.gradle.process.ExecSpec
 import java.io.ByteArrayOutputStream
 
 /** A task whose scripts, run by Node, serve [page] themselves and drive it in Chromium. */
-abstract class BrowserTask(protected val processes: ExecOperations) : DefaultTask() {
+abstract class BrowserTask(private val processes: ExecOperations) : DefaultTask() {
     /** The folder of the built page. */
     @get:InputDirectory
     @get:PathSensitive(PathSensitivity.RELATIVE)
