@@ -13,7 +13,7 @@ import org.gradle.process.ExecOperations
 import java.io.File
 import javax.inject.Inject
 
-/** Runs the `*.test.mjs` among [tests] with Node's own test runner; they hold [page] against the runs that are recorded. */
+/** Runs the `*.test.mjs` among [tests] with Node's own test runner. */
 @CacheableTask
 abstract class BrowserTest
     @Inject
