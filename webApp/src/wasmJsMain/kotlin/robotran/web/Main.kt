@@ -4,6 +4,7 @@ package robotran.web
 
 import kotlinx.browser.document
 import kotlinx.coroutines.DelicateCoroutinesApi
+import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.GlobalScope
 import kotlinx.coroutines.launch
 import robotran.ui.RobotranStart
@@ -31,7 +32,8 @@ fun main() {
 /** Loses nothing when the page is closed, reloaded or put to sleep. */
 @OptIn(DelicateCoroutinesApi::class)
 private fun keepWork(workshop: Workshop) {
-    onOutOfSight { GlobalScope.launch { workshop.restDocument() } }
+    // A page that goes does nothing later: all that can be done at once is.
+    onOutOfSight { GlobalScope.launch(Dispatchers.Unconfined) { workshop.restDocument() } }
     askBeforeLosing { workshop.state.document.trouble != null }
 }
 

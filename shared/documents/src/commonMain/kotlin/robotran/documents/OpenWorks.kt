@@ -14,22 +14,36 @@ class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
     /**
      * Claims the work that is to come back and reads it; null if none does. It is the one that was opened last of those that no window has; the
      * others do not come back by themselves, but are among all works. Works that cannot be read are passed over and stay where they are.
+     *
+     * @param hasEnded whether the window with the work of this id has ended as it should, although it could not say so here any more.
      */
-    suspend fun takeBack(): ComingBack? {
+    suspend fun takeBack(hasEnded: (id: String) -> Boolean = { false }): ComingBack? {
         var back: ComingBack? = null
         var cutShort = 0
         for (open in orphans()) {
             val claim = shelf.claim(open.id) ?: continue
+            val wasCutShort = open.wasRunning && !hasEnded(open.id)
             val reading = if (back == null) shelf.read(open.id) else null
             if (reading is WorkReading.Found) {
-                back = ComingBack(reading.work, claim, wasCutShort = open.wasRunning || reading.wasTorn)
+                back = ComingBack(reading.work, claim, wasCutShort = wasCutShort || reading.wasTorn)
             } else {
                 claim.release()
-                if (back != null && open.wasRunning) cutShort++
+                if (back != null && wasCutShort) cutShort++
                 if (reading !is WorkReading.Unusable) store.remove(nameOf(open.id))
             }
         }
         return back?.copy(others = cutShort)
+    }
+
+    /**
+     * The work [id], which [claim] is on, as the one that comes back to the window it was in; null if it cannot be read, or is gone.
+     *
+     * @param hasEnded whether that window has ended as it should, although it could not say so here any more.
+     */
+    suspend fun takeBack(id: String, claim: WorkClaim, hasEnded: Boolean): ComingBack? {
+        val found = shelf.read(id) as? WorkReading.Found ?: return null
+        val wasRunning = store.read(nameOf(id))?.startsWith(RUNNING) ?: false
+        return ComingBack(found.work, claim, wasCutShort = found.wasTorn || (wasRunning && !hasEnded))
     }
 
     private suspend fun orphans(): List<Open> =

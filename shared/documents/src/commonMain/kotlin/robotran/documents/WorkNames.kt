@@ -1,9 +1,25 @@
 package robotran.documents
 
+import robotran.language.Language
+import robotran.language.choose
+
 /** What [name] is as the name of a work: one line, without blanks around it, not too long; null if nothing is left of it. */
 fun workName(name: String): String? =
     name.map { if (it.isISOControl()) ' ' else it }.joinToString("").trim().take(KeptWork.MAXIMUM_NAME)
         .withoutHalfCharacters().trim().ifEmpty { null }
+
+/** What a work is called that nobody has given a name. */
+fun newWorkName(language: Language): String = language.choose("My first work", "Mi primer trabajo", "Meine erste Arbeit")
+
+/** [name] if none of [taken] is the same, otherwise with the least number behind it that makes it another: `Maze 2`. */
+fun freeWorkName(name: String, taken: Collection<String>): String {
+    if (name !in taken) return name
+    val last = NUMBER.find(name)
+    val stem = if (last == null) name else name.removeRange(last.range)
+    return generateSequence(2) { it + 1 }
+        .map { number -> " $number".let { stem.take(KeptWork.MAXIMUM_NAME - it.length).withoutHalfCharacters().trimEnd() + it } }
+        .first { it !in taken }
+}
 
 /** The name of a work that was in the file [fileName]; some programs put an ending of their own behind ours. */
 fun workNameOfFile(fileName: String): String =
@@ -35,6 +51,9 @@ enum class FileKind(val extension: String, val mimeType: String) {
     ZIP(".zip", "application/zip"),
     TEXT(".txt", "text/plain"),
 }
+
+/** At the end of a name that was made another. */
+private val NUMBER = Regex(" [0-9]{1,6}$")
 
 private const val FALLBACK = "robotran"
 

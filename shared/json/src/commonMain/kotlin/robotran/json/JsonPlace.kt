@@ -56,12 +56,13 @@ class JsonPlace(val element: JsonElement, val path: JsonPath) {
     }
 
     /** A text of at most [maximum] characters in one line, all of them visible; not a blank one unless [mayBeEmpty]. */
-    fun text(maximum: Int, mayBeEmpty: Boolean = false): String {
+    fun text(maximum: Int, mayBeEmpty: Boolean = false, severalLines: Boolean = false): String {
         val text = textOrNull() ?: refuse(told { mustBeText() })
         if (!mayBeEmpty && text.isBlank()) refuse(told { mustNotBeEmpty() })
         if (text.length > maximum) refuse(told { tooManyCharacters(maximum) })
-        val isOrdinary = text.none { it.isISOControl() } && text.indices.none { isHalfCharacter(text, it) }
-        if (!isOrdinary) refuse(told { mustBeOneOrdinaryLine() })
+        val isOrdinary =
+            text.none { it.isISOControl() && !(severalLines && it == '\n') } && text.indices.none { isHalfCharacter(text, it) }
+        if (!isOrdinary) refuse(told { if (severalLines) mustBeOrdinary() else mustBeOneOrdinaryLine() })
         return text
     }
 

@@ -25,13 +25,14 @@ internal fun refusalOf(world: World): Refusal? {
         world.temperature in WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE &&
         world.timeLimit in 1..WorldLimits.MAXIMUM_SECONDS && world.realism in 0.0..1.0 && world.seed >= 0
     val areTexts = isText(world.title, WorldLimits.MAXIMUM_TITLE_CHARACTERS) &&
-        (world.task.isEmpty() || isText(world.task, WorldLimits.MAXIMUM_SENTENCE_CHARACTERS, mayBeBlank = true))
+        (world.task.isEmpty() || isText(world.task, WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeBlank = true, severalLines = true))
     return if (!isWithin) Refusal.OutOfRange else Refusal.NoSuchText.takeIf { !areTexts } ?: refusalOfCounts(world)
 }
 
-/** Whether a file can hold [text] as one of its lines. */
-fun isText(text: String, maximum: Int, mayBeBlank: Boolean = false): Boolean =
-    (mayBeBlank || text.isNotBlank()) && text.length <= maximum && text.none { it.isISOControl() } && hasWholeCharacters(text)
+/** Whether a file can hold [text] as one of its lines, or as [severalLines]. */
+fun isText(text: String, maximum: Int, mayBeBlank: Boolean = false, severalLines: Boolean = false): Boolean =
+    (mayBeBlank || text.isNotBlank()) && text.length <= maximum && hasWholeCharacters(text) &&
+        text.none { it.isISOControl() && !(severalLines && it == '\n') }
 
 /** As many of [kind] as a world can have. */
 fun most(kind: ThingKind): Int = when (kind) {

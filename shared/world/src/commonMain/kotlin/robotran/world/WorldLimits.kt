@@ -6,6 +6,7 @@ object WorldLimits {
 
     /** The task and what goals say: a few sentences. */
     const val MAXIMUM_SENTENCE_CHARACTERS = 500
+    const val MAXIMUM_TASK_CHARACTERS = 1000
     const val MAXIMUM_NAME_CHARACTERS = 40
 
     /** Room for the robot to turn on the spot. */

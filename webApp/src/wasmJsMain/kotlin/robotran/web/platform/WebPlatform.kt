@@ -8,9 +8,11 @@ import robotran.ui.platform.Arrival
 import robotran.ui.platform.Arrivals
 import robotran.ui.platform.FileDesk
 import robotran.ui.platform.MemoryStore
+import robotran.ui.platform.NoWindowMemory
 import robotran.ui.platform.Platform
 import robotran.ui.platform.Sharing
 import robotran.ui.platform.WallClock
+import robotran.ui.platform.WindowMemory
 import robotran.ui.platform.WorkStore
 import robotran.ui.sound.LoudSpeaker
 import kotlin.js.Promise
@@ -26,6 +28,7 @@ internal class WebPlatform(override val speaker: LoudSpeaker, private val embedd
     override val sharing: Sharing = WebSharing
     override val clock: WallClock = WebClock
     override val arrivals: Arrivals = Arrivals()
+    override val window: WindowMemory = if (embedded) NoWindowMemory else WebWindowMemory
     override val pageAddress: String = pageAddress()
 
     init {
@@ -82,10 +85,14 @@ private fun onFilesDropped(take: (String) -> Unit): Unit = js(
     }""",
 )
 
-/** Calls [rest] whenever the page goes out of sight, after which it may be gone without a word. */
+/**
+ * Calls [rest] whenever the page goes out of sight, after which it may be gone without a word, and as soon as it is about to be left: what is written
+ * only once it goes may come too late.
+ */
 internal fun onOutOfSight(rest: () -> Unit): Unit =
     js(
         """{
+            addEventListener('beforeunload', () => rest());
             document.addEventListener('visibilitychange', () => { if (document.visibilityState === 'hidden') rest(); });
             addEventListener('pagehide', () => rest());
         }""",

@@ -61,11 +61,16 @@ private fun openTexts(): BrowserTexts = js(
             request.onerror = () => reject(request.error);
         });
         opened.catch(() => undefined);
+        let database = null;
+        opened.then((found) => { database = found; });
+        // At once where it can be: a page that goes does nothing later.
         const act = async (mode, work) => {
-            const database = await opened;
+            if (database === null) database = await opened;
             return new Promise((resolve, reject) => {
                 const transaction = database.transaction('texts', mode, { durability: 'strict' });
                 const request = work(transaction.objectStore('texts'));
+                // So that it is done even if the page goes before it hears of it.
+                if (mode === 'readwrite' && transaction.commit) transaction.commit();
                 transaction.oncomplete = () => resolve(request.result);
                 transaction.onabort = () => reject(transaction.error || request.error);
             });

@@ -1,48 +1,32 @@
 package robotran.ui.documents
 
-import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
-import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.draw.clip
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
-import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.program.Cross
-import robotran.ui.program.RoundButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_close
-import robotran.ui.resources.documents_delete
 import robotran.ui.resources.documents_delete_no
 import robotran.ui.resources.documents_delete_question
 import robotran.ui.resources.documents_delete_yes
 import robotran.ui.resources.documents_my_work
 import robotran.ui.resources.documents_new
 import robotran.ui.resources.documents_untitled
-import robotran.ui.resources.documents_work_file
-import robotran.ui.resources.documents_work_now
 import robotran.ui.resources.documents_works_empty
 import robotran.ui.resources.documents_works_loading
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
-import robotran.ui.theme.focusRing
 import robotran.ui.workshop.DocumentDialog
 import robotran.ui.workshop.DocumentEvent
 import robotran.ui.workshop.ShownWork
@@ -73,35 +57,6 @@ internal fun WorksDialog(dialog: DocumentDialog.Works, onEvent: (DocumentEvent) 
     }
 }
 
-@Composable
-private fun WorkRow(work: ShownWork, onEvent: (DocumentEvent) -> Unit) {
-    val colours = LocalRobotranColours.current
-    val fileName = work.entry.fileName
-    Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
-        Column(
-            Modifier
-                .weight(1f)
-                .heightIn(min = Measures.TARGET)
-                .clip(RoundedCornerShape(12.dp))
-                .focusRing()
-                .clickable(role = Role.Button) { onEvent(DocumentEvent.WorkOpened(work.entry.id)) }
-                .testTag("work-${work.entry.id}")
-                .padding(horizontal = 12.dp, vertical = 6.dp),
-            Arrangement.Center,
-        ) {
-            Text(nameOf(work), fontSize = 16.sp, fontWeight = FontWeight.Medium)
-            val time = if (work.isOpen) stringResource(Res.string.documents_work_now) else work.time
-            val line = if (fileName == null) time else stringResource(Res.string.documents_work_file, time, fileName)
-            Text(line, color = colours.quiet, fontSize = 14.sp, lineHeight = 20.sp)
-        }
-        if (!work.isOpen) {
-            RoundButton(Cross, stringResource(Res.string.documents_delete, nameOf(work)), "delete-${work.entry.id}") {
-                onEvent(DocumentEvent.WorkDeletionWanted(work.entry.id))
-            }
-        }
-    }
-}
-
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun Deleting(work: ShownWork, onEvent: (DocumentEvent) -> Unit) {
@@ -118,4 +73,4 @@ private fun Deleting(work: ShownWork, onEvent: (DocumentEvent) -> Unit) {
 }
 
 @Composable
-private fun nameOf(work: ShownWork) = work.entry.name.ifEmpty { stringResource(Res.string.documents_untitled) }
+internal fun nameOf(work: ShownWork) = work.entry.name.ifEmpty { stringResource(Res.string.documents_untitled) }

@@ -35,12 +35,16 @@ import robotran.ui.theme.RobotranColours
 import robotran.world.GoalProgress
 import robotran.world.GoalStatus
 
-/** The goals of the world and how far each has come. */
+/** What is to be done in the world, its goals and how far each has come. */
 @Composable
-internal fun GoalsView(goals: List<GoalProgress>, modifier: Modifier = Modifier) {
-    if (goals.isEmpty()) return EmptyDrawer(Res.string.run_goals_empty, modifier)
+internal fun GoalsView(goals: List<GoalProgress>, modifier: Modifier = Modifier, task: String = "") {
+    if (goals.isEmpty() && task.isBlank()) return EmptyDrawer(Res.string.run_goals_empty, modifier)
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(16.dp)) {
-        if (goals.all { it.status == GoalStatus.MET }) {
+        if (task.isNotBlank()) {
+            val colour = LocalRobotranColours.current.onPane
+            Text(task.trim(), Modifier.testTag("goals-task"), color = colour, fontSize = 16.sp, lineHeight = 24.sp)
+        }
+        if (goals.isNotEmpty() && goals.all { it.status == GoalStatus.MET }) {
             Text(
                 stringResource(Res.string.run_goals_all),
                 color = LocalRobotranColours.current.onPane,

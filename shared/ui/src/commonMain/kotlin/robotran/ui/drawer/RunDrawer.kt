@@ -130,7 +130,7 @@ private fun DrawerContent(tab: DrawerTab, state: RunPaneState, onEvent: (RunEven
         DrawerTab.VARIABLES -> VariablesView(state.drawer.variables, onEvent, modifier)
         DrawerTab.LOG -> LogView(state.drawer.log, onEvent, modifier)
         DrawerTab.CHART -> ChartView(state, onEvent, modifier)
-        DrawerTab.GOALS -> GoalsView(state.session.goals, modifier)
+        DrawerTab.GOALS -> GoalsView(state.session.goals, modifier, state.world.task)
         DrawerTab.WHY -> WhyView(state, modifier)
     }
 }

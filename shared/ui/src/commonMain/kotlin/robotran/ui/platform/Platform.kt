@@ -27,6 +27,9 @@ interface Platform {
     /** Whether this window is the first, which goes on with the work that was open last; others begin afresh. */
     val goesOn: Boolean get() = true
 
+    /** What this window knows of itself after it was loaded anew. */
+    val window: WindowMemory get() = NoWindowMemory
+
     /** The address of the page this runs in, without a fragment; empty where there is none. */
     val pageAddress: String get() = ""
 
@@ -42,4 +45,5 @@ class MemoryPlatform(
     override val sharing: Sharing = NoSharing,
     override val clock: WallClock = StandingClock(),
     override val arrivals: Arrivals = Arrivals(),
+    override val window: WindowMemory = NoWindowMemory,
 ) : Platform

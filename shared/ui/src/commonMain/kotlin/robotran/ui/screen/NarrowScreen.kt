@@ -22,8 +22,8 @@ import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
 import robotran.ui.brick.LEAST_BRICK_WIDTH
 import robotran.ui.drawer.DrawerPage
-import robotran.ui.drawer.GoalChip
 import robotran.ui.drawer.RunAnnouncer
+import robotran.ui.drawer.TaskAndGoals
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
@@ -95,7 +95,7 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                     EndExplained(state)
                 }
                 Column(horizontalAlignment = Alignment.End) {
-                    GoalChip(state.session.goals, onEvent, Modifier.padding(horizontal = 12.dp))
+                    TaskAndGoals(state, onEvent, Modifier.padding(horizontal = 12.dp))
                     strip()
                 }
             }
@@ -103,7 +103,7 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
                 WorldPane(state, onEvent, Modifier.weight(1f))
                 EndExplained(state)
-                GoalChip(state.session.goals, onEvent, Modifier.padding(horizontal = 12.dp))
+                TaskAndGoals(state, onEvent, Modifier.padding(horizontal = 12.dp))
                 strip()
             }
         }

@@ -28,9 +28,9 @@ import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
 import robotran.ui.brick.LEAST_BRICK_WIDTH
-import robotran.ui.drawer.GoalChip
 import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.RunDrawer
+import robotran.ui.drawer.TaskAndGoals
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
@@ -107,7 +107,7 @@ private fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifie
                 Modifier.width(brickWidth + MARGIN).fillMaxHeight().padding(end = MARGIN, bottom = MARGIN),
                 Arrangement.spacedBy(MARGIN, Alignment.Bottom),
             ) {
-                GoalChip(state.session.goals, onEvent)
+                TaskAndGoals(state, onEvent)
                 BrickHint(state.run.brick)
                 // Over an open drawer the whole brick does not fit.
                 if (isTall) {

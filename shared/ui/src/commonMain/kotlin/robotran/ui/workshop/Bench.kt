@@ -47,8 +47,14 @@ interface Bench {
     /** Puts the kept work [id] on the desk, if nothing is lost by it, or a new empty one if that is gone or null; then does [next]. */
     fun takeUpWork(id: String?, next: () -> Unit = {})
 
-    /** Puts the same robots and programs into [world]; the run begins afresh. */
-    fun changeWorld(world: World)
+    /**
+     * Puts the programs that are there into [world], one that comes with the app, as a work of its own, if nothing is lost by it; what was open is
+     * kept, and the way back to it is offered.
+     */
+    fun openWorld(world: World)
+
+    /** Puts the same robots and programs into [world]; the run begins afresh. [isAnother] says that it is not the world before as somebody has changed it. */
+    fun changeWorld(world: World, isAnother: Boolean = false)
 
     /** From now on [world] is what would be saved, while robots still drive in the one before; [changeWorld] puts them into it. */
     fun keepWorld(world: World)

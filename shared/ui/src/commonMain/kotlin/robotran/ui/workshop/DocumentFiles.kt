@@ -12,9 +12,11 @@ import robotran.documents.SavingCheck
 import robotran.documents.WorkFile
 import robotran.documents.checkBeforeSaving
 import robotran.documents.fileNameFor
+import robotran.documents.newWorkName
 import robotran.documents.openFiles
 import robotran.documents.openLinkText
 import robotran.documents.projectFile
+import robotran.documents.workName
 import robotran.documents.workNameOfFile
 import robotran.projects.Project
 import robotran.rom.Brick
@@ -34,13 +36,15 @@ import robotran.ui.resources.documents_too_long
  * Opens files and links, and saves to files.
  *
  * @param show shows a dialog, or none.
- * @param replaceWork does what puts another work in place of the open one, if nothing is lost by it.
+ * @param replaceWork does what puts another work in place of the open one, if nothing is lost by it, see [DocumentHolder].
+ * @param sayKept says that the work before is kept, and offers the way back to it.
  */
 internal class DocumentFiles(
     private val bench: Bench,
     private val keeper: DocumentKeeper,
     private val show: (DocumentDialog?) -> Unit,
-    private val replaceWork: suspend (suspend () -> Unit) -> Unit,
+    private val replaceWork: suspend (suspend (before: String?) -> Unit) -> Unit,
+    private val sayKept: (before: String?) -> Unit,
 ) {
     suspend fun choose() {
         val files = bench.platform.files.open(KINDS)
@@ -105,14 +109,15 @@ internal class DocumentFiles(
     }
 
     private suspend fun take(opened: Opening.Opened) {
-        val first = opened.projects.firstOrNull()
-        if (first == null) return add(opened)
+        val first = opened.projects.firstOrNull() ?: return takeParts(opened)
         val others = keepOthers(opened.projects.drop(1))
-        replaceWork {
+        replaceWork { before ->
             bench.openProject(first.project)
-            keeper.opened(first.name, first.file)
+            keeper.opened(first.name, first.file, before)
             show(null)
-            add(opened)
+            opened.world?.let { bench.changeWorld(it) }
+            sayKept(before)
+            addPrograms(opened)
         }
         if (!keeper.claimFile()) {
             bench.say(Notice(Res.string.documents_open_elsewhere, listOf(keeper.file?.place?.name.orEmpty()), bad = true))
@@ -121,8 +126,19 @@ internal class DocumentFiles(
         }
     }
 
-    private fun add(opened: Opening.Opened) {
-        opened.world?.let(bench::changeWorld)
+    /** A world is a new work, with the programs that are there; programs come to the others. */
+    private suspend fun takeParts(opened: Opening.Opened) {
+        val world = opened.world ?: return addPrograms(opened)
+        replaceWork { before ->
+            bench.changeWorld(world, isAnother = true)
+            keeper.opened(workName(world.title) ?: newWorkName(bench.language), null, before)
+            show(null)
+            sayKept(before)
+            addPrograms(opened)
+        }
+    }
+
+    private fun addPrograms(opened: Opening.Opened) {
         opened.programs.forEach { program ->
             bench.addProgram(PupilProgram(program.files.map { ProgramFile(it.name, it.text) }), replacing = true)
         }

@@ -7,25 +7,28 @@ import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
-import robotran.documents.ComingBack
+import kotlinx.coroutines.sync.Mutex
+import kotlinx.coroutines.sync.withLock
 import robotran.documents.Keeping
 import robotran.documents.KeepingTimes
+import robotran.documents.newWorkName
 import robotran.documents.workName
 import robotran.projects.Project
 import robotran.ui.platform.Arrival
 import robotran.ui.resources.Res
-import robotran.ui.resources.documents_back
-import robotran.ui.resources.documents_back_others
-import robotran.ui.resources.documents_back_unnamed
-import robotran.ui.resources.documents_my_work
+import robotran.ui.resources.documents_go_back
+import robotran.ui.resources.documents_kept_before
 import robotran.world.BuiltInWorlds
+import robotran.world.World
 
 /** Keeps what the project is called and where it lies, and sees to it that nothing of it is lost. */
 class DocumentHolder(private val bench: Bench) {
     private val keeper = DocumentKeeper(bench)
-    private val files = DocumentFiles(bench, keeper, ::show, ::replaceWork)
+    private val replacing = Mutex()
+    private val files = DocumentFiles(bench, keeper, ::show, ::replaceWork, ::sayKept)
     private val exports = DocumentExports(bench, keeper, ::show)
-    private val works = DocumentWorks(bench, keeper, { state.dialog }, ::show, ::keepNow, ::replaceWork)
+    private val works = DocumentWorks(bench, keeper, { state.dialog }, ::show, ::keepNow) { next -> replaceWork { next() } }
+    private val comeBack = WorkComingBack(bench, keeper)
     private val changes = Channel<Unit>(Channel.CONFLATED)
     private var afterLoss: (suspend () -> Unit)? = null
 
@@ -58,30 +61,22 @@ class DocumentHolder(private val bench: Bench) {
 
     /** Brings back the work that was open last, unless something was brought to this window. */
     suspend fun start() {
-        keeper.beginWith("")
         val arrival = bench.platform.arrivals.takeNow()
-        if (arrival != null) return receive(arrival)
-        val back = (if (bench.platform.goesOn) keeper.openWorks.takeBack() else null) ?: return
-        bench.openProject(back.work.project)
-        keeper.tookUp(back.work, back.claim)
+        val back = comeBack.take(isBroughtSomething = arrival != null)
+        if (back == null) {
+            keeper.beginWith(keeper.freeName())
+        } else {
+            bench.openProject(back.work.project)
+            keeper.tookUp(back.work, back.claim)
+            bench.perform(WorkshopEvent.TaskShown(false))
+            comeBack.say(back)
+        }
         refresh()
-        if (back.wasCutShort || back.others > 0) sayBack(back)
+        if (arrival != null) receive(arrival)
     }
 
     /** Whether nobody has worked on what is open yet. */
     val isFresh: Boolean get() = keeper.openId == null && keeper.isKept
-
-    private fun sayBack(back: ComingBack) {
-        val name = back.work.name
-        if (back.others > 0) {
-            val works = { handle(DocumentEvent.WorksWanted) }
-            bench.say(Notice(Res.string.documents_back_others, action = Res.string.documents_my_work, onAction = works))
-        } else if (name.isEmpty()) {
-            bench.say(Notice(Res.string.documents_back_unnamed))
-        } else {
-            bench.say(Notice(Res.string.documents_back, listOf(name)))
-        }
-    }
 
     /** Keeps the work as it changes and opens what is brought, for ever; to be called once, for as long as the workshop is on a screen. */
     suspend fun keepKeeping() = coroutineScope {
@@ -132,7 +127,7 @@ class DocumentHolder(private val bench: Bench) {
     }
 
     /** Gives back what this window has claimed: it is gone. */
-    fun release() = keeper.forget()
+    fun release() = keeper.release()
 
     private suspend fun receive(arrival: Arrival) {
         when (arrival) {
@@ -147,17 +142,21 @@ class DocumentHolder(private val bench: Bench) {
         val taken = into?.let { works.claim(it) }
         replaceWork {
             val left = keeper.openId
-            if (taken != null) {
-                bench.openProject(taken.first.project)
-                keeper.tookUp(taken.first, taken.second)
-                bench.openProject(project)
-            } else {
-                bench.openProject(project)
-                keeper.opened(name, null)
-            }
+            bench.openProject(project)
+            if (taken != null) keeper.tookUp(taken.first, taken.second, taken.first.project) else keeper.opened(name, null)
             show(null)
             keepNow()
             onBegun(left, keeper.openId)
+        }
+    }
+
+    /** See [Bench.openWorld]. */
+    fun openWorld(world: World) = launch {
+        replaceWork { before ->
+            bench.changeWorld(world, isAnother = true)
+            keeper.opened(workName(world.title) ?: newWorkName(bench.language), null, before, isOnlyChosen = true)
+            show(null)
+            sayKept(before)
         }
     }
 
@@ -176,31 +175,60 @@ class DocumentHolder(private val bench: Bench) {
         }
     }
 
-    /** Does [next], which puts another work in place of the open one, if nothing is lost by it or the pupil does not mind. */
-    private suspend fun replaceWork(next: suspend () -> Unit) {
-        if (!keepNow()) {
+    /**
+     * Does [next], which puts another work in place of the open one, if nothing is lost by it or the pupil does not mind. It is given the id of the
+     * work to go back to; null if there is none.
+     */
+    private suspend fun replaceWork(next: suspend (before: String?) -> Unit) = replacing.withLock {
+        if (!keepAll()) {
             afterLoss = {
                 keeper.leave(comesBack = false)
-                next()
+                next(null)
                 refresh()
             }
             show(DocumentDialog.WouldBeLost)
-            return
+            return@withLock
         }
         keeper.leave(comesBack = false)
-        next()
+        val id = keeper.openId
+        if (id != null && keeper.isOnlyAChosenWorld) {
+            val before = keeper.before
+            keeper.shelf.delete(id)
+            next(before)
+        } else {
+            next(id)
+        }
         keepNow()
     }
 
-    private fun begin() {
+    /** Keeps what has changed, also what changes meanwhile; false if it cannot be kept. */
+    private suspend fun keepAll(): Boolean {
+        while (!keeper.isKept) if (!keepNow()) return false
+        return true
+    }
+
+    /** Says that the work [before] is kept, and offers the way back to it; nothing if there is none. */
+    private fun sayKept(before: String?) {
+        if (before == null) return
+        val goBack = { handle(DocumentEvent.WorkOpened(before)) }
+        bench.say(Notice(Res.string.documents_kept_before, action = Res.string.documents_go_back, onAction = goBack))
+    }
+
+    private suspend fun begin() {
+        val name = keeper.freeName()
         bench.openProject(Project(BuiltInWorlds.plain))
-        keeper.beginWith("")
+        keeper.beginWith(name)
+        // It is there to do what one likes.
+        bench.perform(WorkshopEvent.TaskShown(false))
         show(null)
     }
 
     private fun rename(name: String) {
-        keeper.name = workName(name).orEmpty()
         show(null)
+        launch {
+            keeper.name = keeper.freeName(workName(name) ?: newWorkName(bench.language), keeper.openId)
+            refresh()
+        }
     }
 
     private suspend fun answer(answer: DocumentAnswer) {

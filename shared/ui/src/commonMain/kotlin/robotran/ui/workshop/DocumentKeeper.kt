@@ -11,6 +11,8 @@ import robotran.documents.OpenWorks
 import robotran.documents.WorkClaim
 import robotran.documents.WorkFile
 import robotran.documents.WorkShelf
+import robotran.documents.freeWorkName
+import robotran.documents.newWorkName
 import robotran.projects.Project
 
 /** Keeps the work that is open as it changes, and knows what of it is kept and saved. */
@@ -20,6 +22,10 @@ internal class DocumentKeeper(private val bench: Bench) {
     private val writing = Mutex()
     private var times = KeepingTimes()
     private var id: String? = null
+        set(value) {
+            field = value
+            bench.platform.window.workId = value.orEmpty()
+        }
     private var workClaim: WorkClaim? = null
     private var fileClaim: WorkClaim? = null
     private var keptProject: Project? = null
@@ -27,6 +33,7 @@ internal class DocumentKeeper(private val bench: Bench) {
     private var keptFile: WorkFile? = null
     private var savedProject: Project? = null
     private var isMarkedOpen = false
+    private var isOnlyChosen = false
 
     var name = ""
     var file: WorkFile? = null
@@ -41,6 +48,13 @@ internal class DocumentKeeper(private val bench: Bench) {
     /** Whether all there is has been kept as it is now. */
     val isKept: Boolean get() = keptProject == bench.project && keptName == name && keptFile == file
 
+    /** The id of the work to go back to from the one that is open, if nobody has changed that; null if there is none. */
+    var before: String? = null
+        private set
+
+    /** Whether the open work is a world that comes with the app, with programs of another work, and nobody has changed anything about it. */
+    val isOnlyAChosenWorld: Boolean get() = isOnlyChosen && isSaved
+
     /** What is on the screen now is a work that was never kept, called [name]; nothing is kept until it changes. */
     fun beginWith(name: String) {
         forget()
@@ -50,16 +64,23 @@ internal class DocumentKeeper(private val bench: Bench) {
         savedProject = bench.project
     }
 
-    /** What is on the screen now is a work that was never kept, called [name], from [file] or a link; it is kept at once. */
-    fun opened(name: String, file: WorkFile?) {
+    /**
+     * What is on the screen now is a work that was never kept, called [name], from [file], a link or a world; it is kept at once.
+     *
+     * @param before the id of the work that was there before; null if there is none to go back to.
+     * @param isOnlyChosen whether it is a world that comes with the app, with the programs of the work before.
+     */
+    fun opened(name: String, file: WorkFile?, before: String? = null, isOnlyChosen: Boolean = false) {
         forget()
         this.name = name
         this.file = file
+        this.before = before
+        this.isOnlyChosen = isOnlyChosen
         savedProject = bench.project
     }
 
-    /** What is on the screen now is [work], which is kept already. */
-    suspend fun tookUp(work: KeptWork, claim: WorkClaim) {
+    /** What is on the screen now is [work], which is kept already as [project]. */
+    suspend fun tookUp(work: KeptWork, claim: WorkClaim, project: Project = bench.project) {
         forget()
         id = work.id
         workClaim = claim
@@ -67,10 +88,11 @@ internal class DocumentKeeper(private val bench: Bench) {
         file = work.file
         keptFile = work.file
         keptName = work.name
-        keptProject = bench.project
-        savedProject = if (work.saved) bench.project else null
+        keptProject = project
+        savedProject = if (work.saved) project else null
         openWorks.opened(work.id, bench.platform.clock.now)
         isMarkedOpen = true
+        if (name.isEmpty() && id == work.id) name = freeName()
     }
 
     /** All of [project] is in [file] now; null where the platform does not tell where that is. */
@@ -96,6 +118,8 @@ internal class DocumentKeeper(private val bench: Bench) {
         if (isKept) return null
         val now = bench.platform.clock.now
         times = times.begun(now)
+        // A file is known by its own name.
+        if (id == null && file == null) name = freeName(name)
         val work = KeptWork(id ?: newId(now), name, now, bench.project, file, isSaved)
         val keeping = withContext(bench.platform.background) { shelf.keep(work) }
         if (keeping == Keeping.Kept && id == work.id) {
@@ -114,18 +138,30 @@ internal class DocumentKeeper(private val bench: Bench) {
         isMarkedOpen = false
     }
 
-    /** Gives back what this window has claimed. */
+    /** [wanted] as the name of the work [of], made another if another work is called that. */
+    suspend fun freeName(wanted: String = newWorkName(bench.language), of: String? = null): String =
+        freeWorkName(wanted, shelf.works().filter { it.id != of }.map { it.name })
+
+    /** There is no open work any more; gives back what this window has claimed. */
     fun forget() {
         workClaim?.release()
         workClaim = null
         releaseFile()
         id = null
         isMarkedOpen = false
+        isOnlyChosen = false
+        before = null
         file = null
         keptProject = null
         keptFile = null
         keptName = ""
         savedProject = null
+    }
+
+    /** Gives back what this window has claimed, since it is gone. */
+    fun release() {
+        workClaim?.release()
+        releaseFile()
     }
 
     private fun releaseFile() {

@@ -3,6 +3,7 @@ package robotran.ui.workshop
 import androidx.compose.runtime.Immutable
 import robotran.documents.OpeningTrouble
 import robotran.documents.WorkEntry
+import robotran.world.World
 
 /**
  * The project as a document.
@@ -73,6 +74,14 @@ sealed interface DocumentDialog {
  *
  * @property time when it was last kept, as people write it.
  * @property isOpen whether it is the one on the screen.
+ * @property world where it is to run; null until that was looked up, or if it cannot be.
+ * @property programs the names of its programs, robot by robot.
  */
 @Immutable
-data class ShownWork(val entry: WorkEntry, val time: String, val isOpen: Boolean)
+data class ShownWork(
+    val entry: WorkEntry,
+    val time: String,
+    val isOpen: Boolean,
+    val world: World? = null,
+    val programs: List<String> = emptyList(),
+)

@@ -1,8 +1,10 @@
 package robotran.ui.workshop
 
 import robotran.documents.KeptWork
+import kotlinx.coroutines.yield
 import robotran.documents.StoreResult
 import robotran.documents.WorkClaim
+import robotran.documents.WorkEntry
 import robotran.documents.WorkReading
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_delete_failed
@@ -49,6 +51,19 @@ internal class DocumentWorks(
         val language = bench.settings.language?.tag.orEmpty()
         val works = keeper.shelf.works().map { ShownWork(it, bench.platform.clock.describe(it.keptAt, language), it.id == keeper.openId) }
         if (dialog() is DocumentDialog.Works) show(DocumentDialog.Works(works))
+        for (work in works) {
+            yield()
+            lookInto(work.entry)
+        }
+    }
+
+    /** Tells in the list what is in the work of [entry], if that is still to be seen. */
+    private suspend fun lookInto(entry: WorkEntry) {
+        if (dialog() !is DocumentDialog.Works) return
+        val project = (keeper.shelf.read(entry.id) as? WorkReading.Found)?.work?.project ?: return
+        val programs = project.robots.flatMap { robot -> robot.programs.map { it.name } }
+        val now = dialog() as? DocumentDialog.Works ?: return
+        show(now.copy(works = now.works?.map { if (it.entry == entry) it.copy(world = project.world, programs = programs) else it }))
     }
 
     private suspend fun open(id: String) {

@@ -15,6 +15,10 @@ import robotran.world.SessionState
 class LearningHolder(private val bench: Bench) {
     private var progress = LearningProgress()
     private val writes = WritesInOrder(bench)
+    private var hasStarted = false
+
+    /** Whether the tutorial was folded because something else came onto the desk. */
+    private var hasGivenWay = false
     private var goalsSeen: List<GoalProgress> = emptyList()
     private val tutorial = TutorialDesk(bench, { progress }, ::keep)
     private val help = HelpFinder(bench)
@@ -27,9 +31,12 @@ class LearningHolder(private val bench: Bench) {
         progress = LearningProgress.readFrom(bench.platform.store)
         state = state.copy(
             page = LearningPage.FIRST_RUN.takeIf { welcoming && !progress.welcomed },
-            tutorial = if (progress.tutorialShown) tutorial.first().copy(isFolded = progress.folded) else null,
+            tutorial = tutorial.stepOnDesk()?.let(tutorial::show) ?: if (progress.tutorialShown) tutorial.first() else null,
         )
+        hasStarted = true
         refresh()
+        // What is on the desk has its own task.
+        state = state.copy(tutorial = state.tutorial?.let { it.copy(isFolded = progress.folded || !it.isOnDesk) })
     }
 
     fun handle(event: LearningEvent) {
@@ -63,9 +70,37 @@ class LearningHolder(private val bench: Bench) {
         val step = tutorial.stepOnDesk()
         if (step != null) {
             // Looking on is not doing.
-            if (state.tutorial?.solutionShown != true) keep(progress.copy(stepsDone = progress.stepsDone + step.name))
+            if (state.tutorial?.solutionShown != true) {
+                tutorial.keepProgram()
+                keep(progress.copy(stepsDone = progress.stepsDone + step.name))
+            }
         } else {
             WorldGallery.find(bench.project.world)?.let(::worldDone)
+        }
+        refresh()
+    }
+
+    /** Something else is about to come onto the desk: what the pupil has made of a step's program is kept. */
+    fun leaveDesk() {
+        if (hasStarted) tutorial.keepProgram()
+    }
+
+    /** Something else is on the desk: the tutorial folds if that is none of its steps, and shows the step if it is one. */
+    fun deskChanged() {
+        if (!hasStarted) return
+        val shown = state.tutorial
+        val step = tutorial.stepOnDesk()
+        if (step == null) {
+            if (shown?.isOnDesk == true) {
+                hasGivenWay = !shown.isFolded
+                state = state.copy(tutorial = shown.copy(isFolded = true, solutionShown = false))
+            }
+        } else {
+            if (shown?.current !== step || !shown.isOnDesk) {
+                val isFolded = shown?.isFolded == true && !hasGivenWay
+                state = state.copy(tutorial = tutorial.show(step).copy(isFolded = isFolded))
+            }
+            hasGivenWay = false
         }
         refresh()
     }
@@ -114,13 +149,14 @@ class LearningHolder(private val bench: Bench) {
     }
 
     private fun fold(folded: Boolean) {
+        hasGivenWay = false
         changeTutorial { it.copy(isFolded = folded) }
         keep(progress.copy(folded = folded))
     }
 
     /** The tutorial goes away; once what was there before is back, [next] happens. */
     private fun leaveTutorial(next: () -> Unit = {}) {
-        tutorial.leaveDesk(keepsProgram = state.tutorial?.solutionShown != true, next)
+        tutorial.leaveDesk(next)
         state = state.copy(tutorial = null)
         keep(progress.copy(tutorialShown = false))
     }
@@ -128,7 +164,7 @@ class LearningHolder(private val bench: Bench) {
     private fun chooseWorld(name: String) {
         val found = WorldGallery.named(name) ?: return
         val open = {
-            bench.changeWorld(found.world(bench.language))
+            bench.openWorld(found.world(bench.language))
             bench.show(Pane.WORLD)
         }
         leavePage()

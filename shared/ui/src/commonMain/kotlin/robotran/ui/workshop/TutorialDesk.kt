@@ -15,18 +15,28 @@ internal class TutorialDesk(
     private val progress: () -> LearningProgress,
     private val keep: (LearningProgress) -> Unit,
 ) {
+    private var isSolutionOnDesk = false
+
     /** The tutorial as it is shown first: at the step that was shown last. */
     fun first() = TutorialState(Tutorial.steps.indexOfFirst { it.name == progress().step }.coerceAtLeast(0))
 
     /** The step whose world is on the desk; null if something else is. */
     fun stepOnDesk(): TutorialStep? = Tutorial.stepIn(bench.project.world)
 
+    /** The tutorial with [step], which is on the desk. */
+    fun show(step: TutorialStep): TutorialState {
+        keep(progress().copy(step = step.name, tutorialShown = true))
+        val text = programOnDesk(step)
+        isSolutionOnDesk = text == step.solution.text && own(step).text != text
+        return TutorialState(Tutorial.steps.indexOf(step), solutionShown = isSolutionOnDesk)
+    }
+
     /** Shows the step [place]; if the tutorial is on the desk, that one's program and world come there. */
     fun choose(tutorial: TutorialState, place: Int): TutorialState {
         if (place !in Tutorial.steps.indices) return tutorial
         val chosen = TutorialState(place, isFolded = tutorial.isFolded)
         if (stepOnDesk() != null) {
-            if (!tutorial.solutionShown) keepProgram()
+            keepProgram()
             open(chosen.current, own(chosen.current))
         }
         keep(progress().copy(step = chosen.current.name))
@@ -42,8 +52,8 @@ internal class TutorialDesk(
 
     /** Puts the shown step on the desk as it was given. */
     fun beginAgain(tutorial: TutorialState): TutorialState {
-        keep(progress().copy(programs = progress().programs - tutorial.current.name))
         bring(tutorial.current, tutorial.current.program)
+        keep(progress().copy(programs = progress().programs - tutorial.current.name))
         return tutorial.copy(solutionShown = false)
     }
 
@@ -55,14 +65,10 @@ internal class TutorialDesk(
         return tutorial.copy(solutionShown = shown)
     }
 
-    /**
-     * Brings back what was on the desk before the tutorial, if that is there now.
-     *
-     * @param keepsProgram whether the program on the desk is the pupil's own.
-     */
-    fun leaveDesk(keepsProgram: Boolean, next: () -> Unit) {
+    /** Brings back what was on the desk before the tutorial, if that is there now. */
+    fun leaveDesk(next: () -> Unit) {
         if (stepOnDesk() == null) return next()
-        if (keepsProgram) keepProgram()
+        keepProgram()
         bench.takeUpWork(progress().ownWork, next)
     }
 
@@ -70,20 +76,27 @@ internal class TutorialDesk(
     private fun bring(step: TutorialStep, file: SourceFile) {
         if (stepOnDesk() != null) return open(step, file)
         bench.beginWork(Tutorial.name(bench.language), step.project(bench.language, listOf(file)), progress().tutorialWork) { left, begun ->
+            isSolutionOnDesk = file === step.solution
             keep(progress().copy(ownWork = left, tutorialWork = begun))
         }
     }
 
-    private fun open(step: TutorialStep, file: SourceFile) = bench.openProject(step.project(bench.language, listOf(file)))
+    private fun open(step: TutorialStep, file: SourceFile) {
+        bench.openProject(step.project(bench.language, listOf(file)))
+        isSolutionOnDesk = file === step.solution
+    }
 
-    /** Keeps what the pupil has made of the program of the step on the desk. */
-    private fun keepProgram() {
-        val step = stepOnDesk() ?: return
-        val program = bench.project.pupilPrograms.firstOrNull { it.name == step.program.name } ?: return
-        val text = program.files.first().text
+    /** Keeps what the pupil has made of the program of the step on the desk, if one is there and not its solution. */
+    fun keepProgram() {
+        val step = stepOnDesk()
+        if (step == null || isSolutionOnDesk) return
+        val text = programOnDesk(step) ?: return
         val others = progress().programs - step.name
         keep(progress().copy(programs = if (text == step.program.text) others else others + (step.name to text)))
     }
+
+    private fun programOnDesk(step: TutorialStep): String? =
+        bench.project.pupilPrograms.firstOrNull { it.name == step.program.name }?.files?.first()?.text
 
     private fun own(step: TutorialStep) = progress().programs[step.name]?.let { SourceFile(step.program.name, it) } ?: step.program
 }

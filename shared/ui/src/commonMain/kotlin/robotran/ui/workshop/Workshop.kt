@@ -33,6 +33,7 @@ class Workshop(
 ) : Bench {
     private var opened = project
     private var pane by mutableStateOf(Pane.WORLD)
+    private var taskShown by mutableStateOf(false)
     private var notice: Notice? by mutableStateOf(null)
 
     private val settingsHolder = SettingsHolder(this, settings)
@@ -54,6 +55,7 @@ class Workshop(
             settings = settingsHolder.state,
             learning = learning.state,
             pane = pane,
+            taskShown = taskShown,
             notice = notice,
             settingsShown = settingsHolder.shown,
         )
@@ -77,13 +79,14 @@ class Workshop(
     fun handle(event: WorkshopEvent) {
         when (event) {
             is ProgramEvent -> handleProgram(event)
-            is RunEvent -> run.handle(event)
+            is RunEvent -> handleRun(event)
             is SheetEvent -> sheet.handle(event)
             is WorldEditEvent -> worldEdit.handle(event)
             is DocumentEvent -> document.handle(event)
             is SettingsEvent -> handleSettings(event)
             is LearningEvent -> learning.handle(event)
             is WorkshopEvent.PaneChosen -> pane = event.pane
+            is WorkshopEvent.TaskShown -> taskShown = event.shown
             WorkshopEvent.NoticeDismissed -> notice = null
             WorkshopEvent.NoticeTaken -> takeNotice()
         }
@@ -113,8 +116,8 @@ class Workshop(
 
     /** Keeps what has changed at once, since the window is out of sight and may be gone without a word. */
     suspend fun restDocument() {
-        keepSettings()
         document.rest()
+        keepSettings()
     }
 
     /** Keeps what has changed at once; see [DocumentHolder.close] about the rest. */
@@ -153,29 +156,35 @@ class Workshop(
     }
 
     override fun openProject(project: Project) {
+        learning.leaveDesk()
+        worldEdit.leave()
         opened = project
         programs.open(project)
         run.changeWorld(project.worldToRun, project.inputs)
-        learning.refresh()
-        sheet.worldChanged()
-        document.lookAgain()
+        worldChanged(isAnother = true)
     }
 
     override fun beginWork(name: String, project: Project, into: String?, onBegun: (left: String?, begun: String?) -> Unit) =
         document.beginWork(name, project, into, onBegun)
 
+    override fun openWorld(world: World) {
+        document.openWorld(world)
+    }
+
     override fun takeUpWork(id: String?, next: () -> Unit) = document.takeUpWork(id, next)
 
-    override fun changeWorld(world: World) {
+    override fun changeWorld(world: World, isAnother: Boolean) {
+        learning.leaveDesk()
+        if (isAnother) worldEdit.leave()
+        val before = run.state.world
         opened = opened.copy(world = world)
         programs.worldChanged(world)
         run.changeWorld(opened.worldToRun)
-        learning.refresh()
-        sheet.worldChanged()
-        document.lookAgain()
+        worldChanged(isAnother || before.title != world.title || before.task != world.task)
     }
 
     override fun keepWorld(world: World) {
+        learning.leaveDesk()
         val before = opened.world.robots
         opened = opened.copy(world = world)
         // A robot with another name would be one without programs.
@@ -206,6 +215,21 @@ class Workshop(
 
     override fun show(pane: Pane) {
         this.pane = pane
+    }
+
+    /** The world on the desk is one that was not there before, or says something else if [isAnother]. */
+    private fun worldChanged(isAnother: Boolean) {
+        learning.deskChanged()
+        if (isAnother) taskShown = state.hasTask
+        if (taskShown) pane = Pane.WORLD
+        sheet.worldChanged()
+        document.lookAgain()
+    }
+
+    /** Whoever runs the program wants to see the whole sheet. */
+    private fun handleRun(event: RunEvent) {
+        if (event == RunEvent.RunPressed) taskShown = false
+        run.handle(event)
     }
 
     private fun handleProgram(event: ProgramEvent) {

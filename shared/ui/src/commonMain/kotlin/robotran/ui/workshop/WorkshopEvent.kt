@@ -5,6 +5,9 @@ sealed interface WorkshopEvent {
     /** Where there is room for one pane only, it is to be [pane]. */
     data class PaneChosen(val pane: Pane) : WorkshopEvent
 
+    /** What is to be done in the world is to be seen or not. */
+    data class TaskShown(val shown: Boolean) : WorkshopEvent
+
     /** The notice at the lower edge was read. */
     data object NoticeDismissed : WorkshopEvent
 

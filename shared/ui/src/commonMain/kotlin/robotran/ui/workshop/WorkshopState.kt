@@ -14,6 +14,7 @@ import robotran.world.World
  *
  * @property worldEdit null while the world is not changed.
  * @property pane what a screen with room for one pane shows.
+ * @property taskShown whether what is to be done in the world is to be seen over the sheet.
  * @property notice what the app has to say, null if nothing.
  * @property settingsShown whether the page with the settings is shown.
  */
@@ -27,6 +28,7 @@ data class WorkshopState(
     val settings: Settings,
     val learning: LearningState,
     val pane: Pane,
+    val taskShown: Boolean = false,
     val notice: Notice? = null,
     val settingsShown: Boolean = false,
 ) {
@@ -50,6 +52,9 @@ data class WorkshopState(
     val stoppable: Boolean get() = run.stoppable
 
     val soundOn: Boolean get() = settings.soundOn
+
+    /** Whether there is something to be done in the world; in a step of the tutorial, that says it. */
+    val hasTask: Boolean get() = world.task.isNotBlank() && learning.tutorial?.isOnDesk != true
 
     /** Whether the program shown is the one that runs or ran last, as it is written now. */
     private val isShownInRun: Boolean get() = !changed && shownRobot?.brick?.selectedSlot == programs.shownProgram

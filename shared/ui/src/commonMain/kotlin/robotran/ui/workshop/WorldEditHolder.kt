@@ -56,6 +56,12 @@ class WorldEditHolder(private val bench: Bench) {
         return true
     }
 
+    /** Another world is on the desk; what can be kept of the one that was changed has been. */
+    fun leave() {
+        latest = null
+        state = null
+    }
+
     private fun discard() {
         val now = state ?: return
         state = null

@@ -15,13 +15,15 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
+import robotran.ui.resources.worldedit_prose_range
 import robotran.ui.resources.worldedit_text_range
 import robotran.ui.theme.LocalRobotranColours
 import robotran.worldediting.isText
 
 /**
- * A line of text, or several if it is [tall].
+ * A line of text, or several if it is [tall] or [isProse].
  *
+ * @param tall whether it may be anything at all, such as a program, which [refusal] is about.
  * @param maximum its most characters.
  * @param onChange is given only what can be taken.
  */
@@ -35,13 +37,15 @@ internal fun TextRow(
     onSettle: () -> Unit,
     mayBeBlank: Boolean = false,
     tall: Boolean = false,
+    isProse: Boolean = false,
     hint: String = "",
     refusal: String? = null,
 ) {
     var draft by remember(tag) { mutableStateOf<String?>(null) }
     val typed = draft
-    val isWrong = typed != null && !tall && !isText(typed, maximum, mayBeBlank)
-    val wrong = if (isWrong) stringResource(Res.string.worldedit_text_range, maximum) else refusal.takeIf { typed != null && typed != text }
+    val range = if (isProse) Res.string.worldedit_prose_range else Res.string.worldedit_text_range
+    val isWrong = typed != null && !tall && !isText(typed, maximum, mayBeBlank, isProse)
+    val wrong = if (isWrong) stringResource(range, maximum) else refusal.takeIf { typed != null && typed != text }
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
         Text(title, color = LocalRobotranColours.current.onPane, fontSize = 15.sp)
         EditFieldBox(wrong != null, Modifier.fillMaxWidth()) {
@@ -50,15 +54,16 @@ internal fun TextRow(
                 label = title,
                 tag = tag,
                 wrong = wrong,
-                onText = {
-                    draft = it
-                    if (tall || isText(it, maximum, mayBeBlank)) onChange(it)
+                onText = { new ->
+                    val text = if (isProse) new.replace("\r\n", "\n").replace('\t', ' ') else new
+                    draft = text
+                    if (tall || isText(text, maximum, mayBeBlank, isProse)) onChange(text)
                 },
                 onLeft = {
                     draft = null
                     onSettle()
                 },
-                tall = tall,
+                tall = tall || isProse,
                 hint = hint,
             )
         }

@@ -15,12 +15,18 @@ import robotran.ui.platform.FileDesk
 import robotran.ui.platform.FileKind
 import robotran.ui.platform.MemoryPlatform
 import robotran.ui.platform.MemoryStore
+import robotran.ui.platform.NoWindowMemory
 import robotran.ui.platform.OpenedFile
 import robotran.ui.platform.Saving
 import robotran.ui.platform.Sharing
 import robotran.ui.platform.StandingClock
+import robotran.ui.platform.WindowMemory
 import robotran.ui.platform.WorkStore
 import robotran.ui.sound.NoLoudSpeaker
+import robotran.ui.workshop.DocumentDialog
+import robotran.ui.workshop.DocumentEvent
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.ShownWork
 import robotran.ui.workshop.Workshop
 import robotran.world.BuiltInWorlds
 
@@ -73,10 +79,35 @@ internal class Machine {
     val clipboard = RememberingClipboard()
     val clock = StandingClock(now = 1_000_000)
 
-    fun window(vararg arrivals: Arrival): Workshop {
+    fun window(vararg arrivals: Arrival): Workshop = tab(NoWindowMemory, *arrivals)
+
+    /** A tab of a browser, which remembers by [memory]. */
+    fun tab(memory: WindowMemory, vararg arrivals: Arrival): Workshop {
         val waiting = Arrivals().also { arrivals.forEach(it::bring) }
-        return runBlocking { openWorkshop(platform = MemoryPlatform(NoLoudSpeaker, store, files, clipboard, clock, waiting)) }
+        return runBlocking { openWorkshop(platform = MemoryPlatform(NoLoudSpeaker, store, files, clipboard, clock, waiting, memory)) }
     }
+}
+
+/** The memory of one tab. */
+internal class TabMemory(override var workId: String? = null) : WindowMemory {
+    /** Whether the page that is loaded next comes after one that has ended as it should. */
+    var hasEnded = true
+
+    override fun hasEnded(id: String): Boolean = hasEnded
+}
+
+/** Writes [text], and lets a moment pass in which nobody types. */
+internal fun Workshop.write(text: String) {
+    handle(ProgramEvent.ProgramEdited(text))
+    keep()
+}
+
+/** All works, as My work shows them. */
+internal fun Workshop.works(): List<ShownWork> {
+    handle(DocumentEvent.WorksWanted)
+    val works = checkNotNull((state.document.dialog as DocumentDialog.Works).works)
+    handle(DocumentEvent.DialogClosed)
+    return works
 }
 
 /** Lets a moment pass in which nobody does anything. */

@@ -9,7 +9,7 @@ import robotran.projects.readProject
 import robotran.ui.platform.Arrival
 import robotran.ui.platform.OpenedFile
 import robotran.ui.resources.Res
-import robotran.ui.resources.documents_back_unnamed
+import robotran.ui.resources.documents_back
 import robotran.ui.resources.documents_open_elsewhere
 import robotran.ui.resources.documents_save_full
 import robotran.ui.resources.documents_saved
@@ -41,7 +41,7 @@ class DocumentHolderTest {
         machine.window().write("forward 7")
         val killed = machine.afterKill()
         assertEquals("forward 7", killed.state.programText)
-        assertEquals(Res.string.documents_back_unnamed, killed.state.notice?.text)
+        assertEquals(Res.string.documents_back, killed.state.notice?.text)
     }
 
     @Test
@@ -86,7 +86,7 @@ class DocumentHolderTest {
         workshop.handle(DocumentEvent.Renamed("Maze"))
         workshop.handle(DocumentEvent.NewWanted)
         assertContains(workshop.state.programText, "forward 20")
-        assertEquals("", workshop.state.document.name)
+        assertEquals("My first work", workshop.state.document.name)
         val kept = machine.works(workshop).single()
         assertEquals("Maze", kept.entry.name)
         workshop.handle(DocumentEvent.WorkOpened(kept.entry.id))
@@ -127,7 +127,7 @@ class DocumentHolderTest {
         workshop.write("forward 7")
         machine.files.place = "/home/town.robotran"
         workshop.handle(DocumentEvent.SaveWanted)
-        assertEquals("Plain sheet.robotran", machine.files.suggestion)
+        assertEquals("My first work.robotran", machine.files.suggestion)
         assertTrue(workshop.state.document.saved)
         assertEquals("town", workshop.state.document.name)
         workshop.write("forward 8")
@@ -274,12 +274,6 @@ class DocumentHolderTest {
         assertEquals("square.zip", machine.files.suggestion)
         val zip = ZipInputStream(ByteArrayInputStream(machine.files.disk.getValue("program")))
         assertContains(generateSequence { zip.nextEntry?.name }.toList(), "Square/Square.java")
-    }
-
-    /** Writes [text], and lets a moment pass in which nobody types. */
-    private fun Workshop.write(text: String) {
-        handle(ProgramEvent.ProgramEdited(text))
-        runBlocking { keepDocumentNow() }
     }
 
     /** The window is gone without a word, and its claims with it. */

@@ -49,8 +49,9 @@ class WorkMenuTest {
     @Test
     fun `a work is given a name by typing it and Return`() = shown { workshop ->
         choose("rename")
+        onNodeWithTag("document-text").assertIsFocused().performTextReplacement(" ")
         onNodeWithTag("document-done").assertIsNotEnabled()
-        onNodeWithTag("document-text").assertIsFocused().performTextReplacement("Maze")
+        onNodeWithTag("document-text").performTextReplacement("Maze")
         onNodeWithTag("document-text").performKeyInput { pressKey(Key.Enter) }
         onNodeWithTag("document-dialog").assertDoesNotExist()
         assertEquals("Maze", workshop.state.document.name)

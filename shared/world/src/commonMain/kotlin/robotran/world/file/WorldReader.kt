@@ -51,7 +51,7 @@ private class WorldReader(private val file: JsonPlace) {
         val paper = readPaper(file.member("paper"))
         val world = World(
             title = file.member("title").text(WorldLimits.MAXIMUM_TITLE_CHARACTERS),
-            task = file.optional("task")?.text(WorldLimits.MAXIMUM_SENTENCE_CHARACTERS, mayBeEmpty = true).orEmpty(),
+            task = file.optional("task")?.text(WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeEmpty = true, severalLines = true).orEmpty(),
             paper = paper,
             robots = file.member("robots").items(1..WorldLimits.MAXIMUM_ROBOTS).map { readRobot(it, paper) },
             walls = list("walls", WorldLimits.MAXIMUM_WALLS, things::wall),

@@ -54,9 +54,10 @@ internal class GoalSentences(
         return PaperPlace.entries[(THIRDS - 1 - row) * THIRDS + column]
     }
 
+    /** What lies beside the middle fifth is said to be on that side, as people say it. */
     private fun third(middle: Double, side: Double): Int = when {
-        middle * THIRDS < side -> 0
-        middle * THIRDS > side * (THIRDS - 1) -> 2
+        middle < side * MIDDLE.start -> 0
+        middle > side * MIDDLE.endInclusive -> 2
         else -> 1
     }
 
@@ -71,6 +72,7 @@ internal class GoalSentences(
 
     private companion object {
         const val THIRDS = 3
+        val MIDDLE = 0.4..0.6
     }
 }
 

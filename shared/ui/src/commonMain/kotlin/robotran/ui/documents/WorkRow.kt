@@ -1,0 +1,100 @@
+package robotran.ui.documents
+
+import androidx.compose.foundation.Image
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.produceState
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.layout.ContentScale
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.program.Cross
+import robotran.ui.program.RoundButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_delete
+import robotran.ui.resources.documents_work_file
+import robotran.ui.resources.documents_work_now
+import robotran.ui.sheet.SheetColours
+import robotran.ui.sheet.SheetPictures
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.DocumentEvent
+import robotran.ui.workshop.ShownWork
+
+/** One of all works: a picture of its sheet, what it is called, its world and programs, and when it was kept. A touch opens it. */
+@Composable
+internal fun WorkRow(work: ShownWork, onEvent: (DocumentEvent) -> Unit) {
+    Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
+        Row(
+            Modifier
+                .weight(1f)
+                .heightIn(min = Measures.TARGET)
+                .clip(RoundedCornerShape(12.dp))
+                .focusRing()
+                .clickable(role = Role.Button) { onEvent(DocumentEvent.WorkOpened(work.entry.id)) }
+                .testTag("work-${work.entry.id}")
+                .padding(8.dp),
+            Arrangement.spacedBy(12.dp),
+            Alignment.CenterVertically,
+        ) {
+            SheetPicture(work)
+            Column(Modifier.weight(1f)) {
+                val colours = LocalRobotranColours.current
+                Text(nameOf(work), fontSize = 16.sp, lineHeight = 22.sp, fontWeight = FontWeight.Medium)
+                val holds = listOfNotNull(work.world?.title?.takeIf { it != work.entry.name }) + work.programs
+                // There is room for it from the beginning, so that nothing moves when it comes.
+                Text(holds.joinToString(" · "), color = colours.quiet, fontSize = 14.sp, lineHeight = 20.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+                Text(timeOf(work), color = colours.quiet, fontSize = 14.sp, lineHeight = 20.sp)
+            }
+        }
+        if (!work.isOpen) {
+            RoundButton(Cross, stringResource(Res.string.documents_delete, nameOf(work)), "delete-${work.entry.id}") {
+                onEvent(DocumentEvent.WorkDeletionWanted(work.entry.id))
+            }
+        }
+    }
+}
+
+@Composable
+private fun timeOf(work: ShownWork): String {
+    val time = if (work.isOpen) stringResource(Res.string.documents_work_now) else work.time
+    return work.entry.fileName?.let { stringResource(Res.string.documents_work_file, time, it) } ?: time
+}
+
+/** The world's title stands beside it, so it has no words of its own. */
+@Composable
+private fun SheetPicture(work: ShownWork) {
+    val colours = LocalRobotranColours.current
+    val sheetColours = remember(colours) { SheetColours.of(colours) }
+    val key = "${work.entry.id} ${work.entry.keptAt}"
+    val picture by produceState(pictures.ready(key, sheetColours), key, work.world, sheetColours) {
+        work.world?.let { value = pictures.of(key, it, sheetColours) }
+    }
+    Box(Modifier.size(72.dp, 54.dp).background(colours.desk, RoundedCornerShape(6.dp)).padding(2.dp), Alignment.Center) {
+        picture?.let { Image(it, contentDescription = null, Modifier.fillMaxSize(), contentScale = ContentScale.Fit) }
+    }
+}
+
+private val pictures = SheetPictures(pixels = 144)

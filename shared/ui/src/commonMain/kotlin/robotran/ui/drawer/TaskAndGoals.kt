@@ -1,0 +1,69 @@
+package robotran.ui.drawer
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.selection.toggleable
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.task
+import robotran.ui.resources.task_hide
+import robotran.ui.resources.task_show
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorkshopState
+
+/** The ways to what is to be done in the world and to its goals, as far as it has them. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun TaskAndGoals(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+    FlowRow(modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
+        if (state.hasTask) TaskChip(state.taskShown) { onEvent(WorkshopEvent.TaskShown(it)) }
+        GoalChip(state.session.goals, onEvent)
+    }
+}
+
+/** Shows and hides what is to be done in the world. */
+@Composable
+private fun TaskChip(shown: Boolean, onShow: (Boolean) -> Unit) {
+    val colours = LocalRobotranColours.current
+    val help = stringResource(if (shown) Res.string.task_hide else Res.string.task_show)
+    Box(
+        Modifier
+            .testTag("task-chip")
+            .focusRing(CORNER)
+            .clip(RoundedCornerShape(CORNER))
+            .background(colours.pane)
+            .border(BorderStroke(1.dp, if (shown) colours.onPane else colours.line), RoundedCornerShape(CORNER))
+            .toggleable(shown, role = Role.Button, onValueChange = onShow)
+            .defaultMinSize(minHeight = Measures.TARGET)
+            .padding(horizontal = 16.dp, vertical = 8.dp)
+            .semantics(mergeDescendants = true) { contentDescription = help },
+        Alignment.Center,
+    ) {
+        Text(stringResource(Res.string.task), color = colours.onPane, fontSize = 16.sp, lineHeight = 20.sp, fontWeight = FontWeight.Medium)
+    }
+}
+
+private val CORNER = 24.dp

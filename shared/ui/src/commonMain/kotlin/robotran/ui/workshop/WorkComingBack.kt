@@ -1,0 +1,70 @@
+package robotran.ui.workshop
+
+import kotlinx.coroutines.delay
+import robotran.documents.ComingBack
+import robotran.documents.WorkClaim
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_back
+import robotran.ui.resources.documents_back_others
+import robotran.ui.resources.documents_back_unnamed
+import robotran.ui.resources.documents_my_work
+import robotran.ui.resources.documents_others_there
+import robotran.ui.resources.documents_own_elsewhere
+
+/** Finds the work with which a window begins, and says what is to be said about it. */
+internal class WorkComingBack(private val bench: Bench, private val keeper: DocumentKeeper) {
+    /**
+     * The work that comes back into this window: its own if it was loaded anew, otherwise what was open last; null if it begins a new one.
+     *
+     * @param isBroughtSomething whether something was brought to the window, which takes the place of what was open last.
+     */
+    suspend fun take(isBroughtSomething: Boolean): ComingBack? {
+        val own = bench.platform.window.workId
+        return when {
+            own != null -> takeOwn(own)
+            isBroughtSomething || !bench.platform.goesOn -> null
+            else -> keeper.openWorks.takeBack(bench.platform.window::hasEnded)
+        }
+    }
+
+    /** Says what came back, if it did not come back as if nothing had been. */
+    fun say(back: ComingBack) {
+        val name = back.work.name
+        val myWork = { bench.perform(DocumentEvent.WorksWanted) }
+        when {
+            back.others > 0 -> {
+                val text = if (back.wasCutShort) Res.string.documents_back_others else Res.string.documents_others_there
+                bench.say(Notice(text, action = Res.string.documents_my_work, onAction = myWork))
+            }
+
+            !back.wasCutShort -> Unit
+            name.isEmpty() -> bench.say(Notice(Res.string.documents_back_unnamed))
+            else -> bench.say(Notice(Res.string.documents_back, listOf(name)))
+        }
+    }
+
+    /** The work [id], which this window has shown before; null if it is gone, or if another window has it, which is then said. */
+    private suspend fun takeOwn(id: String): ComingBack? {
+        if (id !in keeper.shelf.ids()) return null
+        val claim = claim(id)
+        if (claim == null) {
+            bench.say(Notice(Res.string.documents_own_elsewhere))
+            return null
+        }
+        return keeper.openWorks.takeBack(id, claim, bench.platform.window.hasEnded(id)).also { if (it == null) claim.release() }
+    }
+
+    /** A page that goes lets go of its work a little later than the next one comes. */
+    private suspend fun claim(id: String): WorkClaim? {
+        repeat(CLAIM_ATTEMPTS) {
+            keeper.shelf.claim(id)?.let { return it }
+            delay(CLAIM_PAUSE)
+        }
+        return keeper.shelf.claim(id)
+    }
+
+    private companion object {
+        const val CLAIM_ATTEMPTS = 4
+        const val CLAIM_PAUSE = 100L
+    }
+}

@@ -1,0 +1,99 @@
+package robotran.ui.documents
+
+import kotlinx.coroutines.runBlocking
+import robotran.ui.platform.Arrival
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_back
+import robotran.ui.resources.documents_own_elsewhere
+import robotran.ui.workshop.DocumentEvent
+import robotran.ui.workshop.WorkshopEvent
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertNull
+
+/** Several tabs of a browser, which are loaded anew. */
+class TabsTest {
+    private val machine = Machine()
+    private val memory = TabMemory()
+
+    @Test
+    fun `two tabs that are begun have works of different names`() {
+        machine.tab(memory).write("forward 1")
+        val second = machine.tab(TabMemory())
+        assertEquals("My first work 2", second.state.document.name)
+        second.write("forward 2")
+        assertEquals(listOf("My first work", "My first work 2"), second.works().map { it.entry.name }.sorted())
+    }
+
+    @Test
+    fun `tabs that were begun at the same time get different names as soon as both are kept`() {
+        val first = machine.tab(memory)
+        val second = machine.tab(TabMemory())
+        first.write("forward 1")
+        second.write("forward 2")
+        assertEquals(listOf("My first work", "My first work 2"), listOf(first, second).map { it.state.document.name })
+    }
+
+    @Test
+    fun `a work that is renamed as another is gets a number`() {
+        val workshop = machine.tab(memory)
+        workshop.write("forward 1")
+        workshop.handle(DocumentEvent.Renamed("Maze"))
+        workshop.keep()
+        workshop.handle(DocumentEvent.NewWanted)
+        workshop.write("forward 2")
+        workshop.handle(DocumentEvent.Renamed("Maze"))
+        assertEquals("Maze 2", workshop.state.document.name)
+        workshop.handle(DocumentEvent.Renamed("Maze 2"))
+        assertEquals("Maze 2", workshop.state.document.name)
+    }
+
+    @Test
+    fun `a tab comes back with its own work, whatever was closed in between`() {
+        val first = machine.tab(memory).also { it.write("forward 1") }
+        val second = machine.tab(TabMemory()).also { it.write("forward 2") }
+        runBlocking { second.restDocument() }
+        second.close()
+        first.close()
+        assertEquals("forward 1", machine.tab(memory).state.programText)
+    }
+
+    @Test
+    fun `a tab in which nothing was done stays empty, and a new one goes on with what was closed`() {
+        machine.tab(memory).close()
+        machine.tab(TabMemory()).also { it.write("forward 2") }.close()
+        assertContains(machine.tab(memory).state.programText, "forward 20")
+        assertEquals("forward 2", machine.tab(TabMemory()).state.programText)
+    }
+
+    @Test
+    fun `a tab that was duplicated says where the work is, and begins a new one`() {
+        val first = machine.tab(memory).also { it.write("forward 1") }
+        val twin = machine.tab(TabMemory(memory.workId))
+        assertContains(twin.state.programText, "forward 20")
+        assertEquals(Res.string.documents_own_elsewhere, twin.state.notice?.text)
+        twin.write("forward 2")
+        assertEquals("forward 1", first.state.programText)
+        assertEquals(2, first.works().size)
+    }
+
+    @Test
+    fun `a reload says nothing, a crash does`() {
+        machine.tab(memory).also { it.write("forward 1") }.close()
+        val reloaded = machine.tab(memory)
+        assertNull(reloaded.state.notice)
+        reloaded.close()
+        memory.hasEnded = false
+        assertEquals(Res.string.documents_back, machine.tab(memory).state.notice?.text)
+    }
+
+    @Test
+    fun `a link that comes into a tab leaves the way back to its work`() {
+        machine.tab(memory).also { it.write("forward 1") }.close()
+        val other = machine.tab(memory, Arrival.OfFiles(listOf(projectFile("beep"))))
+        assertEquals("beep", other.state.programText)
+        other.handle(WorkshopEvent.NoticeTaken)
+        assertEquals("forward 1", other.state.programText)
+    }
+}

@@ -1,0 +1,58 @@
+@file:OptIn(ExperimentalWasmJsInterop::class)
+
+package robotran.web.platform
+
+import robotran.ui.platform.WindowMemory
+
+/**
+ * What a tab knows of itself after a reload: the id of its work in the browser's `sessionStorage`, which a tab that is duplicated gets a copy of, so
+ * that claims decide who has the work. Whether a page was left or has crashed is in `localStorage`: nothing else can be written while a page goes.
+ */
+internal object WebWindowMemory : WindowMemory {
+    init {
+        noteEnds()
+    }
+
+    override var workId: String?
+        get() = tabsWork()
+        set(value) = keepTabsWork(value.orEmpty())
+
+    override fun hasEnded(id: String): Boolean = takeEnd(id)
+}
+
+/** Out of sight a page may be ended without a word, and nothing is lost by it then. Storage may be forbidden. */
+private fun noteEnds(): Unit = js(
+    """{
+        const note = (isGoing) => {
+            try {
+                const id = sessionStorage.getItem('robotran-work');
+                if (!id) return;
+                if (isGoing) localStorage.setItem('robotran-ended-' + id, '1'); else localStorage.removeItem('robotran-ended-' + id);
+            } catch { }
+        };
+        document.addEventListener('visibilitychange', () => note(document.visibilityState === 'hidden'));
+        addEventListener('pagehide', () => note(true));
+        addEventListener('pageshow', (event) => { if (event.persisted) note(false); });
+    }""",
+)
+
+private fun tabsWork(): String? = js("(() => { try { return sessionStorage.getItem('robotran-work'); } catch { return null; } })()")
+
+private fun keepTabsWork(id: String): Unit = js(
+    """{
+        try {
+            sessionStorage.setItem('robotran-work', id);
+            if (id) localStorage.removeItem('robotran-ended-' + id);
+        } catch { }
+    }""",
+)
+
+private fun takeEnd(id: String): Boolean = js(
+    """(() => {
+        try {
+            const hasEnded = localStorage.getItem('robotran-ended-' + id) !== null;
+            localStorage.removeItem('robotran-ended-' + id);
+            return hasEnded;
+        } catch { return false; }
+    })()""",
+)
