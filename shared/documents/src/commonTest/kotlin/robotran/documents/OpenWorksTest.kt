@@ -38,6 +38,17 @@ class OpenWorksTest {
     }
 
     @Test
+    fun `a window that could not write any more that it ended is believed`() = runTest {
+        shelf.keep(workOf("beep"))
+        open.opened("one", now = 1)
+        val left = assertNotNull(open.takeBack(hasEnded = { it == "one" }))
+        assertFalse(left.wasCutShort)
+        assertFalse(assertNotNull(open.takeBack("one", left.claim, hasEnded = true)).wasCutShort)
+        assertTrue(assertNotNull(open.takeBack("one", left.claim, hasEnded = false)).wasCutShort)
+        assertNull(open.takeBack("gone", left.claim, hasEnded = true))
+    }
+
+    @Test
     fun `a work that was put away does not come back by itself`() = runTest {
         shelf.keep(workOf("beep"))
         open.opened("one", now = 1)

@@ -60,9 +60,8 @@ private fun openTexts(): BrowserTexts = js(
             request.onsuccess = () => resolve(request.result);
             request.onerror = () => reject(request.error);
         });
-        opened.catch(() => undefined);
         let database = null;
-        opened.then((found) => { database = found; });
+        opened.then((found) => { database = found; }, () => undefined);
         // At once where it can be: a page that goes does nothing later.
         const act = async (mode, work) => {
             if (database === null) database = await opened;

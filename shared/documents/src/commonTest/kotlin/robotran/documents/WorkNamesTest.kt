@@ -1,0 +1,35 @@
+package robotran.documents
+
+import robotran.language.Language
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNotEquals
+import kotlin.test.assertTrue
+
+class WorkNamesTest {
+    @Test
+    fun `a name that nobody has stays as it is`() {
+        assertEquals("Maze", freeWorkName("Maze", listOf("Maze 2", "maze")))
+        assertEquals("Maze 2", freeWorkName("Maze 2", listOf("Maze")))
+    }
+
+    @Test
+    fun `a name that is taken gets the least number that is free`() {
+        assertEquals("Maze 2", freeWorkName("Maze", listOf("Maze")))
+        assertEquals("Maze 4", freeWorkName("Maze", listOf("Maze", "Maze 2", "Maze 3", "Maze 5")))
+        assertEquals("Maze 3", freeWorkName("Maze 2", listOf("Maze", "Maze 2")))
+    }
+
+    @Test
+    fun `a name stays short, and whole`() {
+        val long = "x".repeat(KeptWork.MAXIMUM_NAME - 3) + "\uD83D\uDE00"
+        val free = freeWorkName(long, listOf(long))
+        assertTrue(free.length <= KeptWork.MAXIMUM_NAME && free.endsWith("x 2"), free)
+    }
+
+    @Test
+    fun `a new work has a name in every language`() {
+        assertEquals(3, Language.entries.map(::newWorkName).toSet().size)
+        for (language in Language.entries) assertNotEquals("", newWorkName(language))
+    }
+}

@@ -1,0 +1,102 @@
+package robotran.ui.world
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performClick
+import kotlinx.coroutines.runBlocking
+import robotran.ui.openWorkshop
+import robotran.ui.screen.checkTargets
+import robotran.ui.screen.keepAs
+import robotran.ui.screen.onScreen
+import robotran.ui.screen.pass
+import robotran.ui.screen.photograph
+import robotran.ui.workshop.DrawerTab
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.Settings
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.Workshop
+import robotran.world.World
+import kotlin.test.Test
+import kotlin.test.assertTrue
+
+/** What is to be done in a world, on every kind of screen. */
+@OptIn(ExperimentalTestApi::class)
+class TaskCardTest {
+    private val screens = mapOf("phone" to (411 to 891), "phone-on-its-side" to (891 to 411), "tablet" to (1280 to 800))
+
+    @Test
+    fun `the task is shown beside the sheet, goes with a touch and is one touch away`() {
+        for ((width, height) in screens.values) {
+            onScreen(width, height) { workshop ->
+                workshop.changeWorld(workshop.withTask(TASK), isAnother = true)
+                pass(300)
+                onNodeWithTag("task-title").assertTextContains("Corner")
+                onNodeWithTag("task-text").assertTextContains(TASK)
+                onNodeWithTag("world").assertIsDisplayed()
+                checkTargets("task-hide", "task-chip", "run")
+                onNodeWithTag("task-hide").performClick()
+                pass(300)
+                onNodeWithTag("task-card").assertDoesNotExist()
+                onNodeWithTag("task-chip").performClick()
+                pass(300)
+                onNodeWithTag("task-card").assertIsDisplayed()
+                onNodeWithTag("run").performClick()
+                pass(300)
+                onNodeWithTag("task-card").assertDoesNotExist()
+            }
+        }
+    }
+
+    @Test
+    fun `a long task in text of twice the size can be read to its end, and the sheet stays in sight`() {
+        for ((width, height) in screens.values) {
+            onScreen(width, height) { workshop ->
+                workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = 2f)))
+                workshop.changeWorld(workshop.withTask((TASK + "\n").repeat(8).trim()), isAnother = true)
+                pass(300)
+                onNodeWithTag("task-text").assertExists()
+                checkTargets("task-hide", "run")
+                val sheet = onNodeWithTag("world").fetchSemanticsNode().boundsInRoot
+                assertTrue(sheet.width >= 100 && sheet.height >= 60, "The sheet has only $sheet of $width × $height")
+            }
+        }
+    }
+
+    @Test
+    fun `the drawer tells the task over the goals`() = onScreen(1280, 800) { workshop ->
+        workshop.handle(LearningEvent.WorldChosen("square"))
+        workshop.handle(RunEvent.DrawerChosen(DrawerTab.GOALS))
+        pass(500)
+        onNodeWithTag("goals-task").assertTextContains("dotted", substring = true)
+    }
+
+    @Test
+    fun `a step of the tutorial tells its task itself`() = onScreen(1280, 800) { workshop ->
+        workshop.handle(LearningEvent.TutorialBegun)
+        pass(300)
+        onNodeWithTag("task-chip").assertDoesNotExist()
+        onNodeWithTag("task-card").assertDoesNotExist()
+    }
+
+    @Test
+    fun `it can be photographed`() {
+        for ((name, size) in screens) {
+            for (scale in listOf(1f, 2f)) {
+                val workshop = runBlocking { openWorkshop() }
+                workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = scale)))
+                workshop.changeWorld(workshop.withTask(TASK), isAnother = true)
+                photograph(workshop, size.first, size.second, dark = scale == 2f).keepAs("task-$name-${scale.toInt()}")
+                workshop.close()
+            }
+        }
+    }
+
+    private fun Workshop.withTask(task: String): World = state.world.copy(title = "Corner", task = task)
+
+    private companion object {
+        const val TASK = "Drive to the flag in the upper corner.\nLift the pen on the way.\nBeep when you are there."
+    }
+}
