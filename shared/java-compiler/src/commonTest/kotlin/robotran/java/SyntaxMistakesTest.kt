@@ -17,6 +17,18 @@ class SyntaxMistakesTest {
     }
 
     @Test
+    fun `a semicolon that is missing behind a name is put in, too`() = runTest {
+        val statements = "int rounds = 0;\nint i = 1;\nrounds = rounds + i"
+        for (rest in listOf("", "\nrounds = 2;", "\nint k = 2;", "\nMotor.A.stop();", " // add")) {
+            val mistake = mistake(statements + rest)
+            assertEquals("Put a \";\" at the end of this statement.", mistake.message)
+            assertEquals(JavaRange(6, 20, 20), mistake.range)
+            assertEquals("$statements;$rest", mendedStatements(statements + rest))
+        }
+        assertEquals("for (;;) {\nint a = 1, b = 2;\na = a - b;\n}", mendedStatements("for (;;) {\nint a = 1, b = 2;\na = a - b\n}"))
+    }
+
+    @Test
     fun `a missing bracket is put in where it belongs`() = runTest {
         assertEquals("if (1 > 0) { }", mendedStatements("if (1 > 0 { }"))
         assertEquals("int[] x = new int[3];", mendedStatements("int[] x = new int[3;"))

@@ -44,3 +44,14 @@ private fun isAboutBrace(problem: EcjProblem, source: SourceText) =
     isOpeningBrace(problem, source) || problem.arguments.firstOrNull() == "}"
 
 private fun isOpeningBrace(problem: EcjProblem, source: SourceText) = source.words(problem.start, problem.end) == "{"
+
+/**
+ * [problems] without the proposals to go on with `::`, which Java of a brick's time does not have, where ECJ also says what else is missing there:
+ * behind a name that a statement ends with, that is its semicolon.
+ */
+internal fun withoutMethodReferences(problems: List<EcjProblem>): List<EcjProblem> {
+    val (references, others) = problems.partition { it.isSyntax && it.arguments.firstOrNull()?.startsWith("::") == true }
+    if (references.isEmpty()) return problems
+    val places = others.filter { it.isSyntax }.mapTo(mutableSetOf()) { it.start to it.end }
+    return problems.filter { it !in references || (it.start to it.end) !in places }
+}
