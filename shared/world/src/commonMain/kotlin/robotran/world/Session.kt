@@ -68,6 +68,9 @@ class Session(
     /** Whether the program was stopped in the middle of a millisecond. */
     val isPaused: Boolean get() = brick.isPaused
 
+    /** Whether the program that runs stands before one of its statements, so that the line about to run is known. */
+    val isBeforeStatement: Boolean get() = brick.debuggableRun?.isBeforeStatement == true
+
     /** The session as it is now. */
     val state: SessionState get() = running.state
 

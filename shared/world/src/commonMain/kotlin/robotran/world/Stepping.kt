@@ -58,7 +58,9 @@ internal class Stepping(
         return activity == null || (step == StepKind.INTO && activity != ThreadActivity.RUNNABLE)
     }
 
+    /** A program of one file does not say which it is in. */
     private fun isBreakpoint(statement: Statement): Boolean = breakpoints.any {
-        it.line == statement.sourceLine && (it.sourceFile == null || it.sourceFile == statement.sourceFile)
+        val isOfFile = it.sourceFile == null || statement.sourceFile == null || it.sourceFile == statement.sourceFile
+        it.line == statement.sourceLine && isOfFile
     }
 }

@@ -48,6 +48,13 @@ class ThreadSteppingTest {
     }
 
     @Test
+    fun `a breakpoint that names the only file stops there`() = runTest {
+        val session = started()
+        session.breakpoints = setOf(Breakpoint(21, "Stepped.java"))
+        assertEquals(StopReason.Breakpoint(21), session.runUntilStop(1_000))
+    }
+
+    @Test
     fun `a step while all threads sleep stops behind the sleep`() = runTest {
         val session = started()
         session.advance(80)

@@ -38,6 +38,7 @@ class RunHolder(
     private val rest = RestWatch()
     private val drawer = DrawerFilling()
     private val export = RomLogExport(bench)
+    private val stoppedPlace = StoppedPlace(programs)
     private var whenRead: (() -> Unit)? = null
 
     private val player: RunPlayer get() = run.player
@@ -171,7 +172,11 @@ class RunHolder(
     }
 
     private fun step(kind: StepKind) =
-        if (state.running) goOn { player.step(kind) } else start(programs.slotToRun) { player.pause() }
+        if (state.running) goOn { player.step(kind) } else start(programs.slotToRun) { standBeforeFirstStatement() }
+
+    /** Java loads its classes before it comes to a statement; meanwhile there is no line that could be shown. */
+    private fun standBeforeFirstStatement() =
+        if (player.session.isBeforeStatement) player.pause() else player.step(StepKind.INTO)
 
     private fun runTo(line: Breakpoint) =
         if (state.running) goOn { player.play(line) } else start(programs.slotToRun) { player.play(line) }
@@ -249,6 +254,7 @@ class RunHolder(
 
     private fun show() {
         run.look()
+        if (!run.isChanged) stoppedPlace.look(player, run.world.robots[player.watched].name)
         state = state.copy(
             world = run.world,
             session = player.state,
