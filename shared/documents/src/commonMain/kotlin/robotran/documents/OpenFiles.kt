@@ -167,7 +167,7 @@ private fun textOf(file: GivenFile): String? = try {
 }
 
 private fun isTooLong(text: String): Boolean =
-    text.length > JsonLimits.MAXIMUM_CHARACTERS / 2 || text.count { it == '\n' } >= ProjectLimits.MAXIMUM_LINES
+    text.length > ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS || text.count { it == '\n' } >= ProjectLimits.MAXIMUM_LINES
 
 private fun isJava(file: GivenFile): Boolean = file.name.endsWith(FileKind.JAVA.extension, ignoreCase = true)
 

@@ -30,12 +30,13 @@ class WorkShelf(private val store: WorkStore) {
     /** Keeps [work], which must be claimed. A work that could not be read again is not kept. */
     suspend fun keep(work: KeptWork): Keeping {
         require(work.id.length <= KeptWork.MAXIMUM_ID) { "${work.id} is too long" }
-        if (readProject(writeProject(work.project)) is ProjectFileResult.Refused) return Keeping.TooLong
+        val project = writeProject(work.project)
+        if (readProject(project) is ProjectFileResult.Refused) return Keeping.TooLong
         if (work.id !in newest) copies(work.id).newestWhole()?.let { (place, copy) -> newest[work.id] = Place(place, copy.order) }
         val last = newest[work.id]
         val place = if (last?.copy == COPIES.first()) COPIES.last() else COPIES.first()
         val order = (last?.order ?: 0) + 1
-        return when (val result = store.write(nameOf(work.id, place), WorkText.write(work, order))) {
+        return when (val result = store.write(nameOf(work.id, place), WorkText.write(work, order, project))) {
             StoreResult.Done -> Keeping.Kept.also { newest[work.id] = Place(place, order) }
             StoreResult.Full -> Keeping.Full
             is StoreResult.Failed -> Keeping.Failed(result.reason)

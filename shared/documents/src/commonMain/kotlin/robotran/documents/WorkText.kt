@@ -14,9 +14,12 @@ import robotran.projects.writeProject
  * comes before, so that a text that was cut off while it was written is known for what it is.
  */
 internal object WorkText {
-    /** @param order grows with every copy. */
-    fun write(work: KeptWork, order: Long): String {
-        val sealed = "$FORMAT$VERSION\n${writeCompactJson(headOf(work, order))}\n${writeProject(work.project)}"
+    /**
+     * @param order grows with every copy.
+     * @param project the project of [work] as a file has it.
+     */
+    fun write(work: KeptWork, order: Long, project: String = writeProject(work.project)): String {
+        val sealed = "$FORMAT$VERSION\n${writeCompactJson(headOf(work, order))}\n$project"
         return "$sealed$END${FileStamp.of(sealed).text}\n"
     }
 

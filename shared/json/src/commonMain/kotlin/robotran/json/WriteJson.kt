@@ -45,7 +45,7 @@ private class JsonWriter(private val out: StringBuilder, private val tall: Set<S
     /** @param before how much of the line is taken already, beside the indentation. */
     fun write(element: JsonElement, indent: Int, before: Int) {
         when {
-            !mustBreak(element, indent) && fits(element, indent + before) -> writeOnOneLine(element)
+            element is JsonPrimitive || (!mustBreak(element, indent) && fits(element, indent + before)) -> writeOnOneLine(element)
 
             element is JsonObject -> lines(element.entries, "{", "}", indent) { (name, value) ->
                 writeText(name)
@@ -89,14 +89,13 @@ private class JsonWriter(private val out: StringBuilder, private val tall: Set<S
 
     private fun isTall(name: String, value: JsonElement) = name in tall && value is JsonArray && value.isNotEmpty()
 
+    /** Tried on paper of its own: to take something back from a long text costs as much as all of it on some platforms. */
     private fun fits(element: JsonElement, before: Int): Boolean {
-        val start = out.length
         val room = LINE - before
         if (!isShort(element, room)) return false
-        writeOnOneLine(element)
-        val length = out.length - start
-        out.setLength(start)
-        return length <= room
+        val tried = StringBuilder()
+        JsonWriter(tried, tall, blank).writeOnOneLine(element)
+        return tried.length <= room
     }
 
     /** Looks no further than it must, so that nothing long is written once for every bracket around it. */
