@@ -1,4 +1,4 @@
-// Measures the built page in Chromium, by hand: ./gradlew :webApp:measurePage, or only some with -Pmeasure=loading,frames,memory.
+// Measures the built page in Chromium, by hand: ./gradlew :webApp:measurePage, or only some with -Pmeasure=loading,frames,memory,keys.
 import { readFileSync } from 'node:fs';
 import { mkdtemp, rm } from 'node:fs/promises';
 import os from 'node:os';
@@ -12,6 +12,7 @@ import { placeOf, words } from './words.mjs';
 const SIZE = { width: 1280, height: 800 };
 const NETWORK = { offline: false, latency: 20, downloadThroughput: 10e6 / 8, uploadThroughput: 10e6 / 8 };
 const FRAMES_SECONDS = 20;
+const KEYS = 200;
 const MEMORY_MINUTES = Number(process.env.MINUTES ?? 10);
 
 const DRIVING = [
@@ -194,10 +195,46 @@ async function measureMemory() {
   await context.close();
 }
 
+/** From a key until the picture with what it wrote is drawn, in programs of these lengths. */
+async function measureKeys() {
+  for (const characters of [200, 20_000, 199_000]) {
+    const context = await browser.newContext({ viewport: SIZE, serviceWorkers: 'block', permissions: ['clipboard-read', 'clipboard-write'] });
+    const page = await context.newPage();
+    await page.goto(site.address);
+    await isReady(page);
+    if (await words(page, 'first-run').count() > 0) await putWelcomeAway(page);
+    const { x, y } = await placeOf(page, 'program');
+    await page.mouse.click(x, y);
+    await page.keyboard.press('Control+a');
+    await page.evaluate((text) => navigator.clipboard.writeText(text), 'forward 20\n'.repeat(characters / 11));
+    await page.keyboard.press('Control+v');
+    await page.waitForTimeout(5_000);
+    const times = await page.evaluate(async (keys) => {
+      const picture = () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+      const took = [];
+      for (let key = 0; key < keys; key++) {
+        await picture();
+        const begin = performance.now();
+        const field = document.activeElement;
+        const at = field.selectionStart;
+        if (key % 2) field.setRangeText('', at - 1, at, 'end');
+        else field.setRangeText('5', at, at, 'end');
+        field.dispatchEvent(new InputEvent('input', { inputType: key % 2 ? 'deleteContentBackward' : 'insertText' }));
+        await picture();
+        took.push(performance.now() - begin);
+      }
+      return took;
+    }, KEYS);
+    console.log(`a key in ${characters} characters: ${spread(times)}`);
+    await context.close();
+  }
+}
+
 try {
   if (measures('loading')) await measureLoading();
   if (measures('frames')) await measureFrames();
   if (measures('memory')) await measureMemory();
+  if (measures('keys')) await measureKeys();
 } finally {
   await browser.close();
   site.stop();

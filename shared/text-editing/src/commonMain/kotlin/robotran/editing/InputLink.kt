@@ -47,6 +47,13 @@ class InputLink(private val language: CodeLanguage) {
         return after
     }
 
+    /** What was received last did not become so: the field is to hold anew what it should. */
+    fun forget() {
+        shown = Draft("")
+        window = InputWindow.of(shown)
+        field = shown
+    }
+
     /** If the field holds of [after] just what it should, more can be received before anything is shown anew, whatever it is. */
     private fun stayInStep(after: Draft) {
         val kept = window.keptFor(after, editBetween(shown, after)) ?: return

@@ -71,6 +71,43 @@ class CompletionTest {
     }
 
     @Test
+    fun `a word that needs a value comes with one to write over`() {
+        assertEquals("forward <20>", chosen("fo|", "forward"))
+        assertEquals("turn left <90>", chosen("turn le|", "left"))
+        assertEquals("wait <1> second", chosen("wa|", "wait"))
+        assertEquals("turn <>", chosen("tu|", "turn"))
+        assertEquals("power left <5>", chosen("power l|", "left"))
+        assertEquals("if left bumper<>", chosen("if l|", "left"))
+        assertEquals("start forward<>", chosen("start f|", "forward"))
+        assertEquals("start turning left<>", chosen("start turning l|", "left"))
+        assertEquals("forward<> 30", chosen("fo| 30", "forward"), "there is one already")
+        assertEquals("if (<>)", chosen("i|", "if", CodeLanguage.JAVA))
+        assertEquals("new <>", chosen("ne|", "new", CodeLanguage.JAVA))
+    }
+
+    @Test
+    fun `a word that is written out is not offered again, unless somebody asks`() {
+        assertNull(offered("forward|"))
+        assertNull(offered("while|", CodeLanguage.JAVA))
+        assertTrue("forward" in labels("forward|", isWanted = true))
+        assertEquals("forward <20>", chosen("forward|", "forward", isWanted = true))
+    }
+
+    @Test
+    fun `behind a word that one of a few has to follow those are offered`() {
+        val turn = assertNotNull(offered("tu|")).items.first { it.label == "turn" }
+        assertTrue(turn.asksOn)
+        assertTrue(assertNotNull(offered("fo|")).items.none { it.asksOn })
+    }
+
+    /** The text once [label] was chosen, with what is selected then between angles. */
+    private fun chosen(marked: String, label: String, language: CodeLanguage = CodeLanguage.ROBOLANG, isWanted: Boolean = false): String {
+        val list = assertNotNull(offered(marked, language, isWanted), marked)
+        val after = draft(marked).completed(list, list.items.first { it.label == label })
+        return StringBuilder(after.text).insert(after.selection.end, '>').insert(after.selection.start, '<').toString()
+    }
+
+    @Test
     fun `a motor's methods are offered with what the library says about them`() {
         val items = offered("Motor.A.|", CodeLanguage.JAVA)?.items.orEmpty()
         val forward = items.first { it.label == "forward()" }

@@ -18,6 +18,7 @@ import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLTextAreaElement
 import org.w3c.dom.events.Event
+import robotran.projects.ProjectLimits
 
 /**
  * An unseen field of the browser, where the caret is, that has the focus while a text field of Compose has it. So keyboards on the screen, input
@@ -55,6 +56,7 @@ internal class PageTextInput(
         keys.listenTo(field, isWrittenInto = true)
         field.addEventListener("beforeinput") { beforeInput(it) }
         field.addEventListener("input") { tellText() }
+        field.addEventListener("paste") { pasted(it) }
         field.addEventListener("compositionstart") {
             composingFrom = field.selectionStart
             composed = ""
@@ -75,6 +77,7 @@ internal class PageTextInput(
     /** Writes [text] in place of what is selected. */
     fun insert(text: String) {
         if (!isOpen) return
+        if (text.length > MOST_IN_FIELD) return giveTooMuch(text.take(MOST_IN_FIELD + 1))
         replaceSelection(field, text)
         tellText()
     }
@@ -143,6 +146,17 @@ internal class PageTextInput(
         now.onAction(now.options.imeAction)
     }
 
+    private fun pasted(event: Event) {
+        if (pastedLength(event) <= MOST_IN_FIELD) return
+        event.preventDefault()
+        giveTooMuch(pastedText(event, MOST_IN_FIELD + 1))
+    }
+
+    /** A browser works for minutes on millions of characters in a field of its own. Whoever is written to says that this is too much. */
+    private fun giveTooMuch(text: String) {
+        session?.onEdit?.invoke(listOf(FinishComposingTextCommand(), CommitTextCommand(text, 1)))
+    }
+
     private fun tellText() {
         val now = session ?: return
         val text = field.value
@@ -170,6 +184,9 @@ internal class PageTextInput(
     }
 
     private companion object {
+        /** More than this nobody takes, in characters. */
+        const val MOST_IN_FIELD = ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS
+
         /** CSS pixels that the field keeps from the far edges. */
         const val LEAST = 24f
         val NUMBERS = setOf(KeyboardType.Number, KeyboardType.Decimal)
@@ -210,3 +227,7 @@ private fun kindOf(event: Event): String = js("event.inputType || ''")
 
 private fun replaceSelection(field: HTMLTextAreaElement, text: String): Unit =
     js("field.setRangeText(text, field.selectionStart, field.selectionEnd, 'end')")
+
+private fun pastedLength(event: Event): Int = js("event.clipboardData ? event.clipboardData.getData('text').length : 0")
+
+private fun pastedText(event: Event, most: Int): String = js("event.clipboardData.getData('text').slice(0, most)")

@@ -22,14 +22,15 @@ internal fun completeJava(draft: Draft, help: WordHelp, isWanted: Boolean): Comp
     val before = pieces.filter { it.end <= start }.map { text.substring(it.start, it.end) }
     val isMember = before.lastOrNull() == "." && text.substring(0, start).endsWith('.')
     if (!isMember && typed.isEmpty() && !isWanted) return null
+    val isAtEnd = text.substring(column).isBlank()
     val candidates = if (isMember) {
         membersBehind(receiverOf(before.dropLast(1)), draft)
     } else {
         namesIn(draft, lineStart + start) +
-            JAVA_KEYWORDS.map { Completion(it, CompletionKind.WORD, help = help.of(it)) } +
+            JAVA_KEYWORDS.map { completionOf(it, KEYWORD_ENDINGS[it].takeIf { isAtEnd }, help) } +
             LejosApi.classNames.sorted().map { Completion(it, CompletionKind.CLASS, help = LejosApi.classOf(it)?.help?.ifEmpty { null }) }
     }
-    if (!isWanted && candidates.any { it.inserted.equals(typed, ignoreCase = true) }) return null
+    if (!isWanted && candidates.any { it.isWritten(typed) }) return null
     val items = matching(typed, candidates).filter { it.inserted != typed }
     return if (items.isEmpty()) null else CompletionList(lineStart + start, items)
 }
@@ -85,7 +86,8 @@ private fun typeOfVariable(name: String, draft: Draft): String? {
 private fun namesIn(draft: Draft, writing: Int): List<Completion> {
     val pieces = CodePieces(draft.lines, CodeLanguage.JAVA)
     val found = LinkedHashMap<String, Completion>()
-    for (line in 0..<minOf(draft.lines.count, MOST_LINES)) {
+    val here = draft.lines.lineOf(writing)
+    for (line in maxOf(0, here - MOST_LINES_AROUND)..minOf(draft.lines.count - 1, here + MOST_LINES_AROUND)) {
         val text = draft.lines.line(line)
         val inLine = pieces.of(line)
         inLine.forEachIndexed { place, piece ->
@@ -101,5 +103,17 @@ private fun namesIn(draft: Draft, writing: Int): List<Completion> {
     return found.values.filter { it.label != "()" }
 }
 
+/** What never stands alone. */
+private val KEYWORD_ENDINGS = (
+    mapOf("if" to " (|)", "while" to " (|)", "for" to " (|)", "catch" to " (|)") +
+        "abstract class extends final implements import instanceof interface new package private protected public static synchronized throw throws"
+            .split(' ').associateWith { " " }
+).mapValues { WordEnding.of(it.value) }
+
 private val SILENT = setOf(PieceKind.COMMENT, PieceKind.TEXT, PieceKind.NUMBER)
+
+/** Declarations further down are not looked for. */
 private const val MOST_LINES = 5_000
+
+/** Names further away are not offered: this has to be quick at every key. */
+private const val MOST_LINES_AROUND = 1_000

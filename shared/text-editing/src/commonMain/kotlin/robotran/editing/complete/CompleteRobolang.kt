@@ -4,6 +4,7 @@ import robotran.editing.CodeLanguage
 import robotran.editing.Draft
 import robotran.editing.code.CodePieces
 import robotran.editing.code.PieceKind
+import robotran.editing.isWordCharacter
 import robotran.robolang.RobolangWords
 
 /** What may stand where the caret is in a Robolang program; null if nothing is offered there. */
@@ -22,19 +23,23 @@ internal fun completeRobolang(draft: Draft, help: WordHelp, isWanted: Boolean): 
     if (typed.isEmpty() && !isWanted) return null
     val before = pieces.filter { it.end <= start }.map { text.substring(it.start, it.end).lowercase() }
     val names = namesIn(draft, lineStart + start)
+    val isAtEnd = text.substring(column).isBlank()
     val candidates = if (before.isEmpty() || before == listOf("else")) {
-        val blocks = if (before.isEmpty() && column == text.trimEnd().length) BLOCKS else emptyList()
-        words(RobolangWords.commands, help) + blocks.map { it.copy(help = help.of(it.inserted.substringBefore(' '))) } + names
+        val blocks = if (before.isEmpty() && isAtEnd) BLOCKS else emptyList()
+        words(RobolangWords.commands, help, COMMAND_ENDINGS.takeIf { isAtEnd }) + blocks.map { it.copy(help = help.of(it.inserted.substringBefore(' '))) } + names
     } else {
-        val expected = FOLLOWERS[before.takeLast(2).joinToString(" ")] ?: FOLLOWERS[before.last()]
-        expected?.let { words(it, help) } ?: (words(VALUE_WORDS, help) + names + functions(help) + words(RobolangWords.keywords, help))
+        val last = before.last()
+        val own = FOLLOWER_ENDINGS[last].orEmpty()
+        FOLLOWERS[last]?.let { words(it, help, own.takeIf { isAtEnd }) }
+            ?: (words(VALUE_WORDS, help, (VALUE_ENDINGS + own).takeIf { isAtEnd }) + names + functions(help) + words(RobolangWords.keywords, help))
     }
-    if (!isWanted && candidates.any { it.inserted.equals(typed, ignoreCase = true) }) return null
+    if (!isWanted && candidates.any { it.isWritten(typed) }) return null
     val items = matching(typed, candidates.distinctBy { it.label }).filter { it.inserted != typed }
     return if (items.isEmpty()) null else CompletionList(lineStart + start, items)
 }
 
-private fun words(words: List<String>, help: WordHelp) = words.map { Completion(it, CompletionKind.WORD, help = help.of(it)) }
+private fun words(words: List<String>, help: WordHelp, endings: Map<String, WordEnding>? = null) =
+    words.map { word -> completionOf(word, endings?.get(word), help).let { it.copy(asksOn = it.inserted == "$word " && word in FOLLOWERS) } }
 
 private fun functions(help: WordHelp) = RobolangWords.functions.map { (name, parameters) ->
     val commas = ", ".repeat(parameters - 1)
@@ -46,6 +51,7 @@ private fun namesIn(draft: Draft, writing: Int): List<Completion> {
     val pieces = CodePieces(draft.lines, CodeLanguage.ROBOLANG)
     val found = LinkedHashMap<String, Completion>()
     for (line in 0..<minOf(draft.lines.count, MOST_LINES)) {
+        if (!declares(draft, line)) continue
         val text = draft.lines.line(line)
         val inLine = pieces.of(line)
         inLine.forEachIndexed { place, piece ->
@@ -62,6 +68,18 @@ private fun namesIn(draft: Draft, writing: Int): List<Completion> {
     return found.values.toList()
 }
 
+/** Whether [line] may give names; most lines of a long program do not, and this has to be quick at every key. */
+private fun declares(draft: Draft, line: Int): Boolean {
+    var start = draft.lines.start(line)
+    val end = draft.lines.end(line)
+    while (start < end && (draft.text[start] == ' ' || draft.text[start] == '\t')) start++
+    return DECLARATIONS.any { draft.text.startsWith(it, start, end) }
+}
+
+private fun String.startsWith(word: String, start: Int, end: Int): Boolean =
+    start + word.length < end && regionMatches(start, word, 0, word.length, ignoreCase = true) && !isWordCharacter(this[start + word.length])
+
+private val DECLARATIONS = listOf("var", "const", "procedure", "function", "for")
 private val DECLARING = setOf("var", "const", "procedure", "function", "for", "each", "(", ",")
 
 /** What can come behind a word, where that is only a little. */
@@ -79,6 +97,50 @@ private val FOLLOWERS = mapOf(
     "left" to listOf("bumper"),
     "right" to listOf("bumper"),
 )
+
+/** What the commands need behind them. */
+private val COMMAND_ENDINGS = mapOf(
+    "forward" to " |20|",
+    "backward" to " |20|",
+    "turn" to " ",
+    "start" to " ",
+    "power" to " |5|",
+    "motor" to " |A| forward",
+    "pen" to " ",
+    "wait" to " |1| second",
+    "reset" to " timer",
+    "play" to " |440| for 1 second",
+    "show" to " ",
+    "clear" to " screen",
+    "repeat" to " |4| times",
+    "for" to " |i| from 1 to 10",
+    "if" to " ",
+    "var" to " ",
+    "const" to " ",
+    "procedure" to " ",
+    "function" to " ",
+    "whenever" to " ",
+    "robot" to " ",
+).mapValues { WordEnding.of(it.value) }
+
+/** What a word that follows another needs behind it, by that other. */
+private val FOLLOWER_ENDINGS = mapOf(
+    "turn" to mapOf("left" to " |90|", "right" to " |90|"),
+    "wait" to mapOf("until" to " "),
+    "for" to mapOf("each" to " "),
+    "power" to mapOf("left" to " |5|", "right" to " |5|"),
+).mapValues { (_, endings) -> endings.mapValues { WordEnding.of(it.value) } }
+
+private val VALUE_ENDINGS = mapOf(
+    "left" to " bumper",
+    "right" to " bumper",
+    "sensor" to " |1|",
+    "button" to " ",
+    "and" to " ",
+    "or" to " ",
+    "not" to " ",
+    "mod" to " ",
+).mapValues { WordEnding.of(it.value) }
 
 private val VALUE_WORDS =
     listOf("left", "right", "light", "sensor", "button", "timer", "battery", "true", "false", "and", "or", "not", "mod")

@@ -10,6 +10,8 @@ import robotran.editing.TextSelection
  * @property inserted what comes into the text, its further lines without the blanks of the line it stands in.
  * @property caret where the caret is in [inserted] afterwards.
  * @property help one line that says what it is for; null if nothing is known.
+ * @property asksOn whether one of a few words has to follow, which are offered next.
+ * @property selected how many characters before the caret are selected afterwards, for a value to be written over.
  */
 data class Completion(
     val label: String,
@@ -17,7 +19,12 @@ data class Completion(
     val inserted: String = label,
     val caret: Int = inserted.length,
     val help: String? = null,
-)
+    val selected: Int = 0,
+    val asksOn: Boolean = false,
+) {
+    /** Whether it is what was [typed] already, so that there is nothing left to offer. */
+    internal fun isWritten(typed: String): Boolean = inserted.equals(typed, ignoreCase = true) || label.equals(typed, ignoreCase = true)
+}
 
 /** A call of [name], with the caret between its brackets. */
 internal fun callOf(name: String, kind: CompletionKind): Completion = Completion("$name()", kind, "$name()", name.length + 1)
@@ -48,7 +55,8 @@ fun Draft.completed(list: CompletionList, chosen: Completion): Draft {
     val indent = lines.line(line).takeWhile { it == ' ' }
     val inserted = chosen.inserted.replace("\n", "\n" + indent)
     val caret = chosen.inserted.take(chosen.caret).replace("\n", "\n" + indent).length
-    return replaced(list.start, selection.caret, inserted).copy(selection = TextSelection(list.start + caret))
+    val place = list.start + caret
+    return replaced(list.start, selection.caret, inserted).copy(selection = TextSelection(place - chosen.selected, place))
 }
 
 /** Those of [candidates] that [typed] may become: first those that begin with it, then those that have it at the beginning of a part. */
