@@ -25,6 +25,12 @@ export async function press(page, tag) {
   await page.mouse.click(x, y);
 }
 
+/** Touches `tag` with a finger, in a page that has touch. */
+export async function tap(page, tag) {
+  const { x, y } = await placeOf(page, tag);
+  await page.touchscreen.tap(x, y);
+}
+
 /** Opens the menu behind `opener` and chooses `item` in it; a menu that has only just come may miss a click. */
 export async function choose(page, opener, item) {
   await press(page, opener);

@@ -13,9 +13,11 @@ import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.DisposableEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -70,15 +72,28 @@ internal fun EditorTools(state: ProgramsState, onTranslation: (Boolean) -> Unit,
 @Composable
 private fun MoreTools(onCommand: (EditorCommand.Plain) -> Unit) {
     var open by remember { mutableStateOf(false) }
+    var chosen: Tool? by remember { mutableStateOf(null) }
+    val command by rememberUpdatedState(onCommand)
     Box {
         RoundButton(Signs.MORE, stringResource(Res.string.editor_more), "editor-more", SIGN) { open = true }
         DropdownMenu(open, { open = false }, Modifier.widthIn(min = 260.dp), containerColor = LocalRobotranColours.current.pane) {
+            // A menu that is still there keeps the keyboard from what the tool opens.
+            DisposableEffect(Unit) {
+                onDispose {
+                    chosen?.let { command(it.command) }
+                    chosen = null
+                }
+            }
             for ((index, group) in TOOLS.withIndex()) {
                 if (index > 0) HorizontalDivider(color = LocalRobotranColours.current.line)
                 for (tool in group) {
                     ToolItem(tool) {
-                        if (tool.closesMenu) open = false
-                        onCommand(tool.command)
+                        if (tool.closesMenu) {
+                            chosen = tool
+                            open = false
+                        } else {
+                            onCommand(tool.command)
+                        }
                     }
                 }
             }

@@ -9,6 +9,7 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -30,15 +31,17 @@ import robotran.ui.resources.mistake_in_line_of_file
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
+import robotran.ui.workshop.PupilProgram
 
 /**
  * Under the text: how many mistakes there are, with a button that goes to the next, and what is wrong at no line of the text that is shown.
  *
- * @param mistakes all of the program; those in [file] that have a line are told there.
+ * @param mistakes all of [program]; those in [file] that have a line are told there.
  * @param most how many of the others there is room for.
  */
 @Composable
 internal fun MistakeStrip(
+    program: PupilProgram,
     mistakes: List<Mistake>,
     file: String,
     most: Int,
@@ -66,12 +69,12 @@ internal fun MistakeStrip(
                 }
             }
         }
-        for (mistake in elsewhere.take(most)) Elsewhere(mistake, onFix)
+        for (mistake in elsewhere.take(most)) Elsewhere(mistake, program, onFix)
     }
 }
 
 @Composable
-private fun Elsewhere(mistake: Mistake, onFix: (Mistake) -> Unit) {
+private fun Elsewhere(mistake: Mistake, program: PupilProgram, onFix: (Mistake) -> Unit) {
     val line = mistake.range?.line
     val words = when {
         mistake.file.isEmpty() -> mistake.message
@@ -85,6 +88,9 @@ private fun Elsewhere(mistake: Mistake, onFix: (Mistake) -> Unit) {
             color = LocalRobotranColours.current.mistake,
             fontSize = 16.sp,
         )
-        if (mistake.fix != null) FixButton(mistake, onFix)
+        mistake.fix?.let { fix ->
+            val text = program.files.firstOrNull { it.name == mistake.file }?.text.orEmpty()
+            FixButton(mistake, remember(text, fix) { text.lineSequence().elementAtOrElse(fix.range.line - 1) { "" } }, onFix)
+        }
     }
 }

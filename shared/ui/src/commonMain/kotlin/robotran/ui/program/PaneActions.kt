@@ -8,6 +8,7 @@ import robotran.editing.find.nextMatch
 import robotran.editing.find.previousMatch
 import robotran.editing.find.withAllReplaced
 import robotran.editing.find.withSelected
+import robotran.programs.Mistake
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
 import robotran.ui.workshop.LearningEvent
@@ -59,6 +60,15 @@ internal class PaneActions(
         if (size.toInt() != now.toInt()) resize(size.toInt().toFloat())
     }
 
+    /**
+     * Mends [mistake]. The button that was pressed goes away with it, so the keyboard goes back to the text; but no keyboard comes onto the
+     * screen that was not there before.
+     */
+    fun fix(mistake: Mistake) {
+        onEvent(ProgramEvent.FixApplied(mistake))
+        if (control.hadFocus || !control.isPressedByFinger) focus.requestFocus()
+    }
+
     /** Puts the caret into [line], from 1. */
     fun goToLine(line: Int) {
         val draft = control.draft
@@ -108,7 +118,7 @@ internal class PaneActions(
 
     private fun fixHere() {
         val here = state().notes.filter { it.line == caretLine() && it.mistake.file == state().file.name }
-        here.firstOrNull { it.mistake.fix != null }?.let { onEvent(ProgramEvent.FixApplied(it.mistake)) }
+        here.firstOrNull { it.mistake.fix != null }?.let { fix(it.mistake) }
     }
 
     private fun resize(size: Float) = onEvent(SettingsEvent.SettingsChanged(settings().copy(codeSize = size.coerceIn(SIZES))))

@@ -21,6 +21,8 @@ import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.editing.Draft
+import robotran.rom.ProgramFailure
 import robotran.ui.program.editor.CodeEditor
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
@@ -33,12 +35,14 @@ import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ProgramLanguage
+import robotran.ui.workshop.ProgramNote
 import robotran.ui.workshop.ProgramsState
 import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.Settings
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.code
+import robotran.ui.workshop.noteOf
 
 /**
  * The programs to choose from, the one to write in, what is wrong with it, and its translation.
@@ -60,7 +64,7 @@ internal fun ProgramPane(
         if (programs.program.files.size > 1) {
             FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) }, { renaming = true })
         }
-        ShownFile(programs, state.settings, state.runningLine, mostMistakes, onEvent, Modifier.weight(1f)) { renaming = true }
+        ShownFile(programs, state.settings, state.runningLine, state.failure, mostMistakes, onEvent, Modifier.weight(1f)) { renaming = true }
         if (state.remarks.isNotEmpty()) RemarkList(state.remarks, mostMistakes)
         programs.closed?.let { ClosedProgram(it, programs.canReopen) { onEvent(ProgramEvent.ProgramReopened) } }
     }
@@ -85,6 +89,7 @@ private fun ShownFile(
     state: ProgramsState,
     settings: Settings,
     runningLine: Int,
+    failure: ProgramFailure?,
     mostMistakes: Int,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
@@ -99,7 +104,8 @@ private fun ShownFile(
     val key = listOf(state.shownRobot, state.shownProgram, state.shownFile, state.programs.size, state.program.language)
     val view = remember(key) { EditorView() }
     val control = remember(key) {
-        EditorControl(state.program.language.code, view) { draft, kind -> event(ProgramEvent.Written(draft, kind)) }
+        val hasRoom = { draft: Draft -> now.first.let { it.program.hasRoomFor(it.shownFile, draft) } }
+        EditorControl(state.program.language.code, view, hasRoom) { draft, kind -> event(ProgramEvent.Written(draft, kind)) }
     }
     control.help = rememberWordHelp(state.program.language)
     val actions = remember(control) { PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() }) }
@@ -112,6 +118,8 @@ private fun ShownFile(
     actions.matches = matches
     Column(modifier) {
         EditorTools(state, { onEvent(ProgramEvent.TranslationShown(it)) }) {
+            // What is offered belongs to a caret, which the menu has taken the keyboard from.
+            if (it == EditorCommand.Plain.COMPLETE) focus.requestFocus()
             if (!control.perform(it)) actions.perform(it)
         }
         if (find.isOpen) {
@@ -121,8 +129,9 @@ private fun ShownFile(
         HorizontalDivider(color = LocalRobotranColours.current.line)
         val lit = state.translation?.takeIf { state.isTranslated }
         val line = state.draft.lines.lineOf(state.draft.selection.caret) + 1
-        val marks = remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, lit, if (lit == null) 0 else line) {
-            marksOf(state, runningLine, if (lit == null) emptySet() else setOf(line)).copy(matches = matches)
+        val failedLine = failure?.sourceLine ?: 0
+        val marks = remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, failedLine, lit, if (lit == null) 0 else line) {
+            marksOf(state, runningLine, if (lit == null) emptySet() else setOf(line)).copy(failedLine = failedLine, matches = matches)
         }
         BesideOrBelow(
             state.translationShown && state.program.language == ProgramLanguage.ROBOLANG,
@@ -134,14 +143,14 @@ private fun ShownFile(
                     draft = state.draft,
                     hint = stringResource(hintFor(state.program.language)),
                     marks = marks,
-                    notes = remember(state.notes, state.file.name) { state.notes.filter { it.mistake.file == state.file.name } },
+                    notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) },
                     pointedOut = state.mistakePointedOut,
                     codeSize = settings.codeSize,
                     focus = focus,
                     onCommand = { (it as? EditorCommand.Plain)?.let(actions::perform) },
                     onBreakpoint = { onEvent(ProgramEvent.BreakpointToggled(it)) },
                     onZoom = actions::zoom,
-                    onFix = { onEvent(ProgramEvent.FixApplied(it)) },
+                    onFix = actions::fix,
                     modifier = part,
                 )
             },
@@ -162,9 +171,7 @@ private fun ShownFile(
         )
         if (control.hasFocus && control.isTouched) KeyRow(control)
         if (state.mistakes.isNotEmpty()) {
-            MistakeStrip(state.mistakes, state.file.name, mostMistakes, state.mistakePointedOut, actions::goToNextNote, {
-                onEvent(ProgramEvent.FixApplied(it))
-            })
+            MistakeStrip(state.program, state.mistakes, state.file.name, mostMistakes, state.mistakePointedOut, actions::goToNextNote, actions::fix)
         }
     }
 }
@@ -195,6 +202,12 @@ private fun BesideOrBelow(
             }
         }
     }
+}
+
+/** What is told about the lines of the file that is shown, in their order. */
+private fun notesOf(state: ProgramsState, failure: ProgramFailure?): List<ProgramNote> {
+    val read = state.notes.filter { it.mistake.file == state.file.name }
+    return if (failure == null) read else (read + noteOf(failure, state.file.name)).sortedBy { it.line ?: 0 }
 }
 
 private fun marksOf(state: ProgramsState, runningLine: Int, partners: Set<Int>): EditorMarks {

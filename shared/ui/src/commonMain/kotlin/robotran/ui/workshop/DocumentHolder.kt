@@ -93,6 +93,7 @@ class DocumentHolder(private val bench: Bench) {
 
     /** Something may have been done to the work. */
     fun lookAgain() {
+        keeper.touched()
         changes.trySend(Unit)
     }
 

@@ -110,6 +110,11 @@ internal class DocumentKeeper(private val bench: Bench) {
         return fileClaim != null
     }
 
+    /** Somebody does something, whether it changes the work or not. */
+    fun touched() {
+        times = times.changed(bench.platform.clock.now)
+    }
+
     /** Keeps the work if it has changed and that is due; null if there was nothing to do. */
     suspend fun keepIfDue(): Keeping? = if (isKept || !times.isDue(bench.platform.clock.now)) null else keepNow()
 
@@ -122,6 +127,7 @@ internal class DocumentKeeper(private val bench: Bench) {
         if (id == null && file == null) name = freeName(name)
         val work = KeptWork(id ?: newId(now), name, now, bench.project, file, isSaved)
         val keeping = withContext(bench.platform.background) { shelf.keep(work) }
+        times = times.ended(bench.platform.clock.now)
         if (keeping == Keeping.Kept && id == work.id) {
             keptProject = work.project
             keptName = work.name

@@ -13,10 +13,12 @@ import robotran.rom.Brick
  * What a person does with the programs of the robot that is chosen.
  *
  * @param shown the robot's programs.
+ * @param sayTooLong tells that a program would become longer than it can be.
  * @param bringToFront shows the pane with the programs.
  */
 internal class ProgramEditing(
     private val shown: () -> RobotPrograms,
+    private val sayTooLong: () -> Unit,
     private val bringToFront: () -> Unit,
 ) {
     /** Whether somebody wanted to run a program with mistakes since it was last edited. */
@@ -63,6 +65,7 @@ internal class ProgramEditing(
     }
 
     private fun write(robot: RobotPrograms, draft: Draft, kind: EditKind) {
+        if (!robot.entry.program.hasRoomFor(robot.shownFile, draft)) return sayTooLong()
         val plain = draft.text.withPlainLineEnds()
         val written = if (plain == draft.text) draft else Draft(plain, draft.selection)
         val within = written.copy(selection = written.selection.within(written.text.length))

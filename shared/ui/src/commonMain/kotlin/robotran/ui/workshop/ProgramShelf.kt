@@ -24,6 +24,9 @@ internal class ProgramShelf(
     /** Whether some program has not been read since it was changed. */
     val hasUnread: Boolean get() = entries.any { it.result == null }
 
+    /** How long all is together that was not read since it was changed. */
+    val unreadCharacters: Int get() = entries.sumOf { if (it.result == null) it.program.characters else 0 }
+
     /** What the brick's slots get; null for a program that cannot run. */
     val slots: List<RcxProgram?> get() = entries.map { (it.result as? ProgramResult.Ready)?.program }
 

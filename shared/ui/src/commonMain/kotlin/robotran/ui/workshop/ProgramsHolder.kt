@@ -7,7 +7,10 @@ import robotran.language.Language
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramReader
 import robotran.projects.Project
+import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
+import robotran.ui.resources.Res
+import robotran.ui.resources.program_too_long
 import robotran.world.Breakpoint
 import robotran.world.RobotLoad
 import robotran.world.World
@@ -29,9 +32,13 @@ class ProgramsHolder(
     private var translationShown = false
     private var findingWanted = false
     private val shown: RobotPrograms get() = robots.firstOrNull { it.place.name == shownRobot } ?: robots.first()
-    private val readingLoop =
-        ReadingLoop({ robots.any { it.shelf.hasUnread } }, { robots.forEach { it.shelf.readUnread() } }, ::showReading)
-    private val editing = ProgramEditing({ shown }) { bench.show(Pane.PROGRAM) }
+    private val readingLoop = ReadingLoop(
+        { robots.any { it.shelf.hasUnread } },
+        { robots.forEach { it.shelf.readUnread() } },
+        { robots.sumOf { it.shelf.unreadCharacters } },
+        ::showReading,
+    )
+    private val editing = ProgramEditing({ shown }, ::sayTooLong) { bench.show(Pane.PROGRAM) }
     private var reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
 
     var state: ProgramsState by mutableStateOf(stateNow())
@@ -88,6 +95,15 @@ class ProgramsHolder(
     /** Whether the program in [slot] of the first robot, and those of the others, were read since they were changed. */
     fun isRead(slot: Int): Boolean = starting(slot).all { (robot, itsSlot) -> robot.shelf.isRead(itsSlot) }
 
+    /** Shows the file [name] of the program in [slot] of the robot called [robot], if it is that program that is shown. */
+    internal fun showFile(robot: String, slot: Int, name: String) {
+        if (shown.place.name != robot || shown.shownProgram != slot) return
+        val place = shown.entry.program.files.indexOfFirst { it.name == name }
+        if (place < 0 || place == shown.shownFile) return
+        shown.shownFile = place
+        refresh()
+    }
+
     /** Puts the programs of [project] in place of all there are. */
     fun open(project: Project) {
         reader = reader.running(project.settings.java)
@@ -143,6 +159,12 @@ class ProgramsHolder(
         RobotPrograms(place, kept, reader, if (isAlone) listOf(firstProgram()) else programs)
     }
 
+    private fun sayTooLong() {
+        val limits = listOf(ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS, ProjectLimits.MAXIMUM_LINES)
+        // In thousands: every language writes longer numbers in its own way.
+        bench.say(Notice(Res.string.program_too_long, limits.map { it / THOUSAND }, bad = true))
+    }
+
     private fun want(finding: Boolean) {
         findingWanted = finding
         if (finding) bench.show(Pane.PROGRAM)
@@ -186,6 +208,8 @@ class ProgramsHolder(
         )
     }
 }
+
+private const val THOUSAND = 1_000
 
 /** What the pupil has written and which of it can run, robot by robot: two of them are alike if nothing has changed between them. */
 internal data class WrittenPrograms(val programs: List<List<PupilProgram>>, val runnable: List<List<Boolean>>)

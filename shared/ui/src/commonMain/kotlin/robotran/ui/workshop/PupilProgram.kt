@@ -1,7 +1,9 @@
 package robotran.ui.workshop
 
+import robotran.editing.Draft
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.projects.ProjectLimits
 
 /**
  * A program as the pupil writes it.
@@ -21,6 +23,17 @@ data class PupilProgram(
 
     /** Whether there is anything to run. */
     val isBlank: Boolean get() = files.all { it.text.isBlank() }
+
+    /** How long all its files are together. */
+    val characters: Int get() = files.sumOf { it.text.length }
+
+    /** Whether the file at [place] can be [written]; one that does not become longer always can. */
+    internal fun hasRoomFor(place: Int, written: Draft): Boolean {
+        val now = files[place].text.length
+        if (written.text.length <= now) return true
+        val isShort = characters - now + written.text.length <= ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS
+        return isShort && written.lines.count <= ProjectLimits.MAXIMUM_LINES
+    }
 
     internal fun source(): ProgramSource = when (language) {
         ProgramLanguage.ROBOLANG -> ProgramSource.Robolang(name, files.first().text)

@@ -9,11 +9,13 @@ import kotlinx.coroutines.withTimeoutOrNull
  *
  * @param hasUnread whether there is something to be read.
  * @param readUnread reads it.
+ * @param characters how long what there is to be read is.
  * @param tell is told how far it is.
  */
 internal class ReadingLoop(
     private val hasUnread: () -> Boolean,
     private val readUnread: suspend () -> Unit,
+    private val characters: () -> Int,
     private val tell: (ProgramReading) -> Unit,
 ) {
     private val changes = Channel<Unit>(Channel.CONFLATED)
@@ -57,12 +59,18 @@ internal class ReadingLoop(
     }
 
     private suspend fun awaitPause() {
-        while (!isHurried) withTimeoutOrNull(PAUSE_MILLISECONDS) { changes.receive() } ?: return
+        while (!isHurried) {
+            val pause = PAUSE_MILLISECONDS + characters() / CHARACTERS_A_MILLISECOND
+            withTimeoutOrNull(pause) { changes.receive() } ?: return
+        }
         isHurried = false
     }
 
     private companion object {
         /** How long nobody must type before a program is compiled. */
         const val PAUSE_MILLISECONDS = 300L
+
+        /** What is long takes long, in the browser between the keys: the next one must not come meanwhile. */
+        const val CHARACTERS_A_MILLISECOND = 150L
     }
 }

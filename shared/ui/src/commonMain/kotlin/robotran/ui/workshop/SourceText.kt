@@ -3,7 +3,7 @@ package robotran.ui.workshop
 import robotran.robolang.SourceFix
 
 /** This text with every line end written as the editor writes it. */
-internal fun String.withPlainLineEnds(): String = replace("\r\n", "\n").replace('\r', '\n')
+internal fun String.withPlainLineEnds(): String = if ('\r' in this) replace("\r\n", "\n").replace('\r', '\n') else this
 
 /** This source after [fix]; unchanged if the place it names does not exist. */
 internal fun String.mendedBy(fix: SourceFix): String {

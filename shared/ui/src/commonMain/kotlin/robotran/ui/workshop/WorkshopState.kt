@@ -3,6 +3,7 @@ package robotran.ui.workshop
 import androidx.compose.runtime.Immutable
 import robotran.programs.Mistake
 import robotran.rom.BrickButton
+import robotran.rom.ProgramFailure
 import robotran.rom.ProgramRemark
 import robotran.rom.RunState
 import robotran.world.RobotSnapshot
@@ -70,6 +71,14 @@ data class WorkshopState(
         get() {
             val now = shownRobot?.brick?.run as? RunState.Running ?: return 0
             return if (run.lineIsLit && isShownInRun && (now.sourceFile ?: file.name) == file.name) now.sourceLine else 0
+        }
+
+    /** Why the last run of the program shown could not go on, if that was in a line of the file that is shown; null once it has been changed. */
+    val failure: ProgramFailure?
+        get() {
+            val failure = (shownRobot?.brick?.run as? RunState.Failed)?.failure ?: return null
+            val isHere = isShownInRun && failure.sourceLine > 0 && (failure.sourceFile ?: file.name) == file.name
+            return failure.takeIf { isHere }
         }
 
     val status: WorkshopStatus

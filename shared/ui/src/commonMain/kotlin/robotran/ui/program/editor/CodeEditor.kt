@@ -25,6 +25,7 @@ import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import robotran.editing.Draft
+import robotran.editing.TextLines
 import robotran.editing.TextSelection
 import robotran.editing.TextSpan
 import robotran.editing.code.CodePieces
@@ -68,7 +69,7 @@ internal fun CodeEditor(
     val shownNotes = notesBesideTyping(notes, draft, hasFocus && !pointedOut)
     val paint = remember(draft, marks, hasFocus, composing) { EditorPaint(draft, marks.copy(composing = composing), hasFocus) }
     val touch = rememberTouch(control, view, layouts, pieces, draft, focus, onBreakpoint, onZoom)
-    KeepInSight(view, draft, layouts, pieces, marks.runningLine, hasFocus)
+    KeepInSight(view, draft, layouts, pieces, marks, hasFocus)
     Box(modifier.padding(top = 6.dp)) {
         EditorField(
             draft, control, view, layouts, { composing = it },
@@ -90,7 +91,7 @@ internal fun CodeEditor(
                 .pointerInput(touch) { listenFor(touch) },
         ) {
             val first = shownNotes.firstOrNull { !it.isDoubt }
-            for (note in shownNotes) LineNote(note, pointedOut && note === first, onFix)
+            for (note in shownNotes) LineNote(note, draft.lines.lineOfFix(note), pointedOut && note === first, onFix)
         }
         if (draft.text.isEmpty()) Hint(hint, codeSize, view)
         Overlays(control, view, draft, layouts, pieces, codeSize, hasFocus, onCommand)
@@ -98,7 +99,8 @@ internal fun CodeEditor(
 }
 
 @Composable
-private fun KeepInSight(view: EditorView, draft: Draft, layouts: LineLayouts, pieces: CodePieces, runningLine: Int, hasFocus: Boolean) {
+private fun KeepInSight(view: EditorView, draft: Draft, layouts: LineLayouts, pieces: CodePieces, marks: EditorMarks, hasFocus: Boolean) {
+    val runningLine = marks.runningLine
     LaunchedEffect(draft, view.size, layouts) {
         // The lines have their places only once they were laid out.
         withFrameNanos { }
@@ -112,6 +114,17 @@ private fun KeepInSight(view: EditorView, draft: Draft, layouts: LineLayouts, pi
         delay(SLOW)
         if (runningLine <= view.geometry.lines) view.bringIntoSight(runningLine - 1, null)
     }
+    LaunchedEffect(marks.failedLine, view.size.height == 0) {
+        if (marks.failedLine == 0) return@LaunchedEffect
+        // The note under the line is measured only when it is drawn for the first time.
+        repeat(2) { withFrameNanos { } }
+        if (marks.failedLine <= view.geometry.lines) view.bringNotesIntoSight(marks.failedLine - 1)
+    }
+}
+
+private fun TextLines.lineOfFix(note: ProgramNote): String {
+    val line = note.mistake.fix?.range?.line ?: return ""
+    return if (line in 1..count) line(line - 1) else ""
 }
 
 @Composable
@@ -154,6 +167,7 @@ private fun Overlays(
     if (hasFocus && offered != null) {
         CompletionPanel(offered, control.chosen, codeSize, { place(draft.selection.caret) }, control::takeOffered)
     }
+    if (hasFocus && control.hasNothingToOffer) NothingOffered { place(draft.selection.caret) }
 }
 
 /** [notes] without those of the line that somebody is typing in: it cannot be right yet. They come when the keys rest. */

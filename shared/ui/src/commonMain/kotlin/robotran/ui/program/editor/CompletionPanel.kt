@@ -23,8 +23,10 @@ import androidx.compose.ui.focus.focusProperties
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.layout.layout
 import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextOverflow
@@ -36,6 +38,7 @@ import robotran.editing.complete.Completion
 import robotran.editing.complete.CompletionList
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_completions
+import robotran.ui.resources.editor_no_completions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 
@@ -64,6 +67,25 @@ internal fun CompletionPanel(list: CompletionList, chosen: Int, size: Float, car
     ) {
         itemsIndexed(list.items) { index, item -> CompletionRow(item, index == chosen, size) { onChoose(item) } }
     }
+}
+
+/** Says that nothing could come where the caret is. */
+@Composable
+internal fun NothingOffered(caret: CaretPlace) {
+    val colours = LocalRobotranColours.current
+    Text(
+        stringResource(Res.string.editor_no_completions),
+        Modifier
+            .besideCaret(caret)
+            .testTag("no-completions")
+            .semantics { liveRegion = LiveRegionMode.Polite }
+            .shadow(6.dp, SHAPE)
+            .background(colours.pane, SHAPE)
+            .border(1.dp, colours.line, SHAPE)
+            .padding(12.dp),
+        color = colours.onPane,
+        fontSize = 15.sp,
+    )
 }
 
 @Composable

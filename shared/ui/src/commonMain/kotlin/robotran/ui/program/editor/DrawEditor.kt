@@ -48,6 +48,7 @@ internal class EditorDrawing(
             drawRect(colours.focus, Offset(0f, top), Size(3.dp.toPx(), band.height))
         }
         if (line + 1 == marks.runningLine) drawRect(colours.runningLine, Offset(0f, top), band)
+        if (line + 1 == marks.failedLine) drawRect(colours.mistakePane, Offset(0f, top), band)
     }
 
     private fun DrawScope.drawLine(line: Int) {

@@ -27,7 +27,7 @@ internal class NumberLayouts(private val measurer: TextMeasurer, private val sty
     }
 }
 
-/** Draws the numbers of the lines in sight, with a sign beside those that are mistaken, doubtful, running or to stop before. */
+/** Draws the numbers of the lines in sight, with a sign beside those that are mistaken or have failed, doubtful, running or to stop before. */
 internal class GutterDrawing(
     private val marks: EditorMarks,
     private val view: EditorView,
@@ -35,7 +35,7 @@ internal class GutterDrawing(
     private val colours: RobotranColours,
     private val code: CodeColours,
 ) {
-    private val mistaken = marks.mistakes.mapTo(mutableSetOf()) { it.line }
+    private val mistaken = marks.mistakes.mapTo(mutableSetOf(marks.failedLine)) { it.line }
     private val doubtful = marks.doubts.mapTo(mutableSetOf()) { it.line }
 
     fun DrawScope.draw(lines: Int) {

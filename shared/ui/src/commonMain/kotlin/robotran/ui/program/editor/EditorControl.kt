@@ -35,12 +35,14 @@ import robotran.editing.wordErasedForwards
 /**
  * What keys, fingers and buttons do to the text of one file. It has the newest text even while several keys come between two pictures.
  *
- * @param onWritten is told what the text is now.
+ * @param hasRoom whether the text may become so.
+ * @param onWritten is told what the text is now, or would have become.
  */
 @Stable
 internal class EditorControl(
     val language: CodeLanguage,
     private val view: EditorView,
+    private val hasRoom: (Draft) -> Boolean = { true },
     private val onWritten: (Draft, EditKind) -> Unit,
 ) {
     val link = InputLink(language)
@@ -55,6 +57,10 @@ internal class EditorControl(
     var chosen by mutableStateOf(0)
         private set
 
+    /** Whether somebody has asked what could come at the caret, where nothing can. */
+    var hasNothingToOffer by mutableStateOf(false)
+        private set
+
     /** Whether somebody writes here, so that Tab indents; who only came by with Tab goes on with Tab. */
     var isAtWork by mutableStateOf(false)
 
@@ -64,6 +70,10 @@ internal class EditorControl(
     /** Whether it was a finger that came here last, so that the keyboard is probably one on the screen. */
     var isTouched by mutableStateOf(false)
 
+    /** Whether it was a finger that was put somewhere here last, also beside the text, and whether the keyboard wrote here then. */
+    var isPressedByFinger = false
+    var hadFocus = false
+
     /** Whether the buttons for what a finger has selected are shown. */
     var showsSelectionBar by mutableStateOf(false)
 
@@ -71,7 +81,7 @@ internal class EditorControl(
 
     /** The text is [draft] now, whoever has changed it. */
     fun follow(draft: Draft) {
-        if (draft.text != this.draft.text) offered = null
+        if (draft.text != this.draft.text) closeOffered()
         this.draft = draft
     }
 
@@ -86,31 +96,36 @@ internal class EditorControl(
             else -> EditKind.OTHER
         }
         write(after, kind)
-        if (after.text != before.text) offer(after, kind == EditKind.TYPING)
+        if (draft.text != before.text) offer(draft, kind == EditKind.TYPING)
     }
 
     fun write(after: Draft, kind: EditKind = EditKind.OTHER) {
         isAtWork = true
         goal = null
-        offered = null
+        closeOffered()
         showsSelectionBar = false
-        draft = after
+        if (hasRoom(after)) draft = after else link.forget()
         onWritten(after, kind)
     }
 
     /** Offers what may be meant at the caret, whatever was typed. */
     fun offerEverything() {
+        if (!draft.selection.isEmpty) write(draft.withCaret(draft.selection.end))
         offered = completionsAt(draft, language, help, isWanted = true)
+        hasNothingToOffer = offered == null
         chosen = 0
     }
 
     fun takeOffered(completion: Completion) {
         val list = offered ?: return
         write(draft.completed(list, completion))
+        // Some words are only the first of a few.
+        if (completion.asksOn) offer(draft, isTyping = true, isWanted = true)
     }
 
     fun closeOffered() {
         offered = null
+        hasNothingToOffer = false
     }
 
     /** Types [text] as a key would. */
@@ -128,12 +143,16 @@ internal class EditorControl(
 
     /** While something is offered, some keys belong to that; false if [command] does not. */
     fun performOnOffered(command: EditorCommand?, isEnter: Boolean): Boolean {
+        if (hasNothingToOffer && command == EditorCommand.Plain.LEAVE) {
+            closeOffered()
+            return true
+        }
         val list = offered ?: return false
         when {
             command == EditorCommand.Move(CaretMove.DOWN, false) -> chosen = (chosen + 1) % list.items.size
             command == EditorCommand.Move(CaretMove.UP, false) -> chosen = (chosen + list.items.size - 1) % list.items.size
             isEnter || command == EditorCommand.Plain.INDENT -> takeOffered(list.items[chosen])
-            command == EditorCommand.Plain.LEAVE -> offered = null
+            command == EditorCommand.Plain.LEAVE -> closeOffered()
             else -> return false
         }
         return true
@@ -175,7 +194,7 @@ internal class EditorControl(
         if (after == draft) return
         val wasOffered = offered != null
         write(after, EditKind.ERASING)
-        if (wasOffered) offer(after, isTyping = true)
+        if (wasOffered) offer(draft, isTyping = true)
     }
 
     private fun cut() {
@@ -196,10 +215,10 @@ internal class EditorControl(
         goal = if (isVertical) column else null
     }
 
-    private fun offer(after: Draft, isTyping: Boolean) {
-        val list = if (isTyping) completionsAt(after, language, help, isWanted = false) else null
+    private fun offer(after: Draft, isTyping: Boolean, isWanted: Boolean = false) {
+        val list = if (isTyping) completionsAt(after, language, help, isWanted) else null
         val isMember = list != null && after.text.getOrNull(list.start - 1) == '.'
-        offered = list?.takeIf { isMember || after.selection.caret - it.start >= LEAST_TYPED }
+        offered = list?.takeIf { isMember || isWanted || after.selection.caret - it.start >= LEAST_TYPED }
         chosen = 0
     }
 

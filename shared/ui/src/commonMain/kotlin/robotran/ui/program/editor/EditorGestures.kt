@@ -21,6 +21,9 @@ import kotlin.math.pow
 
 /** What fingers and mice do to an editor. */
 internal interface EditorTouch {
+    /** A finger, or a mouse, goes down anywhere in the editor, before anything else comes of it. */
+    fun pressed(byFinger: Boolean) = Unit
+
     /** A place was tapped or clicked [times] in a row, by a finger if [byFinger]. */
     fun tapped(position: Offset, times: Int, selecting: Boolean, byFinger: Boolean)
 
@@ -77,10 +80,11 @@ private suspend fun AwaitPointerEventScope.finger(down: PointerInputChange, taps
     }
 }
 
-/** Two fingers, or the wheel of a mouse with Ctrl, make the text larger and smaller. */
+/** Two fingers, or the wheel of a mouse with Ctrl, make the text larger and smaller; whatever goes down is told first. */
 internal suspend fun PointerInputScope.listenForZoom(touch: EditorTouch) = awaitPointerEventScope {
     while (true) {
         val event = awaitPointerEvent(PointerEventPass.Initial)
+        if (event.type == PointerEventType.Press) touch.pressed(event.changes.none { it.type == PointerType.Mouse })
         if (event.type == PointerEventType.Scroll && event.keyboardModifiers.isCtrlPressed) {
             val turned = event.wheelNotches(density).coerceIn(-1f, 1f)
             if (turned != 0f) touch.zoomed(WHEEL.pow(-turned))

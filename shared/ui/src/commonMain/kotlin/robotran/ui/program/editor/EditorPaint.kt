@@ -9,6 +9,7 @@ import robotran.robolang.SourceRange
  * What is marked in a text. Lines count from 1.
  *
  * @property runningLine the line that is running; 0 for none.
+ * @property failedLine the line that a run could not go on at; 0 for none.
  * @property mistakes the places to underline, and [doubts] those to underline more quietly.
  * @property matches what was found, in its order.
  * @property partners the lines that belong to what somebody looks at on the other side.
@@ -17,6 +18,7 @@ import robotran.robolang.SourceRange
 @Immutable
 internal data class EditorMarks(
     val runningLine: Int = 0,
+    val failedLine: Int = 0,
     val mistakes: List<SourceRange> = emptyList(),
     val doubts: List<SourceRange> = emptyList(),
     val breakpoints: Set<Int> = emptySet(),

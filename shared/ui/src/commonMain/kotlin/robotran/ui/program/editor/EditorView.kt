@@ -80,6 +80,14 @@ internal class EditorView {
         }
     }
 
+    /** Scrolls as little as it takes to have [line] in sight with the notes under it, as far as there is room for both. */
+    fun bringNotesIntoSight(line: Int) {
+        val top = geometry.top(line)
+        val below = geometry.top(line + 1) - size.height
+        if (below > scrollY) scrollDown(minOf(below, top) - scrollY)
+        bringIntoSight(line, null)
+    }
+
     /** The rectangle of [column] of [line] on the screen, as thin as a caret. */
     fun caretPlace(line: Int, column: Int, draft: Draft, layouts: LineLayouts, pieces: CodePieces): Rect {
         val x = gutter + layouts.of(draft.lines.line(line), pieces.startsInComment(line)).x(column) - scrollX

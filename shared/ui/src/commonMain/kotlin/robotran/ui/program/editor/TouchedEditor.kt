@@ -40,6 +40,11 @@ internal fun rememberTouch(
     val zoom by rememberUpdatedState(onZoom)
     return remember(control, view) {
         object : EditorTouch {
+            override fun pressed(byFinger: Boolean) {
+                control.isPressedByFinger = byFinger
+                control.hadFocus = control.hasFocus
+            }
+
             override fun tapped(position: Offset, times: Int, selecting: Boolean, byFinger: Boolean) {
                 val line = view.geometry.lineAt(position.y + view.scrollY) + 1
                 if (position.x < view.gutter - GUTTER_EDGE) {

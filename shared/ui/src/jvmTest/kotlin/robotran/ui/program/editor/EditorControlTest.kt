@@ -41,6 +41,19 @@ class EditorControlTest {
     }
 
     @Test
+    fun `what there is no room for is told but not written, and the field is as it was`() {
+        val small = EditorControl(CodeLanguage.ROBOLANG, EditorView(), { it.text.length <= 8 }) { draft, _ -> written += draft }
+        small.follow(Draft("beep").withCaret(4))
+        assertEquals("beep", small.link.fieldFor(small.draft).text)
+        small.received(Draft("beep and more", TextSelection(13)), isComposing = false)
+        assertEquals("beep and more", written.last().text)
+        assertEquals("beep", small.draft.text)
+        assertEquals("beep", small.link.fieldFor(small.draft).text)
+        small.received(Draft("beep 1", TextSelection(6)), isComposing = false)
+        assertEquals("beep 1", small.draft.text)
+    }
+
+    @Test
     fun `several keys between two pictures are all written`() {
         control.follow(Draft(""))
         for (letter in "beep") control.type(letter.toString())
@@ -66,7 +79,8 @@ class EditorControlTest {
         assertEquals(1, control.chosen)
         assertFalse(control.performOnOffered(EditorCommand.Move(CaretMove.LEFT, selecting = false), isEnter = false))
         assertTrue(control.performOnOffered(null, isEnter = true))
-        assertEquals("turn right", control.draft.text)
+        assertEquals("turn right 90", control.draft.text)
+        assertEquals("90", control.draft.selectedText)
         assertNull(control.offered)
         assertFalse(control.performOnOffered(null, isEnter = true))
     }

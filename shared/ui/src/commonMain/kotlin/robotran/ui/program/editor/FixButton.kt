@@ -1,0 +1,70 @@
+package robotran.ui.program.editor
+
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.programs.Mistake
+import robotran.ui.resources.Res
+import robotran.ui.resources.mistake_fix
+import robotran.ui.resources.mistake_fix_add
+import robotran.ui.resources.mistake_fix_new_line
+import robotran.ui.resources.mistake_fix_remove
+import robotran.ui.resources.mistake_fix_remove_words
+import robotran.ui.resources.mistake_fix_space
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Measures
+import robotran.ui.theme.focusRing
+
+/**
+ * The button that applies the fix of [mistake], and says what that does.
+ *
+ * @param line the text of the line that the fix is made in.
+ */
+@Composable
+internal fun FixButton(mistake: Mistake, line: String, onFix: (Mistake) -> Unit) {
+    val fix = mistake.fix ?: return
+    TextButton(
+        onClick = { onFix(mistake) },
+        modifier = Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("fix").focusRing(),
+    ) {
+        Text(
+            textOf(fixLabelOf(mistake, fix, line)),
+            color = LocalRobotranColours.current.focus,
+            fontSize = 15.sp,
+            fontWeight = FontWeight.SemiBold,
+            maxLines = 2,
+            overflow = TextOverflow.Ellipsis,
+        )
+    }
+}
+
+@Composable
+private fun textOf(label: FixLabel): String = when (label) {
+    is FixLabel.Add -> {
+        stringResource(Res.string.mistake_fix_add, label.words)
+    }
+
+    is FixLabel.Change -> {
+        stringResource(Res.string.mistake_fix, label.words)
+    }
+
+    is FixLabel.Remove -> {
+        val words = label.words
+        if (words.isEmpty()) stringResource(Res.string.mistake_fix_remove) else stringResource(Res.string.mistake_fix_remove_words, words)
+    }
+
+    is FixLabel.Space -> {
+        stringResource(Res.string.mistake_fix_space, label.mended)
+    }
+
+    FixLabel.NewLine -> {
+        stringResource(Res.string.mistake_fix_new_line)
+    }
+}

@@ -1,0 +1,106 @@
+package robotran.ui.program
+
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.click
+import androidx.compose.ui.test.onAllNodesWithTag
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.onRoot
+import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.performTouchInput
+import androidx.compose.ui.test.pressKey
+import kotlinx.coroutines.runBlocking
+import robotran.ui.screen.onPhone
+import robotran.ui.screen.onTablet
+import robotran.ui.screen.pass
+import robotran.ui.workshop.Pane
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.PupilProgram
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.WorkshopEvent
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+/** What the editor offers: words that could come, fixes, and where a run could not go on. */
+@OptIn(ExperimentalTestApi::class)
+class ProgramHelpTest {
+    private fun ComposeUiTest.chooseComplete(byTouch: Boolean) {
+        for (tag in listOf("editor-more", "tool-complete")) {
+            if (byTouch) onNodeWithTag(tag).performTouchInput { click() } else onNodeWithTag(tag).performMouseInput { click() }
+            pass(600)
+        }
+    }
+
+    @Test
+    fun `the menu offers what could come where the caret is, by mouse and by touch`() = onTablet { workshop ->
+        for (byTouch in listOf(false, true)) {
+            workshop.write("turn ")
+            pass(300)
+            chooseComplete(byTouch)
+            onNodeWithTag("completions").assertIsDisplayed()
+            onNodeWithText("left").performTouchInput { click() }
+            pass(300)
+            assertEquals("turn left 90", workshop.text)
+            assertEquals("90", workshop.selected)
+        }
+    }
+
+    @Test
+    fun `where nothing could come the menu says so`() = onTablet { workshop ->
+        workshop.write("// a comment")
+        pass(300)
+        chooseComplete(byTouch = false)
+        onNodeWithTag("no-completions").assertIsDisplayed()
+        keys(listOf(Key.Escape))
+        assertEquals(0, onAllNodesWithTag("no-completions").fetchSemanticsNodes().size)
+    }
+
+    @Test
+    fun `a fix says what it does, does it, and leaves the keyboard to the text`() = onTablet { workshop ->
+        for (byTouch in listOf(false, true)) {
+            workshop.write("")
+            focusProgram()
+            workshop.write("forward5")
+            pass(1_000)
+            onNodeWithText("Put a space: forward 5").let { button ->
+                if (byTouch) button.performTouchInput { click() } else button.performMouseInput { click() }
+            }
+            pass(300)
+            assertEquals("forward 5", workshop.text)
+            onRoot().performKeyInput { pressKey(Key.Backspace) }
+            pass(300)
+            assertEquals("forward ", workshop.text)
+        }
+    }
+
+    @Test
+    fun `the line that a run could not go on at is marked and brought into sight`() = onPhone { workshop ->
+        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.write("var x = 0\n" + "beep\n".repeat(60) + "show 10 / x", caret = 0)
+        pass(300)
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(60_000)
+        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        pass(600)
+        onNodeWithTag("failure").assertIsDisplayed()
+        workshop.write("beep")
+        pass(300)
+        assertEquals(0, onAllNodesWithTag("failure").fetchSemanticsNodes().size)
+    }
+
+    @Test
+    fun `an exception of Java is marked, too`() = onTablet { workshop ->
+        val body = "int x = 0;\n        x = 1 / x;"
+        val text = "public class A {\n    public static void main(String[] args) {\n        $body\n    }\n}\n"
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("A.java", text)))
+        runBlocking { workshop.readPrograms() }
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(2_000)
+        pass(600)
+        onNodeWithTag("failure").assertIsDisplayed()
+    }
+}

@@ -1,0 +1,39 @@
+package robotran.ui.program.editor
+
+import robotran.programs.Mistake
+import robotran.robolang.RobolangResult
+import robotran.robolang.SourceFix
+import robotran.robolang.SourceRange
+import robotran.robolang.readRobolang
+import robotran.ui.workshop.PENBOT_CALIBRATION
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+
+class FixLabelTest {
+    private fun labelOf(source: String): FixLabel {
+        val mistake = assertIs<RobolangResult.Mistaken>(readRobolang("a.robo", source, PENBOT_CALIBRATION)).diagnostics.single()
+        val fix = assertNotNull(mistake.fix, source)
+        return fixLabelOf(Mistake("a.robo", mistake.range, mistake.message, fix), fix, source.lines()[fix.range.line - 1])
+    }
+
+    @Test
+    fun `a button says what its fix does`() {
+        assertEquals(FixLabel.Space("forward 5"), labelOf("forward5"))
+        assertEquals(FixLabel.Change("forward"), labelOf("forwrd 20"))
+        assertEquals(FixLabel.Remove("quickly"), labelOf("forward 20 quickly"))
+        assertEquals(FixLabel.NewLine, labelOf("beep beep"))
+        assertEquals(FixLabel.Add("end"), labelOf("repeat 4 times\n  beep"))
+        assertEquals(FixLabel.Add("seconds"), labelOf("wait 2"))
+        assertEquals(FixLabel.Add("var"), labelOf("x = 2\nshow x"))
+    }
+
+    @Test
+    fun `a semicolon is added, whatever the line is meanwhile`() {
+        val fix = SourceFix(SourceRange(1, 6, 6), ";")
+        val mistake = Mistake("A.java", SourceRange(1, 6, 6), "", fix)
+        assertEquals(FixLabel.Add(";"), fixLabelOf(mistake, fix, "i = 5"))
+        assertEquals(FixLabel.Add(";"), fixLabelOf(mistake, fix, ""))
+    }
+}
