@@ -13,7 +13,7 @@ import kotlin.test.assertNotNull
 
 class FixLabelTest {
     private fun labelOf(source: String): FixLabel {
-        val mistake = assertIs<RobolangResult.Mistaken>(readRobolang("a.robo", source, PENBOT_CALIBRATION)).diagnostics.single()
+        val mistake = assertIs<RobolangResult.Mistaken>(readRobolang("a.robo", source, PENBOT_CALIBRATION)).diagnostics.first()
         val fix = assertNotNull(mistake.fix, source)
         return fixLabelOf(Mistake("a.robo", mistake.range, mistake.message, fix), fix, source.lines()[fix.range.line - 1])
     }
