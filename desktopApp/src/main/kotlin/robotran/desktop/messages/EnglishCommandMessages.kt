@@ -1,6 +1,7 @@
 package robotran.desktop.messages
 
 import robotran.language.listed
+import robotran.world.goal.EnglishGoalMessages
 
 /** The messages in English. */
 internal object EnglishCommandMessages :
@@ -74,9 +75,9 @@ private object EnglishRunMessages : RunMessages {
     override fun robotIsAt(x: String, y: String, heading: String, ink: String) =
         "The robot is at x $x cm, y $y cm, heading $heading degrees; it drew $ink cm."
 
-    override fun goalMet(goal: String) = "met: $goal"
+    override fun goalMet(goal: String) = "${EnglishGoalMessages.met()}: $goal"
 
-    override fun goalNotMet(goal: String, percent: Int) = "not met ($percent %): $goal"
+    override fun goalNotMet(goal: String, percent: Int) = "${EnglishGoalMessages.notMet()} ($percent %): $goal"
 }
 
 private object EnglishGradeMessages : GradeMessages {

@@ -2,6 +2,7 @@ package robotran.desktop.messages
 
 import robotran.language.listed
 import robotran.language.withComma
+import robotran.world.goal.GermanGoalMessages
 
 /** The messages in German; the seed that chance is drawn from is a "Startzahl". */
 internal object GermanCommandMessages :
@@ -78,9 +79,9 @@ private object GermanRunMessages : RunMessages {
         "Der Roboter ist bei x ${withComma(x)} cm, y ${withComma(y)} cm, Richtung ${withComma(heading)} Grad; " +
             "er hat ${withComma(ink)} cm gezeichnet."
 
-    override fun goalMet(goal: String) = "geschafft: $goal"
+    override fun goalMet(goal: String) = "${GermanGoalMessages.met()}: $goal"
 
-    override fun goalNotMet(goal: String, percent: Int) = "nicht geschafft ($percent %): $goal"
+    override fun goalNotMet(goal: String, percent: Int) = "${GermanGoalMessages.notMet()} ($percent %): $goal"
 }
 
 private object GermanGradeMessages : GradeMessages {

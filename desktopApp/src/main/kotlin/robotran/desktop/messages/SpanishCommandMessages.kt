@@ -2,6 +2,7 @@ package robotran.desktop.messages
 
 import robotran.language.listed
 import robotran.language.withComma
+import robotran.world.goal.SpanishGoalMessages
 
 /** The messages in Spanish; the seed that chance is drawn from is a "semilla". */
 internal object SpanishCommandMessages :
@@ -77,9 +78,9 @@ private object SpanishRunMessages : RunMessages {
         "El robot está en x ${withComma(x)} cm, y ${withComma(y)} cm, mirando a ${withComma(heading)} grados; " +
             "ha dibujado ${withComma(ink)} cm."
 
-    override fun goalMet(goal: String) = "conseguida: $goal"
+    override fun goalMet(goal: String) = "${SpanishGoalMessages.met()}: $goal"
 
-    override fun goalNotMet(goal: String, percent: Int) = "sin conseguir ($percent %): $goal"
+    override fun goalNotMet(goal: String, percent: Int) = "${SpanishGoalMessages.notMet()} ($percent %): $goal"
 }
 
 private object SpanishGradeMessages : GradeMessages {

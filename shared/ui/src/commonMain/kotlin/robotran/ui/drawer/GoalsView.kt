@@ -20,12 +20,9 @@ import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
-import robotran.ui.resources.run_goal_lost
-import robotran.ui.resources.run_goal_met
-import robotran.ui.resources.run_goal_pending
 import robotran.ui.resources.run_goals_all
 import robotran.ui.resources.run_goals_empty
 import robotran.ui.runbar.RunIcon
@@ -34,6 +31,8 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.world.GoalProgress
 import robotran.world.GoalStatus
+import robotran.world.goal.GoalMessages
+import robotran.world.goal.wordFor
 
 /** What is to be done in the world, its goals and how far each has come. */
 @Composable
@@ -60,14 +59,13 @@ internal fun GoalsView(goals: List<GoalProgress>, modifier: Modifier = Modifier,
 @Composable
 private fun GoalRow(goal: GoalProgress) {
     val colours = LocalRobotranColours.current
-    val look = look(goal.status)
-    val word = stringResource(look.word)
+    val word = GoalMessages.of(LocalLanguage.current).wordFor(goal.status)
     Row(
         Modifier.testTag("goal").semantics(mergeDescendants = true) { stateDescription = word },
         Arrangement.spacedBy(12.dp),
     ) {
         val colour = if (goal.status == GoalStatus.FAILED) colours.mistake else colours.onPane
-        RunIconView(look.icon, Modifier.padding(top = 2.dp), colour = colour)
+        RunIconView(iconFor(goal.status), Modifier.padding(top = 2.dp), colour = colour)
         Column(verticalArrangement = Arrangement.spacedBy(6.dp)) {
             Text(goal.sentence, color = colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
             Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp), Alignment.CenterVertically) {
@@ -78,17 +76,17 @@ private fun GoalRow(goal: GoalProgress) {
                     trackColor = colours.line,
                     drawStopIndicator = { },
                 )
-                Text(word, color = if (goal.status == GoalStatus.FAILED) colours.mistake else colours.quiet, fontSize = 14.sp)
+                val wordColour = if (goal.status == GoalStatus.FAILED) colours.mistake else colours.quiet
+                // Told as the row's state, so that nobody hears it twice.
+                Text(word, Modifier.clearAndSetSemantics { }, color = wordColour, fontSize = 14.sp)
             }
             for (part in goal.parts) GoalRow(part)
         }
     }
 }
 
-private class GoalLook(val icon: RunIcon, val word: StringResource)
-
-private fun look(status: GoalStatus) = when (status) {
-    GoalStatus.MET -> GoalLook(RunIcon.DONE, Res.string.run_goal_met)
-    GoalStatus.FAILED -> GoalLook(RunIcon.CLOSE, Res.string.run_goal_lost)
-    GoalStatus.PENDING -> GoalLook(RunIcon.OPEN, Res.string.run_goal_pending)
+private fun iconFor(status: GoalStatus) = when (status) {
+    GoalStatus.MET -> RunIcon.DONE
+    GoalStatus.FAILED -> RunIcon.CLOSE
+    GoalStatus.PENDING -> RunIcon.OPEN
 }

@@ -10,6 +10,9 @@ import robotran.ui.resources.status_changed
 import robotran.ui.resources.status_compiling
 import robotran.ui.resources.status_empty
 import robotran.ui.resources.status_ended
+import robotran.ui.resources.status_ended_goal_not_met
+import robotran.ui.resources.status_ended_goals_not_met
+import robotran.ui.resources.status_ended_undecided
 import robotran.ui.resources.status_failed
 import robotran.ui.resources.status_mistake
 import robotran.ui.resources.status_mistake_anywhere
@@ -20,6 +23,7 @@ import robotran.ui.resources.status_ready
 import robotran.ui.resources.status_running
 import robotran.ui.resources.status_running_line
 import robotran.ui.resources.status_stopped
+import robotran.ui.workshop.GoalCount
 import robotran.ui.workshop.WorkshopStatus
 import kotlin.math.abs
 import kotlin.math.roundToLong
@@ -70,12 +74,21 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
     }
 
     is WorkshopStatus.Ended -> {
-        stringResource(if (status.stopped) Res.string.status_stopped else Res.string.status_ended)
+        if (status.stopped) stringResource(Res.string.status_stopped) else endedText(status.goals)
     }
 
     is WorkshopStatus.Failed -> {
         failedText(status.line, status.file, status.message)
     }
+}
+
+/** Done is done only when the goals are met, too. */
+@Composable
+private fun endedText(goals: GoalCount): String = when {
+    goals.allMet -> stringResource(Res.string.status_ended)
+    goals.failed == 0 -> stringResource(Res.string.status_ended_undecided)
+    goals.all == 1 -> stringResource(Res.string.status_ended_goal_not_met)
+    else -> stringResource(Res.string.status_ended_goals_not_met, goals.met, goals.all)
 }
 
 @Composable

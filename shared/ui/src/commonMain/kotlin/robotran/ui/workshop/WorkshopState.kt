@@ -100,7 +100,7 @@ data class WorkshopState(
             WorkshopStatus.Running(now.sourceLine)
         }
 
-        is RunState.Ended -> WorkshopStatus.Ended(now.stopped)
+        is RunState.Ended -> WorkshopStatus.Ended(now.stopped, GoalCount.of(session.goals))
 
         is RunState.Failed -> with(now.failure) { WorkshopStatus.Failed(sourceLine, message, sourceFile) }
     }

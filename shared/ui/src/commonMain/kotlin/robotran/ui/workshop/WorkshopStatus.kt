@@ -29,8 +29,8 @@ sealed interface WorkshopStatus {
     /** Time stands still, and the program is before [line]; 0 if it is at none. */
     data class Paused(val line: Int) : WorkshopStatus
 
-    /** The program came to its end, or somebody stopped it. */
-    data class Ended(val stopped: Boolean) : WorkshopStatus
+    /** The program came to its end, or somebody stopped it, and the world's [goals], if it has any, stand like this. */
+    data class Ended(val stopped: Boolean, val goals: GoalCount = GoalCount()) : WorkshopStatus
 
     /** The program could not go on at [line], 0 if at none, of [file], null if it has only one; [message] says why. */
     data class Failed(val line: Int, val message: String, val file: String? = null) : WorkshopStatus

@@ -69,6 +69,12 @@ object EnglishGoalMessages : GoalMessages {
 
     override fun anyOf() = "Do one of these."
 
+    override fun met() = "met"
+
+    override fun notMet() = "not met"
+
+    override fun notYet() = "not yet"
+
     private fun name(who: Mover): String = when (who) {
         Mover.OwnRobot -> "your robot"
         is Mover.OtherRobot -> "the robot \"${who.name}\""

@@ -76,6 +76,12 @@ object GermanGoalMessages : GoalMessages {
 
     override fun anyOf() = "Mach eins davon."
 
+    override fun met() = "geschafft"
+
+    override fun notMet() = "nicht geschafft"
+
+    override fun notYet() = "noch nicht"
+
     private fun nominative(who: Mover): String = when (who) {
         Mover.OwnRobot -> "Dein Roboter"
         is Mover.OtherRobot -> "Der Roboter \"${who.name}\""

@@ -1,6 +1,7 @@
 package robotran.world.goal
 
 import robotran.language.Language
+import robotran.world.GoalStatus
 import robotran.world.TouchKind
 
 /** What pupils are told to do, in one language: a sentence for each kind of goal, made from the goal's figures. */
@@ -43,6 +44,13 @@ interface GoalMessages {
 
     fun anyOf(): String
 
+    /** What became of a goal, in a word or two: see [wordFor]. */
+    fun met(): String
+
+    fun notMet(): String
+
+    fun notYet(): String
+
     companion object {
         fun of(language: Language): GoalMessages = when (language) {
             Language.ENGLISH -> EnglishGoalMessages
@@ -50,6 +58,13 @@ interface GoalMessages {
             Language.GERMAN -> GermanGoalMessages
         }
     }
+}
+
+/** How a goal stands, in a word or two; the same wherever it is told. */
+fun GoalMessages.wordFor(status: GoalStatus): String = when (status) {
+    GoalStatus.MET -> met()
+    GoalStatus.FAILED -> notMet()
+    GoalStatus.PENDING -> notYet()
 }
 
 /** Whom a goal is about, as a sentence names him. */

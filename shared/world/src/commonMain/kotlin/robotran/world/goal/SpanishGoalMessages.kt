@@ -71,6 +71,12 @@ object SpanishGoalMessages : GoalMessages {
 
     override fun anyOf() = "Haz una de estas cosas."
 
+    override fun met() = "conseguida"
+
+    override fun notMet() = "sin conseguir"
+
+    override fun notYet() = "todavía no"
+
     private fun name(who: Mover): String = when (who) {
         Mover.OwnRobot -> "tu robot"
         is Mover.OtherRobot -> "el robot \"${who.name}\""
