@@ -22,6 +22,7 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
 import androidx.compose.ui.layout.ContentScale
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
@@ -35,6 +36,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.documents_delete
 import robotran.ui.resources.documents_work_file
 import robotran.ui.resources.documents_work_now
+import robotran.ui.sheet.PictureRoom
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
 import robotran.ui.theme.LocalRobotranColours
@@ -89,12 +91,15 @@ private fun SheetPicture(work: ShownWork) {
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
     val key = "${work.entry.id} ${work.entry.keptAt}"
-    val picture by produceState(pictures.ready(key, sheetColours), key, work.world, sheetColours) {
-        work.world?.let { value = pictures.of(key, it, sheetColours) }
+    val room = with(LocalDensity.current) { PictureRoom.of(PICTURE_WIDTH.roundToPx(), PICTURE_HEIGHT.roundToPx(), density) }
+    val picture by produceState(pictures.ready(key, sheetColours, room), key, work.world, sheetColours, room) {
+        work.world?.let { value = pictures.of(key, it, sheetColours, room) }
     }
-    Box(Modifier.size(72.dp, 54.dp).background(colours.desk, RoundedCornerShape(6.dp)).padding(2.dp), Alignment.Center) {
+    Box(Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT).background(colours.desk, RoundedCornerShape(6.dp)).padding(2.dp), Alignment.Center) {
         picture?.let { Image(it, contentDescription = null, Modifier.fillMaxSize(), contentScale = ContentScale.Fit) }
     }
 }
 
-private val pictures = SheetPictures(pixels = 144)
+private val pictures = SheetPictures()
+private val PICTURE_WIDTH = 72.dp
+private val PICTURE_HEIGHT = 54.dp

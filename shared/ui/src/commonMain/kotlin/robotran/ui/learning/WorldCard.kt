@@ -5,7 +5,7 @@ import androidx.compose.foundation.Image
 import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.aspectRatio
@@ -23,6 +23,7 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
 import androidx.compose.ui.layout.ContentScale
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
@@ -38,6 +39,7 @@ import robotran.ui.resources.learning_level_easy
 import robotran.ui.resources.learning_level_hard
 import robotran.ui.resources.learning_level_medium
 import robotran.ui.resources.learning_world_done_mark
+import robotran.ui.sheet.PictureRoom
 import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
@@ -87,10 +89,11 @@ private fun DoneMark() {
 private fun WorldPicture(world: GalleryWorld) {
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
-    val picture by produceState(WorldPictures.ready(world, sheetColours), world, sheetColours) {
-        value = WorldPictures.of(world, sheetColours)
-    }
-    Box(Modifier.fillMaxWidth().aspectRatio(PICTURE_ASPECT).background(colours.desk).padding(8.dp), Alignment.Center) {
+    BoxWithConstraints(Modifier.fillMaxWidth().aspectRatio(PICTURE_ASPECT).background(colours.desk).padding(8.dp), Alignment.Center) {
+        val room = PictureRoom.of(constraints.maxWidth, constraints.maxHeight, LocalDensity.current.density)
+        val picture by produceState(WorldPictures.ready(world, sheetColours, room), world, sheetColours, room) {
+            value = WorldPictures.of(world, sheetColours, room)
+        }
         picture?.let { Image(it, contentDescription = null, Modifier.fillMaxSize(), contentScale = ContentScale.Fit) }
     }
 }

@@ -2,17 +2,18 @@ package robotran.ui.learning
 
 import androidx.compose.ui.graphics.ImageBitmap
 import robotran.learning.GalleryWorld
+import robotran.ui.sheet.PictureRoom
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
 
 /** Small pictures of the gallery's worlds. */
 internal object WorldPictures {
-    /** Enough for a card on a screen of two pixels a dp. */
-    private val pictures = SheetPictures(pixels = 560)
+    private val pictures = SheetPictures()
 
-    /** The picture of [world] if it has been drawn in these [colours]. */
-    fun ready(world: GalleryWorld, colours: SheetColours): ImageBitmap? = pictures.ready(world.name, colours)
+    /** See [SheetPictures.ready]. */
+    fun ready(world: GalleryWorld, colours: SheetColours, room: PictureRoom): ImageBitmap? = pictures.ready(world.name, colours, room)
 
-    /** The picture of [world], drawn if it was not. */
-    suspend fun of(world: GalleryWorld, colours: SheetColours): ImageBitmap = pictures.of(world.name, world.plainWorld, colours)
+    /** See [SheetPictures.of]. */
+    suspend fun of(world: GalleryWorld, colours: SheetColours, room: PictureRoom): ImageBitmap =
+        pictures.of(world.name, world.plainWorld, colours, room)
 }

@@ -6,6 +6,7 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.StrokeJoin
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.unit.dp
 import robotran.world.Template
 import kotlin.math.max
 
@@ -13,13 +14,13 @@ internal fun templatePath(template: Template, transform: SheetTransform): Path =
     for (stroke in template.strokes) addLine(stroke.map { transform.toPixels(it.x, it.y) })
 }
 
-/** A faint dotted line that ink will cover. */
+/** A faint dotted line that ink will cover; in a small picture it stays wide enough to be seen. */
 internal fun DrawScope.drawTemplate(path: Path, transform: SheetTransform) {
-    val width = max(TEMPLATE_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_WIDTH_PIXELS)
+    val width = max(TEMPLATE_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_WIDTH.toPx())
     // Dashes without length but with round ends are dots.
     val dots = PathEffect.dashPathEffect(floatArrayOf(0f, 2 * width))
     drawPath(path, SheetColours.TEMPLATE, style = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round, pathEffect = dots))
 }
 
 private const val TEMPLATE_CENTIMETRES = 0.5f
-private const val LEAST_WIDTH_PIXELS = 2f
+private val LEAST_WIDTH = 2.2.dp

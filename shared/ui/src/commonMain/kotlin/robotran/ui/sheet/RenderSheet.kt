@@ -16,6 +16,7 @@ import kotlin.math.roundToInt
  * A picture of the sheet as the screen shows it, by day unless [colours] say otherwise; needs no screen.
  *
  * @param widthPixels how wide it is to be; its height follows from the paper. At least 1, at most [MOST_PICTURE_PIXELS].
+ * @param density how many of these pixels a line that is never to be thinner than so many dp takes for one of them.
  * @param labels what the robots' names and the numbers of goals are written with; null for leaving them out.
  */
 fun renderSheet(
@@ -24,10 +25,11 @@ fun renderSheet(
     widthPixels: Int = PICTURE_PIXELS,
     labels: TextMeasurer? = null,
     colours: SheetColours = SheetColours.LIGHT,
-): ImageBitmap = renderOn(world, widthPixels) { drawing -> drawSheet(drawing, state, colours, labels) }
+    density: Float = 1f,
+): ImageBitmap = renderOn(world, widthPixels, density) { drawing -> drawSheet(drawing, state, colours, labels) }
 
 /** A picture with room for the sheet of [world], drawn by [draw]. */
-internal fun renderOn(world: World, widthPixels: Int, draw: DrawScope.(SheetDrawing) -> Unit): ImageBitmap {
+internal fun renderOn(world: World, widthPixels: Int, density: Float = 1f, draw: DrawScope.(SheetDrawing) -> Unit): ImageBitmap {
     require(widthPixels in 1..MOST_PICTURE_PIXELS) { "A picture is 1 to $MOST_PICTURE_PIXELS pixels wide, not $widthPixels" }
     val paper = world.paper
     val wide = paper.width + 2 * PICTURE_MARGIN_CENTIMETRES
@@ -36,7 +38,7 @@ internal fun renderOn(world: World, widthPixels: Int, draw: DrawScope.(SheetDraw
     val size = Size(widthPixels.toFloat(), heightPixels.toFloat())
     val drawing = SheetFit(world, PICTURE_MARGIN_CENTIMETRES).into(size)
     val image = ImageBitmap(widthPixels, heightPixels)
-    CanvasDrawScope().draw(Density(1f), LayoutDirection.Ltr, Canvas(image), size) {
+    CanvasDrawScope().draw(Density(density), LayoutDirection.Ltr, Canvas(image), size) {
         draw(drawing)
     }
     return image

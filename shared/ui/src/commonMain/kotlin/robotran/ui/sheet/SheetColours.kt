@@ -20,7 +20,7 @@ data class SheetColours(
         val BLOCK_GRAIN = Color(0xFFB5864A)
         val BLOCK_EDGE = Color(0xFF7F5A2B)
         val MARK_DOTS = Color(0x99FFFFFF)
-        val TEMPLATE = Color(0xFFA9B4C0)
+        val TEMPLATE = Color(0xFF717D89)
         val REACH = Color(0xFF2E9E4F)
         val FLAG = Color(0xFF1F6E37)
         val STAY_OUT = Color(0xFFD33A2C)

@@ -15,28 +15,33 @@ import robotran.world.physics.loadPhysicsEngine
 
 /**
  * Small pictures of worlds before anything has happened there, each drawn once and one after the other, so that the screen goes on meanwhile.
- *
- * @param pixels how wide they are.
+ * They are drawn in about the size that they are shown in, so that thin lines stay what they are.
  */
-internal class SheetPictures(private val pixels: Int) {
+internal class SheetPictures {
     private val drawing = Mutex()
-    private val drawn = mutableMapOf<String, ImageBitmap>()
+    private val drawn = mutableMapOf<Pair<String, Int>, ImageBitmap>()
     private var colours: SheetColours? = null
 
-    /** The picture of the world known as [key] if it has been drawn in these [colours]. */
-    fun ready(key: String, colours: SheetColours): ImageBitmap? = drawn[key].takeIf { this.colours == colours }
-
-    /** The picture of [world], which is known as [key], drawn if it was not. */
-    suspend fun of(key: String, world: World, colours: SheetColours): ImageBitmap = drawing.withLock {
-        if (colours != this.colours || drawn.size >= MOST) drawn.clear()
-        this.colours = colours
-        drawn[key] ?: draw(world, colours).also { drawn[key] = it }
+    /** The picture of the world known as [key] if it has been drawn in these [colours] for [room], or else for another until then. */
+    fun ready(key: String, colours: SheetColours, room: PictureRoom): ImageBitmap? = when {
+        this.colours != colours -> null
+        else -> drawn[key to room.pixels] ?: drawn.entries.firstOrNull { it.key.first == key }?.value
     }
 
-    private suspend fun draw(world: World, colours: SheetColours): ImageBitmap {
+    /** The picture of [world], which is known as [key], for [room]; drawn if it was not. */
+    suspend fun of(key: String, world: World, colours: SheetColours, room: PictureRoom): ImageBitmap = drawing.withLock {
+        if (colours != this.colours || drawn.size >= MOST) drawn.clear()
+        this.colours = colours
+        drawn.getOrPut(key to room.pixels) { draw(world, colours, room) }
+    }
+
+    private suspend fun draw(world: World, colours: SheetColours, room: PictureRoom): ImageBitmap {
         yield()
         val engine = physics ?: loadPhysicsEngine().also { physics = it }
-        return withContext(Dispatchers.Default) { renderSheet(world, atStart(world, engine), pixels, colours = colours) }
+        val width = room.widthFor(world.paper)
+        return withContext(Dispatchers.Default) {
+            renderSheet(world, atStart(world, engine), width, colours = colours, density = room.density)
+        }
     }
 
     private fun atStart(world: World, engine: PhysicsEngine): SessionState {

@@ -7,6 +7,7 @@ import robotran.learning.WorldGallery
 import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
+import robotran.ui.sheet.PictureRoom
 import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.workshop.AppTheme
@@ -51,7 +52,7 @@ class LearningPictures {
     /** The pictures of the worlds come by and by: here they are wanted at once. */
     private fun drawWorlds(settings: Settings) = runBlocking {
         val colours = if (settings.theme == AppTheme.DARK) RobotranColours.DARK else RobotranColours.LIGHT
-        for (world in WorldGallery.worlds) WorldPictures.of(world, SheetColours.of(colours))
+        for (world in WorldGallery.worlds) WorldPictures.of(world, SheetColours.of(colours), PictureRoom.of(272, 170, density = 1f))
     }
 
     private fun photograph(workshop: Workshop, look: Look, name: String, prepare: Workshop.() -> Unit) {

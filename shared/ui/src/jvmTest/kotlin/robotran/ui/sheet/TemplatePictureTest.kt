@@ -1,0 +1,41 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.graphics.PixelMap
+import androidx.compose.ui.graphics.luminance
+import androidx.compose.ui.graphics.toPixelMap
+import robotran.ui.theme.RobotranColours
+import robotran.world.BuiltInWorlds
+import robotran.world.Point
+import robotran.world.Template
+import kotlin.test.Test
+import kotlin.test.assertTrue
+
+class TemplatePictureTest {
+    @Test
+    fun `a drawing to be traced can be seen in a picture of any size, by day and by night`() {
+        val paper = BuiltInWorlds.plain.paper
+        val line = listOf(Point(paper.width * 0.1, paper.height * 0.2), Point(paper.width * 0.9, paper.height * 0.2))
+        val world = BuiltInWorlds.plain.copy(template = Template(listOf(line)))
+        for (width in listOf(100, 160, 280, 560, 1_200)) {
+            for (colours in listOf(SheetColours.LIGHT, SheetColours.of(RobotranColours.DARK))) {
+                val picture = renderSheet(world, SheetScenes.state(world), width, colours = colours).toPixelMap()
+                val contrasts = (0..<picture.height).map { y -> picture.bestContrast(y, colours.paper.luminance()) }
+                    .subList((picture.height * 0.7).toInt(), (picture.height * 0.88).toInt())
+                val told = "$width pixels wide on ${colours.paper}: ${contrasts.filter { it > 1.1f }}"
+                assertTrue(contrasts.max() >= LEAST_CONTRAST, told)
+                assertTrue(contrasts.count { it >= LEAST_CONTRAST / 2 } >= 2, told)
+            }
+        }
+    }
+
+    /** How much the darkest point of the row [y] stands out from the paper (WCAG 2.2), away from what stands around the paper. */
+    private fun PixelMap.bestContrast(y: Int, paper: Float): Float =
+        (width / 5..width * 4 / 5).maxOf { x -> (paper + GLARE) / (this[x, y].luminance() + GLARE) }
+
+    private companion object {
+        const val GLARE = 0.05f
+
+        /** What signs need is 3; smoothing takes a little of the smallest dots. */
+        const val LEAST_CONTRAST = 2.6f
+    }
+}
