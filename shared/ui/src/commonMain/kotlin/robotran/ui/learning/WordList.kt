@@ -13,8 +13,6 @@ import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.material3.RadioButton
-import androidx.compose.material3.RadioButtonDefaults
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
@@ -27,6 +25,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.learning.WordHelp
+import robotran.ui.parts.RadioMark
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_help_java
 import robotran.ui.theme.LocalRobotranColours
@@ -67,12 +66,7 @@ private fun Languages(chosen: ProgramLanguage, onChoose: (ProgramLanguage) -> Un
                     .padding(end = 12.dp),
                 verticalAlignment = Alignment.CenterVertically,
             ) {
-                RadioButton(
-                    selected,
-                    onClick = null,
-                    Modifier.padding(12.dp),
-                    colors = RadioButtonDefaults.colors(selectedColor = colours.focus, unselectedColor = colours.quiet),
-                )
+                RadioMark(selected, Modifier.padding(12.dp))
                 val name = if (language == ProgramLanguage.JAVA) stringResource(Res.string.learning_help_java) else ROBOLANG
                 Text(name, color = colours.onPane, fontSize = 16.sp)
             }

@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.RadioButton
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
@@ -25,6 +24,7 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.running.RunSpeed
+import robotran.ui.parts.RadioMark
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_speed
 import robotran.ui.resources.run_speed_double
@@ -81,7 +81,7 @@ internal fun SpeedChoices(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit) {
                 .testTag("speed-${choice.name.lowercase()}")
                 .defaultMinSize(minHeight = Measures.TARGET)
                 .semantics { selected = choice == speed },
-            leadingIcon = { RadioButton(choice == speed, onClick = null) },
+            leadingIcon = { RadioMark(choice == speed) },
         )
     }
 }

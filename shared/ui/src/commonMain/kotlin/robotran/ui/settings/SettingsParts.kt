@@ -11,8 +11,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.foundation.selection.toggleable
-import androidx.compose.material3.RadioButton
-import androidx.compose.material3.RadioButtonDefaults
 import androidx.compose.material3.Slider
 import androidx.compose.material3.SliderDefaults
 import androidx.compose.material3.Switch
@@ -30,6 +28,7 @@ import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.parts.RadioMark
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
@@ -54,12 +53,7 @@ internal fun <T> ChoiceOfOne(title: String, choices: List<Pair<T, String>>, chos
                         .padding(end = 12.dp),
                     verticalAlignment = Alignment.CenterVertically,
                 ) {
-                    RadioButton(
-                        selected,
-                        onClick = null,
-                        Modifier.padding(12.dp),
-                        colors = RadioButtonDefaults.colors(selectedColor = colours.focus, unselectedColor = colours.quiet),
-                    )
+                    RadioMark(selected, Modifier.padding(12.dp))
                     Text(words, color = colours.onPane, fontSize = 16.sp)
                 }
             }

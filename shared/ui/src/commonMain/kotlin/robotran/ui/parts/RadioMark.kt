@@ -1,0 +1,19 @@
+package robotran.ui.parts
+
+import androidx.compose.material3.RadioButton
+import androidx.compose.material3.RadioButtonDefaults
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import robotran.ui.theme.LocalRobotranColours
+
+/** The ring before one of several choices, full if it is the chosen one; the choice itself is what is touched. */
+@Composable
+internal fun RadioMark(selected: Boolean, modifier: Modifier = Modifier) {
+    val colours = LocalRobotranColours.current
+    RadioButton(
+        selected,
+        onClick = null,
+        modifier,
+        colors = RadioButtonDefaults.colors(selectedColor = colours.focus, unselectedColor = colours.quiet),
+    )
+}
