@@ -85,7 +85,7 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
 @Composable
 private fun StepList(state: LearningState, shown: Boolean, onClose: () -> Unit, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    DropdownMenu(shown, onClose, Modifier.heightIn(max = MOST_HEIGHT), containerColor = colours.pane) {
+    DropdownMenu(shown, onClose, containerColor = colours.pane) {
         Tutorial.steps.forEachIndexed { place, step ->
             val done = step.name in state.stepsDone
             val title = step.text(state.language).title
@@ -124,4 +124,3 @@ private fun DrawScope.drawDot(place: Int, isDone: Boolean, isShown: Boolean, col
 
 private val DOT_STEP = 18.dp
 private val DOT_RADIUS = 4.dp
-private val MOST_HEIGHT = 560.dp

@@ -51,7 +51,7 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
         DropdownMenu(
             expanded = open,
             onDismissRequest = { open = false },
-            modifier = Modifier.widthIn(min = 300.dp).heightIn(max = 420.dp),
+            modifier = Modifier.widthIn(min = 300.dp),
             containerColor = LocalRobotranColours.current.pane,
         ) {
             if (state.hasRoom) NewPrograms(choose) else Note(stringResource(Res.string.program_no_room))

@@ -53,7 +53,7 @@ internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, wi
         DropdownMenu(
             expanded = open,
             onDismissRequest = { open = false },
-            modifier = Modifier.widthIn(min = 260.dp).heightIn(max = MOST_HEIGHT),
+            modifier = Modifier.widthIn(min = 260.dp),
             containerColor = LocalRobotranColours.current.pane,
         ) {
             if (withWork) {
@@ -85,5 +85,3 @@ internal fun MenuItem(text: String, tag: String, onClick: () -> Unit) = Dropdown
 
 @Composable
 internal fun MenuDivider() = HorizontalDivider(Modifier.padding(vertical = 4.dp), color = LocalRobotranColours.current.line)
-
-private val MOST_HEIGHT = 640.dp

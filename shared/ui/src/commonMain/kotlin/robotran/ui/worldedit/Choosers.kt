@@ -148,7 +148,7 @@ internal fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: S
                 Text(shown, Modifier.weight(1f, fill = false), colours.onPane, 15.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
                 Canvas(Modifier.size(18.dp)) { with(EditIcons.DOWN) { draw(colours.onPane) } }
             }
-            DropdownMenu(open, { open = false }, Modifier.heightIn(max = 680.dp), containerColor = colours.pane) {
+            DropdownMenu(open, { open = false }, containerColor = colours.pane) {
                 choices.forEachIndexed { place, (value, word) ->
                     DropdownMenuItem(
                         text = { Text(word, color = colours.onPane, fontSize = 16.sp) },
