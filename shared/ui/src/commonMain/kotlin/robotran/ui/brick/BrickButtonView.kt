@@ -77,7 +77,7 @@ internal fun BrickButtonView(
                 name,
                 Modifier.clearAndSetSemantics { },
                 color = look.label,
-                fontSize = with(LocalDensity.current) { (unit * LABEL_SIZE).toSp() },
+                fontSize = with(LocalDensity.current) { (unit * look.labelSize).toSp() },
                 fontWeight = FontWeight.SemiBold,
                 maxLines = 1,
                 softWrap = false,
@@ -86,15 +86,16 @@ internal fun BrickButtonView(
     }
 }
 
-/** How far a button sinks, and how large its name is written, in units of the [BrickPlan]. */
+/** How far a button sinks, and how large its name is written, in units of the [BrickPlan]: the long one smaller, so that it keeps a margin like the others. */
 private const val SUNK = 4f
 private const val LABEL_SIZE = 12.5f
+private const val LONG_LABEL_SIZE = 10.5f
 
-private class ButtonLook(val name: StringResource, val colour: Color, val label: Color)
+private class ButtonLook(val name: StringResource, val colour: Color, val label: Color, val labelSize: Float = LABEL_SIZE)
 
 private fun look(button: BrickButton): ButtonLook = when (button) {
     BrickButton.VIEW -> ButtonLook(Res.string.button_view, BrickColours.VIEW, Color.White)
-    BrickButton.ON_OFF -> ButtonLook(Res.string.button_on_off, RobotranColours.ON_OFF_RED, Color.White)
+    BrickButton.ON_OFF -> ButtonLook(Res.string.button_on_off, RobotranColours.ON_OFF_RED, Color.White, LONG_LABEL_SIZE)
     BrickButton.PRGM -> ButtonLook(Res.string.button_prgm, BrickColours.PRGM, BrickColours.LABEL)
     BrickButton.RUN -> ButtonLook(Res.string.button_run, RobotranColours.RUN_GREEN, Color.White)
 }

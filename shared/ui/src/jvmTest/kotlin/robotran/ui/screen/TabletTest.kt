@@ -1,6 +1,8 @@
 package robotran.ui.screen
 
 import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.graphics.luminance
+import androidx.compose.ui.graphics.toPixelMap
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.ComposeUiTest
@@ -13,6 +15,7 @@ import androidx.compose.ui.test.assertIsOff
 import androidx.compose.ui.test.assertIsOn
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.assertTextEquals
+import androidx.compose.ui.test.captureToImage
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onFirst
 import androidx.compose.ui.test.onNodeWithTag
@@ -127,6 +130,17 @@ class TabletTest {
         onNodeWithTag("brick-on_off").performClick()
         pass(500)
         onNodeWithTag("brick-hint").assertDoesNotExist()
+    }
+
+    @Test
+    fun `the names on the brick's buttons keep a margin`() = onTablet {
+        pass(300)
+        for (tag in listOf("brick-view", "brick-on_off", "brick-run")) {
+            val key = onNodeWithTag(tag).captureToImage().toPixelMap()
+            val written = (0..<key.width).filter { x -> (key.height / 4..key.height * 3 / 4).any { y -> key[x, y].luminance() > 0.7f } }
+            val margin = minOf(written.first(), key.width - 1 - written.last()).toFloat() / key.width
+            assertTrue(margin >= 0.1f, "$tag has a margin of $margin")
+        }
     }
 
     @Test
