@@ -1,9 +1,13 @@
 package robotran.ui.brick
 
-import androidx.compose.foundation.background
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
@@ -15,25 +19,38 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.rom.BrickState
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
 import robotran.ui.resources.brick_off
+import robotran.ui.resources.notice_close
 import robotran.ui.theme.LocalRobotranColours
 
-/** What the brick cannot say itself, and which button helps; nothing if all can be seen on it. */
+/** What the brick cannot say itself, and which button helps; null if all can be seen on it. */
 @Composable
-internal fun BrickHint(state: BrickState, modifier: Modifier = Modifier) {
-    val words = state.explanation ?: if (state.poweredOn) return else stringResource(Res.string.brick_off)
+internal fun brickHintWords(state: BrickState): String? =
+    state.explanation ?: if (state.poweredOn) null else stringResource(Res.string.brick_off)
+
+/** Tells [brickHintWords], with a button to close it if there is [onClose]; nothing if there are none. What does not fit can be scrolled. */
+@Composable
+internal fun BrickHint(state: BrickState, modifier: Modifier = Modifier, onClose: (() -> Unit)? = null) {
+    val words = brickHintWords(state) ?: return
     val colours = LocalRobotranColours.current
-    Text(
-        words,
-        modifier
-            .fillMaxWidth()
-            .background(colours.pane, RoundedCornerShape(12.dp))
-            .padding(12.dp)
-            .testTag("brick-hint")
-            .semantics { liveRegion = LiveRegionMode.Polite },
-        color = colours.onPane,
-        fontSize = 16.sp,
-        lineHeight = 22.sp,
-    )
+    Surface(modifier.fillMaxWidth(), RoundedCornerShape(12.dp), colours.pane, border = BorderStroke(1.dp, colours.line)) {
+        Row {
+            Text(
+                words,
+                Modifier
+                    .weight(1f)
+                    .verticalScroll(rememberScrollState())
+                    .padding(12.dp)
+                    .testTag("brick-hint")
+                    .semantics { liveRegion = LiveRegionMode.Polite },
+                color = colours.onPane,
+                fontSize = 16.sp,
+                lineHeight = 22.sp,
+            )
+            if (onClose != null) IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "brick-hint-close", onClose)
+        }
+    }
 }

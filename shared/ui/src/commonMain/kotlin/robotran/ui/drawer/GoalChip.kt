@@ -14,58 +14,77 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.SteadySize
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_goals_all
 import robotran.ui.resources.run_goals_count
+import robotran.ui.resources.run_tab_goals
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconView
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.ui.workshop.DrawerTab
+import robotran.ui.workshop.GoalCount
 import robotran.ui.workshop.RunEvent
 import robotran.world.GoalProgress
-import robotran.world.GoalStatus
 
-/** How many of the world's goals are reached, and a kind word when all are; nothing in a world without goals. A touch shows them. */
+/**
+ * How many of the world's goals are met, and a kind word when all are; nothing in a world without goals. A touch shows them. It is always as large as for
+ * the most that it may say.
+ *
+ * @param isSlim whether there is room for one short line only, as for large text anywhere.
+ */
 @Composable
-internal fun GoalChip(goals: List<GoalProgress>, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun GoalChip(goals: List<GoalProgress>, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier, isSlim: Boolean = false) {
     if (goals.isEmpty()) return
     val colours = LocalRobotranColours.current
-    val met = goals.count { it.status == GoalStatus.MET }
-    val all = met == goals.size
+    val count = GoalCount.of(goals)
+    val allMet = stringResource(Res.string.run_goals_all)
+    val words = if (count.allMet) allMet else stringResource(Res.string.run_goals_count, count.met, count.all)
+    val isLarge = LocalDensity.current.fontScale > LARGE
+    val isShort = isLarge || isSlim
+    val name = if (isLarge) "" else stringResource(Res.string.run_tab_goals) + " "
+    val shown = if (isShort) "$name${count.met}/${count.all}" else words
+    val longest = if (isShort) "$name${count.all}/${count.all}" else stringResource(Res.string.run_goals_count, count.all, count.all)
+    val icon = if (count.allMet) RunIcon.DONE else if (count.failed > 0) RunIcon.CLOSE else RunIcon.OPEN
     Row(
         modifier
             .testTag("goal-chip")
             .focusRing(CORNER)
             .clip(RoundedCornerShape(CORNER))
             .background(colours.pane)
-            .border(BorderStroke(1.dp, if (all) colours.onPane else colours.line), RoundedCornerShape(CORNER))
+            .border(BorderStroke(1.dp, if (count.allMet) colours.onPane else colours.line), RoundedCornerShape(CORNER))
             .clickable(role = Role.Button) { onEvent(RunEvent.DrawerChosen(DrawerTab.GOALS)) }
             .defaultMinSize(minHeight = Measures.TARGET)
             .padding(horizontal = 16.dp, vertical = 8.dp)
-            .semantics(mergeDescendants = true) { liveRegion = LiveRegionMode.Polite },
+            .semantics(mergeDescendants = true) {
+                liveRegion = LiveRegionMode.Polite
+                if (isShort) contentDescription = words
+            },
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        RunIconView(if (all) RunIcon.DONE else RunIcon.OPEN, side = 18.dp, colour = colours.onPane)
-        Text(
-            if (all) stringResource(Res.string.run_goals_all) else stringResource(Res.string.run_goals_count, met, goals.size),
-            color = colours.onPane,
-            fontSize = 16.sp,
-            lineHeight = 20.sp,
-            fontWeight = FontWeight.Medium,
-        )
+        RunIconView(icon, side = 18.dp, colour = if (icon == RunIcon.CLOSE) colours.mistake else colours.onPane)
+        SteadySize(shown, if (isShort) listOf(longest) else listOf(longest, allMet), alignment = Alignment.CenterStart) {
+            val told = if (isShort) Modifier.clearAndSetSemantics { } else Modifier
+            Text(it, told, color = colours.onPane, fontSize = 16.sp, lineHeight = 20.sp, fontWeight = FontWeight.Medium)
+        }
     }
 }
 
+/** Up to this size of text there is room for words beside the brick. */
+private const val LARGE = 1.3f
 private val CORNER = 24.dp

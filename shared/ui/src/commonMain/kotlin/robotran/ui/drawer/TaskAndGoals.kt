@@ -34,13 +34,17 @@ import robotran.ui.theme.focusRing
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 
-/** The ways to what is to be done in the world and to its goals, as far as it has them. */
+/**
+ * The ways to what is to be done in the world and to its goals, as far as it has them.
+ *
+ * @param isSlim whether there is room for one short line only.
+ */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun TaskAndGoals(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun TaskAndGoals(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier, isSlim: Boolean = false) {
     FlowRow(modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
         if (state.hasTask) TaskChip(state.taskShown) { onEvent(WorkshopEvent.TaskShown(it)) }
-        GoalChip(state.session.goals, onEvent)
+        GoalChip(state.session.goals, onEvent, isSlim = isSlim)
     }
 }
 

@@ -2,9 +2,12 @@ package robotran.ui.learning
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
@@ -14,6 +17,7 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.paneTitle
@@ -42,7 +46,7 @@ import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.TutorialState
 import robotran.ui.workshop.WorkshopEvent
 
-/** The step of the tutorial that is shown: what to read, what to try, what to do. Stands beside the program, or in its place. */
+/** The step of the tutorial that is shown: what to read, what to try, what to do. Stands beside the program, over it, or in its place. */
 @Composable
 internal fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val tutorial = state.tutorial ?: return
@@ -52,18 +56,31 @@ internal fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit
         TutorialStrip(state, onEvent)
         HorizontalDivider(color = colours.line)
         key(tutorial.step) {
-            Column(
-                Modifier.weight(1f).fillMaxWidth().verticalScroll(rememberScrollState()).padding(horizontal = 20.dp, vertical = 16.dp),
-                Arrangement.spacedBy(16.dp),
-            ) {
-                StepText(state, tutorial)
-                TutorialTask(state, tutorial, onEvent)
-                StepButtons(tutorial, onEvent)
+            BoxWithConstraints(Modifier.weight(1f).fillMaxWidth()) {
+                val isBroad = maxWidth >= BROAD * LocalDensity.current.fontScale
+                val scrolled = Modifier.fillMaxSize().verticalScroll(rememberScrollState()).padding(horizontal = 20.dp, vertical = 16.dp)
+                if (isBroad) {
+                    Row(scrolled, Arrangement.spacedBy(24.dp)) {
+                        Column(Modifier.weight(1f), Arrangement.spacedBy(16.dp)) { StepText(state, tutorial) }
+                        Column(Modifier.weight(1f), Arrangement.spacedBy(16.dp)) { StepTask(state, tutorial, onEvent) }
+                    }
+                } else {
+                    Column(scrolled, Arrangement.spacedBy(16.dp)) {
+                        StepText(state, tutorial)
+                        StepTask(state, tutorial, onEvent)
+                    }
+                }
             }
         }
         HorizontalDivider(color = colours.line)
         WayOn(tutorial, state.isStepDone, onEvent)
     }
+}
+
+@Composable
+private fun StepTask(state: LearningState, tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
+    TutorialTask(state, tutorial, onEvent)
+    StepButtons(tutorial, onEvent)
 }
 
 @Composable
@@ -114,3 +131,6 @@ private fun WayOn(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEven
         if (done) PrimaryButton(text, "next-step", next) else SecondButton(text, "next-step", next)
     }
 }
+
+/** From this width on, at usual text size, the task stands beside the text. */
+private val BROAD = 640.dp

@@ -1,6 +1,7 @@
 package robotran.ui.program
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -16,6 +17,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.unit.dp
@@ -64,8 +66,12 @@ internal fun ProgramPane(
         if (programs.program.files.size > 1) {
             FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) }, { renaming = true })
         }
-        ShownFile(programs, state.settings, state.runningLine, state.failure, mostMistakes, onEvent, Modifier.weight(1f)) { renaming = true }
-        if (state.remarks.isNotEmpty()) RemarkList(state.remarks, mostMistakes)
+        Box(Modifier.weight(1f)) {
+            ShownFile(programs, state.settings, state.runningLine, state.failure, mostMistakes, onEvent, Modifier.fillMaxSize()) {
+                renaming = true
+            }
+            RemarkList(state.remarks, mostMistakes, Modifier.align(Alignment.BottomCenter))
+        }
         programs.closed?.let { ClosedProgram(it, programs.canReopen) { onEvent(ProgramEvent.ProgramReopened) } }
     }
     if (renaming) {
@@ -169,10 +175,11 @@ private fun ShownFile(
                 )
             },
         )
-        if (control.hasFocus && control.isTouched) KeyRow(control)
         if (state.mistakes.isNotEmpty()) {
             MistakeStrip(state.program, state.mistakes, state.file.name, mostMistakes, state.mistakePointedOut, actions::goToNextNote, actions::fix)
         }
+        // Lowest, so that its keys stay where they are while mistakes come and go.
+        if (control.hasFocus && control.isTouched) KeyRow(control)
     }
 }
 

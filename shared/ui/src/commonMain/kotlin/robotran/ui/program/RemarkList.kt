@@ -1,11 +1,18 @@
 package robotran.ui.program
 
-import androidx.compose.foundation.background
+import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
@@ -15,29 +22,38 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.rom.ProgramRemark
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
 import robotran.ui.resources.mistake
 import robotran.ui.resources.mistake_in_line_of_file
+import robotran.ui.resources.notice_close
 import robotran.ui.theme.LocalRobotranColours
 
 /**
- * What a pupil can learn from a run that went on all the same, such as where a brick calculates otherwise than Java says.
+ * What a pupil can learn from a run that went on all the same, such as where a brick calculates otherwise than Java says; nothing if there is nothing. It
+ * lies over the foot of the program, which does not move, until it is closed or there is more.
  *
  * @param most how many there is room for.
  */
 @Composable
-internal fun RemarkList(remarks: List<ProgramRemark>, most: Int) {
+internal fun RemarkList(remarks: List<ProgramRemark>, most: Int, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    Column(
-        Modifier
-            .fillMaxWidth()
-            .background(colours.desk)
-            .testTag("remarks")
-            .semantics { liveRegion = LiveRegionMode.Polite }
-            .padding(horizontal = 16.dp, vertical = 4.dp),
-    ) {
-        for (remark in remarks.take(most)) {
-            Text(textOf(remark), Modifier.padding(vertical = 6.dp), color = colours.onPane, fontSize = 16.sp)
+    val told = remarks.take(most)
+    var isClosed by remember(told) { mutableStateOf(false) }
+    if (told.isEmpty() || isClosed) return
+    Surface(modifier.fillMaxWidth().padding(8.dp), RoundedCornerShape(12.dp), colours.desk, border = BorderStroke(1.dp, colours.line)) {
+        Row {
+            Column(
+                Modifier
+                    .weight(1f)
+                    .testTag("remarks")
+                    .semantics { liveRegion = LiveRegionMode.Polite }
+                    .padding(start = 16.dp, top = 4.dp, bottom = 4.dp),
+            ) {
+                for (remark in told) Text(textOf(remark), Modifier.padding(vertical = 6.dp), color = colours.onPane, fontSize = 16.sp)
+            }
+            IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "remarks-close", { isClosed = true })
         }
     }
 }

@@ -12,6 +12,7 @@ import androidx.compose.material3.IconButtonDefaults
 import androidx.compose.material3.OutlinedButton
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
@@ -20,6 +21,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.parts.SteadySize
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
@@ -28,6 +30,7 @@ import robotran.ui.theme.focusRing
  * A button of the run bar that is not the primary one.
  *
  * @param word what it does, in a word; read out and not shown where there is no [room].
+ * @param otherWords what else it may say at other times: it is wide enough for all of it.
  * @param help the same in a sentence, for those who cannot see it.
  */
 @Composable
@@ -40,6 +43,7 @@ internal fun BarButton(
     modifier: Modifier = Modifier,
     enabled: Boolean = true,
     room: Boolean = true,
+    otherWords: List<String> = emptyList(),
 ) {
     val colours = LocalRobotranColours.current
     OutlinedButton(
@@ -62,7 +66,11 @@ internal fun BarButton(
         contentPadding = if (room) BAR_PADDING else PaddingValues(0.dp),
     ) {
         RunIconView(icon, side = 18.dp)
-        if (room) Text(word, Modifier.padding(start = 8.dp), fontSize = 18.sp, fontWeight = FontWeight.SemiBold, maxLines = 1)
+        if (room) {
+            SteadySize(word, otherWords, Modifier.padding(start = 8.dp), Alignment.CenterStart) {
+                Text(it, fontSize = 18.sp, fontWeight = FontWeight.SemiBold, maxLines = 1)
+            }
+        }
     }
 }
 

@@ -47,6 +47,7 @@ internal fun DrawScope.drawTimeline(state: RunPaneState, plan: TimelinePlan, col
     val middle = size.height * LINE_SHARE
     val handle = plan.placeOf(state.time, size.width, state.length)
     drawLine(colours.line, Offset(plan.margin, middle), Offset(size.width - plan.margin, middle), 4.dp.toPx(), StrokeCap.Round)
+    if (state.untouched) return
     drawLine(colours.onPane, Offset(plan.margin, middle), Offset(handle, middle), 4.dp.toPx(), StrokeCap.Round)
     state.calls?.let { drawCalls(it, state.length, plan, middle, colours) }
     var last = Float.NEGATIVE_INFINITY

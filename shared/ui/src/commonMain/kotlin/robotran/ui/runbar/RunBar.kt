@@ -15,7 +15,6 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
-import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
@@ -42,18 +41,17 @@ internal fun RunBar(
     var panelOpen by remember { mutableStateOf(false) }
     val cursor = cursorLine(state)
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
-        // Larger text needs more room, as a narrower bar does.
-        val room = BarRoom.of(maxWidth / LocalDensity.current.fontScale.coerceAtLeast(1f))
+        val room = BarRoom.of(maxWidth, LocalDensity.current.fontScale.coerceAtLeast(1f))
         Column(Modifier.padding(horizontal = 16.dp, vertical = 8.dp)) {
-            if (!room.statusBeside) RunStatus(state, Modifier.fillMaxWidth().padding(bottom = 8.dp))
+            if (!room.statusBeside) RunStatus(state, StatusRoom.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
             Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
                 Controls(state, cursor, room, onEvent)
-                if (room.statusBeside) RunStatus(state, Modifier.weight(1f).padding(start = 4.dp))
+                if (room.statusBeside) RunStatus(state, room.status, Modifier.weight(1f).padding(start = 4.dp))
                 if (room.speed) SpeedChooser(state.run.speed, { onEvent(RunEvent.SpeedChosen(it)) })
                 QuietButton(RunIcon.SETTINGS, stringResource(Res.string.run_more), "run-more", { panelOpen = true })
                 more()
             }
-            if (!state.untouched) Timeline(state.run, { onEvent(RunEvent.Scrubbed(it)) }, Modifier.fillMaxWidth())
+            Timeline(state.run, { onEvent(RunEvent.Scrubbed(it)) }, Modifier.fillMaxWidth())
         }
     }
     if (panelOpen) RunPanel(state.run, cursor, onEvent, { panelOpen = false })
@@ -68,7 +66,7 @@ private fun Controls(state: WorkshopState, cursor: Breakpoint, room: BarRoom, on
         room = room.runWord,
     )
     PauseButton(run.pace == Pace.PAUSED, run.pausable, { onEvent(RunEvent.PausePressed) }, room = room.words)
-    StepButton(cursor, onEvent, room.words, menu = room.statusBeside)
+    StepButton(cursor, onEvent, room.words, menu = room.stepMenu)
     StopButton(run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room.words)
 }
 
@@ -82,25 +80,4 @@ internal fun cursorLine(state: WorkshopState): Breakpoint {
                 1
         },
     )
-}
-
-/**
- * What there is room for.
- *
- * @property runWord whether Run has its word beside its sign.
- * @property words whether the other buttons have.
- * @property statusBeside whether what is going on is told beside the buttons, otherwise above.
- * @property speed whether the speed can be chosen in the bar.
- */
-private enum class BarRoom(val from: Dp, val runWord: Boolean, val words: Boolean, val statusBeside: Boolean, val speed: Boolean) {
-    ROOMY(960.dp, runWord = true, words = true, statusBeside = true, speed = true),
-    MIDDLE(760.dp, runWord = true, words = false, statusBeside = true, speed = true),
-    SNUG(560.dp, runWord = true, words = false, statusBeside = false, speed = true),
-    TIGHT(360.dp, runWord = true, words = false, statusBeside = false, speed = false),
-    TIGHTEST(0.dp, runWord = false, words = false, statusBeside = false, speed = false),
-    ;
-
-    companion object {
-        fun of(width: Dp): BarRoom = entries.first { width >= it.from }
-    }
 }

@@ -82,9 +82,10 @@ internal fun StopButton(enabled: Boolean, onClick: () -> Unit, modifier: Modifie
 /** Lets time stand still, or go on if it does. */
 @Composable
 internal fun PauseButton(paused: Boolean, enabled: Boolean, onClick: () -> Unit, modifier: Modifier = Modifier, room: Boolean = true) {
-    val word = stringResource(if (paused) Res.string.run_go_on else Res.string.run_pause)
+    val words = listOf(stringResource(Res.string.run_pause), stringResource(Res.string.run_go_on))
+    val word = if (paused) words.last() else words.first()
     val help = stringResource(if (paused) Res.string.run_go_on_help else Res.string.run_pause_help)
-    BarButton(if (paused) RunIcon.PLAY else RunIcon.PAUSE, word, help, "pause", onClick, modifier, enabled, room)
+    BarButton(if (paused) RunIcon.PLAY else RunIcon.PAUSE, word, help, "pause", onClick, modifier, enabled, room, words)
 }
 
 private fun DrawScope.drawPulse(progress: Float) {

@@ -1,15 +1,21 @@
 package robotran.ui.runbar
 
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.height
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
@@ -22,36 +28,62 @@ import robotran.ui.workshop.Pace
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorkshopStatus
 
-/** What is going on, in a sentence, and when. */
+/** The room that is kept for what is going on, whatever it is. */
+internal enum class StatusRoom(val lines: Int) {
+    /** Two lines, beside them the time. */
+    BROAD(2),
+
+    /** Two lines, under them the time. */
+    SLIM(3),
+}
+
+/** What is going on, in a sentence, and when; always as high as [room] says, so that nothing moves when it changes. */
 @Composable
-internal fun RunStatus(state: WorkshopState, modifier: Modifier = Modifier) {
+internal fun RunStatus(state: WorkshopState, room: StatusRoom, modifier: Modifier = Modifier) {
+    val height = with(LocalDensity.current) { LINE.toDp() * room.lines }
+    when (room) {
+        StatusRoom.BROAD -> Row(modifier.height(height), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
+            Sentence(state, room.lines, Modifier.weight(1f))
+            if (!state.untouched) Clock(state)
+        }
+
+        StatusRoom.SLIM -> Column(modifier.height(height), Arrangement.Center) {
+            Sentence(state, if (state.untouched) room.lines else room.lines - 1)
+            if (!state.untouched) Clock(state)
+        }
+    }
+}
+
+@Composable
+private fun Sentence(state: WorkshopState, lines: Int, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val status = state.status
     val elsewhere = wordsElsewhere(state, status)
     val wrong = elsewhere == null && (status is WorkshopStatus.Mistaken || status is WorkshopStatus.Failed)
-    Column(modifier) {
-        Text(
-            elsewhere ?: statusText(status),
-            // While somebody scrubs, the timeline itself says where it is.
-            Modifier.testTag("status").semantics { if (state.run.pace != Pace.SEEKING) liveRegion = LiveRegionMode.Polite },
-            color = if (wrong) colours.mistake else colours.onPane,
-            fontSize = 16.sp,
-            lineHeight = 20.sp,
-            fontWeight = FontWeight.Medium,
-            maxLines = 3,
-            overflow = TextOverflow.Ellipsis,
-        )
-        if (!state.untouched) {
-            val now = stringResource(Res.string.clock, seconds(state.run.time))
-            Text(
-                if (state.run.inPast) stringResource(Res.string.run_clock_of, now, seconds(state.run.length)) else now,
-                Modifier.testTag("clock"),
-                color = colours.quiet,
-                fontSize = 14.sp,
-                maxLines = 1,
-            )
-        }
-    }
+    Text(
+        elsewhere ?: statusText(status),
+        // While somebody scrubs, the timeline itself says where it is.
+        modifier.testTag("status").semantics { if (state.run.pace != Pace.SEEKING) liveRegion = LiveRegionMode.Polite },
+        color = if (wrong) colours.mistake else colours.onPane,
+        fontSize = 16.sp,
+        lineHeight = LINE,
+        fontWeight = FontWeight.Medium,
+        maxLines = lines,
+        overflow = TextOverflow.Ellipsis,
+    )
+}
+
+@Composable
+private fun Clock(state: WorkshopState) {
+    val now = stringResource(Res.string.clock, seconds(state.run.time))
+    Text(
+        if (state.run.inPast) stringResource(Res.string.run_clock_of, now, seconds(state.run.length)) else now,
+        Modifier.testTag("clock"),
+        color = LocalRobotranColours.current.quiet,
+        fontSize = 14.sp,
+        lineHeight = LINE,
+        maxLines = 1,
+    )
 }
 
 /** What is going on where somebody looks at another time of the run; null if nobody does. */
@@ -66,3 +98,5 @@ private fun wordsElsewhere(state: WorkshopState, status: WorkshopStatus): String
         else -> null
     }
 }
+
+private val LINE = 20.sp

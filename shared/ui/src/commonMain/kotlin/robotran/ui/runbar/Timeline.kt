@@ -21,6 +21,7 @@ import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.ProgressBarRangeInfo
 import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.disabled
 import androidx.compose.ui.semantics.progressBarRangeInfo
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
@@ -40,11 +41,12 @@ import robotran.ui.workshop.RunPaneState
 import kotlin.math.abs
 import kotlin.math.roundToLong
 
-/** The whole run from left to right, with what has happened in it; wherever it is touched, the run goes to. */
+/** The whole run from left to right, with what has happened in it; wherever it is touched, the run goes to. Before the first run there is nowhere to go. */
 @Composable
 internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifier = Modifier) {
     Row(modifier, verticalAlignment = Alignment.CenterVertically) {
-        val previous = state.marks.lastOrNull { it.milliseconds < state.time }?.milliseconds ?: 0L.takeIf { state.time > 0 }
+        val previous = state.marks.lastOrNull { it.milliseconds < state.time }?.milliseconds
+            ?: 0L.takeIf { state.time > 0 && !state.untouched }
         QuietButton(
             RunIcon.PREVIOUS, stringResource(Res.string.run_mark_previous), "mark-previous",
             { previous?.let(onScrub) }, enabled = previous != null,
@@ -73,23 +75,28 @@ private fun Track(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifi
             .testTag("timeline")
             .focusRing()
             .onKeyEvent { event ->
+                if (now.untouched) return@onKeyEvent false
                 val step = STEPS[event.key] ?: return@onKeyEvent false
                 if (event.type == KeyEventType.KeyDown) scrub((now.time + step).coerceIn(0, now.length))
                 true
             }
-            .focusable()
+            .focusable(!state.untouched)
             .semantics {
                 contentDescription = name
+                if (state.untouched) disabled()
                 stateDescription = listOfNotNull(place, here).joinToString(". ")
                 progressBarRangeInfo = ProgressBarRangeInfo(state.time.toFloat(), 0f..maxOf(1f, state.length.toFloat()))
                 setProgress {
+                    if (now.untouched) return@setProgress false
                     scrub(it.roundToLong())
                     true
                 }
             }
             .pointerInput(plan) {
                 awaitEachGesture {
-                    val down = awaitFirstDown().also { it.consume() }
+                    val down = awaitFirstDown()
+                    if (now.untouched) return@awaitEachGesture
+                    down.consume()
 
                     fun timeAt(x: Float) = plan.timeAt(x, size.width.toFloat(), now.length)
                     scrub(nearMark(plan, now, down.position.x, size.width.toFloat()) ?: timeAt(down.position.x))

@@ -23,9 +23,6 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.brick.BRICK_ASPECT
-import robotran.ui.brick.BrickFront
-import robotran.ui.brick.BrickHint
-import robotran.ui.brick.BrickStrip
 import robotran.ui.brick.LEAST_BRICK_WIDTH
 import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.resources.Res
@@ -35,6 +32,7 @@ import robotran.ui.runbar.BarButton
 import robotran.ui.runbar.RunButton
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunStatus
+import robotran.ui.runbar.StatusRoom
 import robotran.ui.runbar.StopButton
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.DocumentDialog
@@ -42,8 +40,6 @@ import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorkshopStatus
-import robotran.ui.world.WorldPane
-import robotran.world.SessionInput
 
 /** World and brick alone, to be looked at and run in the middle of another page; nothing there is changed or kept. */
 @Composable
@@ -70,31 +66,13 @@ private fun WorldAndBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
         val brickWidth = minOf(maxWidth * BRICK_SHARE, (maxHeight - MARGIN * 2) * BRICK_ASPECT, MOST_BRICK_WIDTH)
         if (brickWidth >= LEAST_BRICK_WIDTH) {
             Row(Modifier.fillMaxSize()) {
-                WorldPane(state, onEvent, Modifier.weight(1f))
-                val beside = Modifier.width(brickWidth + MARGIN).padding(end = MARGIN, bottom = MARGIN).align(Alignment.Bottom)
-                Column(beside, Arrangement.spacedBy(MARGIN)) {
-                    BrickHint(state.run.brick)
-                    BrickFront(
-                        state.run.brick,
-                        state.down,
-                        { onEvent(RunEvent.ButtonPressed(it)) },
-                        { onEvent(RunEvent.ButtonReleased(it)) },
-                        Modifier.fillMaxWidth(),
-                        state.world.robots[state.run.watched].ports,
-                        { port, pressed -> onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed))) },
-                    )
-                }
+                CoveredSheet(state, onEvent, Modifier.weight(1f), withNotice = false)
+                WholeBrick(state, onEvent, Modifier.padding(end = MARGIN, bottom = MARGIN).width(brickWidth).align(Alignment.Bottom))
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
-                WorldPane(state, onEvent, Modifier.weight(1f))
-                BrickStrip(
-                    state.run.brick,
-                    state.down,
-                    { onEvent(RunEvent.ButtonPressed(it)) },
-                    { onEvent(RunEvent.ButtonReleased(it)) },
-                    Modifier.padding(12.dp),
-                )
+                CoveredSheet(state, onEvent, Modifier.weight(1f), withNotice = false)
+                Strip(state, onEvent, Modifier.padding(12.dp))
             }
         }
     }
@@ -106,7 +84,7 @@ private fun EmbedBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
         val room = maxWidth / LocalDensity.current.fontScale.coerceAtLeast(1f)
         Column(Modifier.padding(horizontal = MARGIN, vertical = 8.dp)) {
-            if (room < STATUS_BESIDE) RunStatus(state, Modifier.fillMaxWidth().padding(bottom = 8.dp))
+            if (room < STATUS_BESIDE) RunStatus(state, StatusRoom.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
             Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
                 val pulsing = state.untouched && state.status == WorkshopStatus.Ready
                 RunButton(pulsing, { onEvent(RunEvent.RunPressed) }, room = room >= WORDS_FROM)
@@ -120,7 +98,7 @@ private fun EmbedBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
                     enabled = !state.untouched,
                     room = room >= STATUS_BESIDE,
                 )
-                if (room >= STATUS_BESIDE) RunStatus(state, Modifier.weight(1f).padding(start = 4.dp))
+                if (room >= STATUS_BESIDE) RunStatus(state, StatusRoom.BROAD, Modifier.weight(1f).padding(start = 4.dp))
             }
         }
     }

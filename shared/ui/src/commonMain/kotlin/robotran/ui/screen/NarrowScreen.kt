@@ -2,10 +2,14 @@ package robotran.ui.screen
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxScope
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.Spacer
 import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
@@ -14,12 +18,10 @@ import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
-import robotran.rom.RunState
 import robotran.ui.brick.BRICK_ASPECT
-import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
-import robotran.ui.brick.BrickStrip
 import robotran.ui.brick.LEAST_BRICK_WIDTH
 import robotran.ui.drawer.DrawerPage
 import robotran.ui.drawer.RunAnnouncer
@@ -34,8 +36,6 @@ import robotran.ui.workshop.Pane
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
-import robotran.ui.world.WorldPane
-import robotran.world.SessionInput
 
 /** Phone: one pane at a time under three tabs, or the tutorial in its place; the run bar always below. */
 @Composable
@@ -53,12 +53,14 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
         if (isReading) {
-            TutorialPane(state.learning, perform, Modifier.weight(1f))
+            Box(Modifier.weight(1f)) {
+                TutorialPane(state.learning, perform, Modifier.fillMaxSize())
+                NoticeOver(state, onEvent)
+            }
         } else {
             if (tutorial != null) TutorialStrip(state.learning, onEvent)
             PaneAlone(state, onEvent, Modifier.weight(1f))
         }
-        state.notice?.let { NoticeBar(it, onEvent) }
         RunBar(state, perform)
         RunAnnouncer(state.run)
     }
@@ -68,70 +70,67 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
 private fun makesRoom(event: WorkshopEvent): Boolean =
     event is WorkshopEvent.PaneChosen || event == RunEvent.RunPressed || event == LearningEvent.StepTried
 
+/** With what the app has to say over it, where it hides least. */
 @Composable
-private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) = when (state.pane) {
-    Pane.PROGRAM -> ProgramPane(state, MOST_MISTAKES, onEvent, modifier)
-    Pane.WORLD -> if (state.run.drawer.tab == null) WorldWithStrip(state, onEvent, modifier) else DrawerPage(state.run, onEvent, modifier)
-    Pane.BRICK -> BrickAlone(state, onEvent, modifier)
+private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
+    val isSheet = state.pane == Pane.WORLD && state.run.drawer.tab == null
+    Box(modifier) {
+        when {
+            isSheet -> WorldWithStrip(state, onEvent)
+            state.pane == Pane.PROGRAM -> ProgramPane(state, MOST_MISTAKES, onEvent, Modifier.fillMaxSize())
+            state.pane == Pane.WORLD -> DrawerPage(state.run, onEvent)
+            else -> BrickAlone(state, onEvent)
+        }
+        if (!isSheet) NoticeOver(state, onEvent)
+    }
+}
+
+@Composable
+private fun BoxScope.NoticeOver(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    state.notice?.let { NoticeBar(it, onEvent, Modifier.align(Alignment.BottomCenter).padding(8.dp)) }
 }
 
 /** The brick's strip lies under the paper, or beside it if there is more room there. */
 @Composable
-private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
-    BoxWithConstraints(modifier.fillMaxSize().background(LocalRobotranColours.current.desk)) {
-        val strip: @Composable () -> Unit = {
-            BrickStrip(
-                state.run.brick,
-                state.down,
-                { onEvent(RunEvent.ButtonPressed(it)) },
-                { onEvent(RunEvent.ButtonReleased(it)) },
-                Modifier.padding(12.dp),
-            )
-        }
+private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    BoxWithConstraints(Modifier.fillMaxSize().background(LocalRobotranColours.current.desk)) {
         if (maxWidth > maxHeight) {
             Row(Modifier.fillMaxSize(), verticalAlignment = Alignment.Bottom) {
-                Column(Modifier.weight(1f)) {
-                    WorldPane(state, onEvent, Modifier.weight(1f))
-                    EndExplained(state)
-                }
+                CoveredSheet(state, onEvent, Modifier.weight(1f))
                 Column(horizontalAlignment = Alignment.End) {
-                    TaskAndGoals(state, onEvent, Modifier.padding(horizontal = 12.dp))
-                    strip()
+                    TaskAndGoals(state, onEvent, Modifier.padding(horizontal = 12.dp), isSlim = true)
+                    Strip(state, onEvent, Modifier.padding(12.dp))
                 }
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
-                WorldPane(state, onEvent, Modifier.weight(1f))
-                EndExplained(state)
+                CoveredSheet(state, onEvent, Modifier.weight(1f))
                 TaskAndGoals(state, onEvent, Modifier.padding(horizontal = 12.dp))
-                strip()
+                Strip(state, onEvent, Modifier.padding(12.dp))
             }
         }
     }
 }
 
-/** Why the robot stands still, where the run bar's one word does not say it. */
+/** As large as there is room for beside, or under, what it has to say. */
 @Composable
-private fun EndExplained(state: WorkshopState) {
-    if (state.session.brick.run is RunState.Ended) BrickHint(state.session.brick, Modifier.padding(horizontal = 12.dp))
-}
-
-/** The whole brick, as large as it fits; where its buttons would become too small for a finger, it can be scrolled instead. */
-@Composable
-private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
-    BoxWithConstraints(modifier.fillMaxSize().background(LocalRobotranColours.current.desk), Alignment.Center) {
-        val width = minOf(maxWidth - MARGIN * 2, (maxHeight - MARGIN * 2) * BRICK_ASPECT).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
-        Column(Modifier.verticalScroll(rememberScrollState()).padding(MARGIN), Arrangement.spacedBy(MARGIN)) {
-            BrickHint(state.run.brick, Modifier.width(width))
-            BrickFront(
-                state.run.brick,
-                state.down,
-                { onEvent(RunEvent.ButtonPressed(it)) },
-                { onEvent(RunEvent.ButtonReleased(it)) },
-                Modifier.width(width),
-                state.world.robots[state.run.watched].ports,
-                { port, pressed -> onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed))) },
-            )
+private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    BoxWithConstraints(Modifier.fillMaxSize().background(LocalRobotranColours.current.desk), Alignment.Center) {
+        val isAcross = maxWidth > maxHeight
+        val hint = HINT_HEIGHT * LocalDensity.current.fontScale.coerceAtLeast(1f)
+        val high = maxHeight - MARGIN * 2 - if (isAcross) 0.dp else hint + MARGIN
+        val width = minOf(maxWidth - MARGIN * 2, high * BRICK_ASPECT).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
+        if (isAcross) {
+            Row(Modifier.fillMaxSize().padding(horizontal = MARGIN), Arrangement.spacedBy(MARGIN), Alignment.Top) {
+                Box(Modifier.weight(1f).padding(vertical = MARGIN)) { BrickHint(state.run.brick) }
+                WholeBrick(state, onEvent, Modifier.verticalScroll(rememberScrollState()).padding(vertical = MARGIN).width(width))
+                Spacer(Modifier.weight(1f))
+            }
+        } else {
+            Column(Modifier.verticalScroll(rememberScrollState()).padding(MARGIN), Arrangement.spacedBy(MARGIN)) {
+                Box(Modifier.width(width).height(hint), Alignment.BottomStart) { BrickHint(state.run.brick) }
+                WholeBrick(state, onEvent, Modifier.width(width))
+            }
         }
     }
 }
@@ -140,3 +139,6 @@ private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, m
 private const val MOST_MISTAKES = 2
 private val MARGIN = 16.dp
 private val MOST_BRICK_WIDTH = 440.dp
+
+/** Room for four lines of what the brick has to say. */
+private val HINT_HEIGHT = 112.dp

@@ -1,15 +1,18 @@
 package robotran.ui.screen
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
@@ -37,7 +40,10 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
     Row(
         modifier
             .fillMaxWidth()
-            .background(if (notice.bad) colours.mistakePane else colours.desk)
+            .background(if (notice.bad) colours.mistakePane else colours.pane, SHAPE)
+            .border(1.dp, colours.line, SHAPE)
+            // What lies under it is not touched through it.
+            .pointerInput(Unit) { }
             .defaultMinSize(minHeight = Measures.TARGET)
             .padding(start = 16.dp)
             .testTag("notice"),
@@ -64,3 +70,5 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
         }, colour = colour)
     }
 }
+
+private val SHAPE = RoundedCornerShape(12.dp)

@@ -18,13 +18,12 @@ import robotran.ui.parts.BackGesture
 import robotran.ui.runbar.runShortcut
 import robotran.ui.settings.SettingsPage
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.worldedit.WorldEditPane
 
-/** The one screen: side by side where there is room, one pane at a time where there is not; pages lie over it. */
+/** The one screen: beside or over each other where there is room, one pane at a time where there is not; pages lie over it. */
 @Composable
 internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     BoxWithConstraints(
@@ -35,8 +34,8 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
     ) {
         // Larger text needs the room of a larger screen.
         val scale = state.settings.textScale.coerceAtMost(LocalDensity.current.fontScale)
-        val isWide = maxWidth >= Measures.WIDE_WIDTH * widthScale(scale) && maxHeight + LocalKeyboardHeight.current >= Measures.WIDE_HEIGHT
-        val back = backEvent(state, isWide)
+        val layout = ScreenLayout.of(maxWidth, maxHeight + LocalKeyboardHeight.current, scale)
+        val back = backEvent(state, layout != ScreenLayout.NARROW)
         BackGesture(back != null) { back?.let(onEvent) }
         val isCovered = state.settingsShown || state.learning.page?.coversAll == true
         // Nobody is told of what nobody can see.
@@ -46,7 +45,8 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
                 val edit = state.worldEdit
                 when {
                     edit != null -> WorldEditPane(edit, state.session, onEvent)
-                    isWide -> WideScreen(state, onEvent)
+                    layout == ScreenLayout.WIDE -> WideScreen(state, onEvent)
+                    layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent)
                     else -> NarrowScreen(state, onEvent)
                 }
             }
@@ -63,6 +63,3 @@ private fun isRunAtHand(state: WorkshopState, event: RunEvent?): Boolean = state
     RunEvent.PausePressed -> state.run.pausable
     else -> true
 }
-
-/** Half of what text grows by goes into the width that two panes beside each other need; the other half they lose in words a line. */
-private fun widthScale(textScale: Float): Float = 1 + (textScale - 1) / 2

@@ -11,10 +11,6 @@ object Measures {
     /** The least width and height of whatever can be touched (Material and WCAG 2.2 target size). */
     val TARGET = 48.dp
 
-    /** From this width on, with at least [WIDE_HEIGHT], program, world and brick are shown side by side. */
-    val WIDE_WIDTH = 840.dp
-    val WIDE_HEIGHT = 560.dp
-
     val CODE_SIZE = 15.sp
     val CODE_LINE_HEIGHT = 21.sp
 }

@@ -1,16 +1,12 @@
 package robotran.ui.world
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.fillMaxHeight
-import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
@@ -21,6 +17,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.heading
@@ -37,32 +34,7 @@ import robotran.ui.resources.task_hide
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
 import robotran.world.World
-
-/** [sheet] under what is to be done there as long as that is to be seen, or beside it where there is more room. */
-@Composable
-internal fun WithTask(
-    state: WorkshopState,
-    onEvent: (WorkshopEvent) -> Unit,
-    modifier: Modifier,
-    sheet: @Composable (Modifier) -> Unit,
-) {
-    val isShown = state.taskShown && state.hasTask
-    BoxWithConstraints(modifier) {
-        if (maxHeight < LEAST_HEIGHT && maxWidth > maxHeight) {
-            Row(Modifier.fillMaxSize()) {
-                sheet(Modifier.weight(1f).fillMaxHeight())
-                if (isShown) TaskCard(state.world, onEvent, Modifier.padding(MARGIN).width(this@BoxWithConstraints.maxWidth * SHARE))
-            }
-        } else {
-            Column(Modifier.fillMaxSize()) {
-                if (isShown) TaskCard(state.world, onEvent, Modifier.padding(MARGIN).heightIn(max = this@BoxWithConstraints.maxHeight * SHARE))
-                sheet(Modifier.weight(1f).fillMaxWidth())
-            }
-        }
-    }
-}
 
 /** What [world] is called and what is to be done there, until it is put away; a long task can be scrolled. */
 @Composable
@@ -73,6 +45,9 @@ internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: 
             .testTag("task-card")
             .clip(RoundedCornerShape(CORNER))
             .background(colours.pane)
+            .border(1.dp, colours.line, RoundedCornerShape(CORNER))
+            // What lies under it is not touched through it.
+            .pointerInput(Unit) { }
             .drawBehind { drawRect(RobotranColours.YELLOW, size = Size(BAR.toPx(), size.height)) },
         verticalAlignment = Alignment.Top,
     ) {
@@ -100,9 +75,5 @@ internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: 
     }
 }
 
-/** Below this height, as on a phone that lies on its side, the task is beside the sheet. */
-private val LEAST_HEIGHT = 300.dp
-private const val SHARE = 0.45f
-private val MARGIN = 8.dp
 private val BAR = 6.dp
 private val CORNER = 12.dp

@@ -29,10 +29,10 @@ import robotran.world.Point
 import robotran.world.SessionState
 import robotran.world.World
 
-/** The sheet of paper on the desk, with everything on it under one's fingers, the buttons for looking at it, and what is to be done there. */
+/** The sheet of paper on the desk, with everything on it under one's fingers, and the buttons for looking at it. */
 @Composable
 internal fun WorldPane(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
-    WithTask(state, onEvent, modifier) { WorldPane(state.world, state.run.drawn, state.sheet, onEvent, it) }
+    WorldPane(state.world, state.run.drawn, state.sheet, onEvent, modifier)
 }
 
 @Composable

@@ -135,7 +135,7 @@ class LearningScreenTest {
     fun `on a tablet program, world and tutorial are seen at once`() = onTablet { workshop ->
         workshop.handle(LearningEvent.TutorialBegun)
         pass(100)
-        for (tag in listOf("tutorial", "program", "world", "brick", "run")) onNodeWithTag(tag).assertIsDisplayed()
+        for (tag in listOf("tutorial", "program", "world", "lcd", "brick-run", "run")) onNodeWithTag(tag).assertIsDisplayed()
     }
 
     @Test

@@ -68,9 +68,10 @@ class PhoneTest {
     fun `held across, with text of twice the size, every button of the sheet is in sight`() = onScreen(891, 411) { workshop ->
         workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = 2f)))
         pass(300)
-        checkTargets("sheet-whole", "sheet-follow", "sheet-show", "run", "stop")
+        val buttons = arrayOf("sheet-whole", "sheet-follow", "sheet-show", "sheet-surroundings")
+        checkTargets(*buttons, "run", "stop")
         val sheet = onNodeWithTag("world").fetchSemanticsNode().boundsInRoot
-        for (tag in listOf("sheet-whole", "sheet-follow", "sheet-show")) {
+        for (tag in buttons) {
             val button = onNodeWithTag(tag).fetchSemanticsNode().touchBoundsInRoot
             assertTrue(button.bottom <= sheet.bottom && button.top >= sheet.top, "$tag is at $button of $sheet")
         }

@@ -1,0 +1,30 @@
+package robotran.ui.parts
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.key
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawWithContent
+import androidx.compose.ui.semantics.clearAndSetSemantics
+
+/**
+ * Shows one of several things in the room of the largest of them, so that nothing around moves when another takes its place.
+ *
+ * @param all what may stand here besides [shown]; none of it may be pressed.
+ */
+@Composable
+internal fun <T> SteadySize(
+    shown: T,
+    all: Collection<T>,
+    modifier: Modifier = Modifier,
+    alignment: Alignment = Alignment.Center,
+    content: @Composable (T) -> Unit,
+) {
+    Box(modifier, alignment, propagateMinConstraints = false) {
+        for (one in all.toSet() - shown) {
+            key(one) { Box(Modifier.drawWithContent { }.clearAndSetSemantics { }) { content(one) } }
+        }
+        content(shown)
+    }
+}

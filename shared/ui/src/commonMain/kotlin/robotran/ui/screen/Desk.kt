@@ -1,0 +1,99 @@
+package robotran.ui.screen
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import robotran.ui.brick.BrickFront
+import robotran.ui.brick.BrickHint
+import robotran.ui.brick.BrickStrip
+import robotran.ui.drawer.TaskAndGoals
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorkshopState
+import robotran.world.SessionInput
+
+/** Paper and brick where there is room for both: the paper gets all that the brick leaves, and nothing that can be pressed ever moves. */
+@Composable
+internal fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+    BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.desk)) {
+        val scale = LocalDensity.current.fontScale.coerceAtLeast(1f)
+        val plan = DeskPlan.of(maxWidth, maxHeight, scale, state.hasTask || state.session.goals.isNotEmpty())
+        if (plan.place == BrickPlace.STRIP_BELOW) {
+            Column(Modifier.fillMaxSize()) {
+                CoveredSheet(state, onEvent, Modifier.weight(1f))
+                ChipAndStrip(state, onEvent)
+            }
+        } else {
+            Row(Modifier.fillMaxSize()) {
+                CoveredSheet(state, onEvent, Modifier.weight(1f).fillMaxHeight(), withHint = !plan.hintBeside)
+                Column(
+                    Modifier
+                        .width(plan.brickWidth + DeskPlan.MARGIN)
+                        .fillMaxHeight()
+                        .padding(end = DeskPlan.MARGIN, bottom = DeskPlan.MARGIN),
+                    Arrangement.spacedBy(DeskPlan.MARGIN),
+                ) {
+                    Box(Modifier.weight(1f).fillMaxWidth(), Alignment.BottomStart) {
+                        if (plan.hintBeside) BrickHint(state.run.brick, Modifier.padding(top = DeskPlan.MARGIN))
+                    }
+                    TaskAndGoals(state, onEvent, isSlim = state.hasTask)
+                    if (plan.place == BrickPlace.BESIDE) {
+                        WholeBrick(state, onEvent, Modifier.width(plan.brickWidth))
+                    } else {
+                        Strip(state, onEvent)
+                    }
+                }
+            }
+        }
+    }
+}
+
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun ChipAndStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    FlowRow(
+        Modifier.fillMaxWidth().padding(horizontal = DeskPlan.MARGIN).padding(bottom = DeskPlan.MARGIN),
+        Arrangement.spacedBy(DeskPlan.MARGIN, Alignment.End),
+        Arrangement.spacedBy(DeskPlan.MARGIN),
+    ) {
+        TaskAndGoals(state, onEvent, Modifier.align(Alignment.CenterVertically))
+        Strip(state, onEvent)
+    }
+}
+
+/** The brick with all its buttons and ports. */
+@Composable
+internal fun WholeBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) = BrickFront(
+    state.run.brick,
+    state.down,
+    { onEvent(RunEvent.ButtonPressed(it)) },
+    { onEvent(RunEvent.ButtonReleased(it)) },
+    modifier,
+    state.world.robots[state.run.watched].ports,
+    { port, pressed -> onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed))) },
+)
+
+/** The brick's display and Run. */
+@Composable
+internal fun Strip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) = BrickStrip(
+    state.run.brick,
+    state.down,
+    { onEvent(RunEvent.ButtonPressed(it)) },
+    { onEvent(RunEvent.ButtonReleased(it)) },
+    modifier,
+)

@@ -1,0 +1,198 @@
+package robotran.ui.screen
+
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.semantics.SemanticsNode
+import androidx.compose.ui.semantics.SemanticsProperties
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.SemanticsMatcher
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertTextEquals
+import androidx.compose.ui.test.onAllNodesWithTag
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performClick
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.Pane
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.Settings
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.Workshop
+import robotran.ui.workshop.WorkshopEvent
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** Where things are on screens of all sizes, and that they stay there. */
+@OptIn(ExperimentalTestApi::class)
+class ScreenLayoutTest {
+    @Test
+    fun `nothing that can be pressed moves while a program runs, ends, fails, or the app says something`() {
+        for ((width, height) in listOf(1180 to 820, 820 to 1180, 412 to 915, 1366 to 768, 891 to 411)) {
+            for (scale in listOf(1f, 2f)) {
+                onScreen(width, height) { workshop ->
+                    val told = "$width x $height at $scale"
+                    workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = scale, lessMotion = true)))
+                    workshop.handle(LearningEvent.WorldChosen("maze"))
+                    workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+                    pass(300)
+                    val places = placesNow()
+                    assertTrue(places.keys.containsAll(listOf("run", "world", "timeline", "goal-chip")), "$told: ${places.keys}")
+
+                    fun check(moment: String) {
+                        pass(300)
+                        assertEquals(places, placesNow().filterKeys { it in places }, "$told, $moment")
+                    }
+                    workshop.write("forward 3\n")
+                    workshop.handle(RunEvent.RunPressed)
+                    check("running")
+                    workshop.handle(RunEvent.PausePressed)
+                    check("paused")
+                    workshop.handle(RunEvent.PausePressed)
+                    pass(4_000)
+                    check("at its end")
+                    workshop.handle(RunEvent.Scrubbed(500))
+                    check("looking back")
+                    workshop.write("var zero = 0\nshow 5 / zero\n")
+                    workshop.handle(RunEvent.RunPressed)
+                    pass(2_000)
+                    check("failed")
+                    workshop.handle(RunEvent.LogCopied)
+                    check("with a notice")
+                    onNodeWithTag("notice").assertIsDisplayed()
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `why a program failed is told in full, and neither covers the brick nor is covered`() {
+        for ((width, height) in listOf(1366 to 768, 1280 to 720, 1180 to 820, 1024 to 768, 1440 to 900, 820 to 1180, 412 to 915)) {
+            onScreen(width, height) { workshop ->
+                workshop.handle(LearningEvent.WorldChosen("maze"))
+                workshop.write("var zero = 0\nshow 5 / zero\n")
+                workshop.handle(RunEvent.RunPressed)
+                pass(2_000)
+                val hint = node("brick-hint")
+                assertEquals(hint.size.height.toFloat(), hint.boundsInRoot.height, 1f, "$width x $height: the text is cut")
+                val others = listOf("brick", "lcd", "brick-run", "brick-on_off", "goal-chip", "run", "stop", "timeline", "sheet-show")
+                for (tag in others.filter { onAllNodesWithTag(it).fetchSemanticsNodes().isNotEmpty() }) {
+                    val other = node(tag)
+                    assertEquals(other.size.height.toFloat(), other.boundsInRoot.height, 1f, "$width x $height: $tag is cut")
+                    assertEquals(other.size.width.toFloat(), other.boundsInRoot.width, 1f, "$width x $height: $tag is cut")
+                    assertTrue(!other.boundsInRoot.overlaps(hint.boundsInRoot), "$width x $height: $tag and the hint lie over each other")
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `a tutorial leaves the paper most of the room beside the program`() = onScreen(1180, 820) { workshop ->
+        workshop.handle(LearningEvent.TutorialBegun)
+        pass(500)
+        assertTrue(bounds("world").width > 500f, "${bounds("world")}")
+        val pane = bounds("program-0").left..bounds("world").left
+        for (tag in listOf("undo", "find-open", "translation-switch", "editor-more")) {
+            val tool = node(tag)
+            assertEquals(tool.size.width.toFloat(), tool.boundsInRoot.width, 0.5f, "$tag is cut")
+            val place = tool.boundsInRoot
+            assertTrue(place.right <= pane.endInclusive && place.left >= pane.start, "$tag is at $place")
+        }
+    }
+
+    @Test
+    fun `a tablet held upright shows tutorial, paper, brick and program over each other`() = onScreen(820, 1180) { workshop ->
+        for (tag in listOf("world", "brick", "run", "program", "drawer-variables", "learn")) onNodeWithTag(tag).assertIsDisplayed()
+        assertEquals(0, onAllNodesWithTag("tab-program").fetchSemanticsNodes().size)
+        workshop.handle(LearningEvent.TutorialBegun)
+        pass(500)
+        for (tag in listOf("tutorial", "task", "next-step", "world", "lcd", "run", "program")) onNodeWithTag(tag).assertIsDisplayed()
+        assertTrue(bounds("tutorial").bottom <= bounds("world").top && bounds("world").bottom <= bounds("program").top)
+        assertTrue(bounds("world").height > 240f && bounds("program").height > 200f, "${bounds("world")} ${bounds("program")}")
+        workshop.handle(RunEvent.RunPressed)
+        pass(500)
+        for (tag in listOf("tutorial", "world", "program")) onNodeWithTag(tag).assertIsDisplayed()
+    }
+
+    @Test
+    fun `a menu that fits on the screen does not scroll`() {
+        for ((width, height) in listOf(1366 to 768, 820 to 1180, 412 to 915)) {
+            for (menu in listOf("menu", "editor-more", "add-program", "sheet-show", "speed", "steps")) {
+                onScreen(width, height) { workshop ->
+                    if (menu in listOf("editor-more", "add-program")) workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                    pass(300)
+                    if (onAllNodesWithTag(menu).fetchSemanticsNodes().isEmpty()) return@onScreen
+                    onNodeWithTag(menu).performClick()
+                    pass(600)
+                    val list = onAllNodes(SCROLLS_DOWN).fetchSemanticsNodes().single { it.isInMenu() }
+                    val hidden = list.config[SemanticsProperties.VerticalScrollAxisRange].maxValue()
+                    val whole = list.boundsInRoot.height + hidden
+                    if (whole <= height - 2 * SPARE) assertEquals(0f, hidden, "$menu on $width x $height: $whole")
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `large text leaves the goals uncovered`() {
+        for ((width, height) in listOf(1366 to 768, 1180 to 820, 820 to 1180, 412 to 915, 891 to 411)) {
+            onScreen(width, height) { workshop ->
+                workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = 2f)))
+                workshop.handle(LearningEvent.WorldChosen("maze"))
+                workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+                pass(500)
+                val chip = node("goal-chip")
+                assertEquals(chip.size.height.toFloat(), chip.boundsInRoot.height, 0.5f, "$width x $height")
+                assertEquals(chip.size.width.toFloat(), chip.boundsInRoot.width, 0.5f, "$width x $height")
+                for (tag in listOf("brick", "lcd", "brick-run", "drawer-goals", "run")) {
+                    if (onAllNodesWithTag(tag).fetchSemanticsNodes().isEmpty()) continue
+                    assertTrue(!bounds(tag).overlaps(chip.boundsInRoot), "$width x $height: $tag lies over the goals")
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `a program that ends without its goal says so, and not that all is done`() = onScreen(1366, 768) { workshop ->
+        workshop.handle(LearningEvent.WorldChosen("maze"))
+        workshop.write("forward 2\n")
+        workshop.handle(RunEvent.RunPressed)
+        pass(5_000)
+        onNodeWithTag("status").assertTextEquals("Program ended. Goal not met.")
+        onNodeWithTag("goal-chip").performClick()
+        pass(500)
+        val told = onAllNodesWithTag("goal").fetchSemanticsNodes().map { goal ->
+            val words = goal.config.getOrElse(SemanticsProperties.Text) { emptyList() }.joinToString { it.text }
+            goal.config[SemanticsProperties.StateDescription] to words
+        }
+        assertTrue(told.any { it.first == "not met" }, told.toString())
+        assertTrue(told.none { "not met" in it.second }, "Screen readers hear it twice: $told")
+    }
+
+    private fun Workshop.write(program: String) = handle(ProgramEvent.ProgramEdited(program))
+
+    /** Where all is that can be pressed, by tag. */
+    private fun ComposeUiTest.placesNow(): Map<String, Rect> = PRESSABLE.mapNotNull { tag ->
+        onAllNodesWithTag(tag).fetchSemanticsNodes().singleOrNull()?.let { tag to it.boundsInRoot }
+    }.toMap()
+
+    private fun ComposeUiTest.node(tag: String): SemanticsNode = onNodeWithTag(tag).fetchSemanticsNode()
+
+    private fun ComposeUiTest.bounds(tag: String): Rect = node(tag).boundsInRoot
+
+    private fun SemanticsNode.isInMenu() = generateSequence(this) { it.parent }.any { it.config.contains(SemanticsProperties.IsPopup) }
+
+    private companion object {
+        val SCROLLS_DOWN = SemanticsMatcher.keyIsDefined(SemanticsProperties.VerticalScrollAxisRange)
+
+        /** What a menu keeps free over and under itself. */
+        const val SPARE = 64
+        val PRESSABLE = listOf(
+            "menu", "learn", "worlds", "edit-world", "tab-program", "tab-world", "tab-brick",
+            "run", "pause", "step", "steps", "stop", "speed", "run-more", "sound", "timeline", "mark-previous", "mark-next",
+            "world", "sheet-nearer", "sheet-whole", "sheet-follow", "sheet-show", "sheet-surroundings", "drawer-variables", "drawer-goals",
+            "goal-chip", "brick", "brick-run", "brick-view", "brick-prgm", "brick-on_off",
+            "program", "undo", "editor-more", "program-0", "add-program", "divider",
+        )
+    }
+}
