@@ -59,7 +59,11 @@ internal fun GoalChip(goals: List<GoalProgress>, onEvent: (RunEvent) -> Unit, mo
     val name = if (isLarge) "" else stringResource(Res.string.run_tab_goals) + " "
     val shown = if (isShort) "$name${count.met}/${count.all}" else words
     val longest = if (isShort) "$name${count.all}/${count.all}" else stringResource(Res.string.run_goals_count, count.all, count.all)
-    val icon = if (count.allMet) RunIcon.DONE else if (count.failed > 0) RunIcon.CLOSE else RunIcon.OPEN
+    val icon = when {
+        count.allMet -> RunIcon.DONE
+        count.failed > 0 -> RunIcon.CLOSE
+        else -> RunIcon.OPEN
+    }
     Row(
         modifier
             .testTag("goal-chip")

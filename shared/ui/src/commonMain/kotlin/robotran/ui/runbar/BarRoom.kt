@@ -38,7 +38,6 @@ internal enum class BarRoom(
                 usual >= 960.dp -> ROOMY
                 usual >= 860.dp -> MIDDLE
                 usual >= 760.dp -> CLOSE
-                // Signs do not grow with the text.
                 width >= SIGNS + WORDS * textScale -> LOW
                 usual >= 560.dp -> SNUG
                 usual >= 360.dp -> TIGHT
@@ -46,6 +45,7 @@ internal enum class BarRoom(
             }
         }
 
+        /** Signs do not grow with the text, words do. */
         private val SIGNS = 344.dp
         private val WORDS = 258.dp
     }

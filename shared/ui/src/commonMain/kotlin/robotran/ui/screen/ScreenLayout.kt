@@ -19,9 +19,7 @@ internal enum class ScreenLayout {
         /** For a screen of [width] by [height], a keyboard on it included, with text of [textScale] times the usual size. */
         fun of(width: Dp, height: Dp, textScale: Float): ScreenLayout = when {
             height >= width * UPRIGHT_ASPECT && width >= UPRIGHT_WIDTH * (1 + (textScale - 1) / 3) && height >= UPRIGHT_HEIGHT -> UPRIGHT
-
             width >= WIDE_WIDTH * widthScale(textScale) && height >= WIDE_HEIGHT -> WIDE
-
             else -> NARROW
         }
 
