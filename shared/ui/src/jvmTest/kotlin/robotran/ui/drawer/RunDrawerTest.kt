@@ -140,11 +140,11 @@ class RunDrawerTest {
     fun `goals are counted beside the world and told in the drawer`() = onTablet { workshop ->
         workshop.with("pen down\nforward 10", listOf(Goal.InkLength(5.0, null), Goal.InkLength(500.0, null)))
         pass(300)
-        onNodeWithTag("goal-chip").assertContentDescriptionContains("0 of 2 goals met")
+        onNodeWithTag("goal-chip").assertTextContains("0 of 2 goals met")
         onNodeWithTag("goal-chip").performClick()
         workshop.handle(RunEvent.RunPressed)
         pass(6_000)
-        onNodeWithTag("goal-chip").assertContentDescriptionContains("1 of 2 goals met")
+        onNodeWithTag("goal-chip").assertTextContains("1 of 2 goals met")
         onAllNodesWithTag("goal").onFirst().assertIsDisplayed()
     }
 
