@@ -168,6 +168,8 @@ class RunPlayer(
         parked.closeAll()
         take.close()
         take = Take(setup, watched)
+        // As it was before anything was done to it.
+        see()
         arrive()
         motion = Motion.Seeking(length, then)
         seekOn(Motion.Seeking(length, then), 0)
