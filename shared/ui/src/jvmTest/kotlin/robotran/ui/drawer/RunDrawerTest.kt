@@ -131,7 +131,6 @@ class RunDrawerTest {
         assertEquals(setOf(ChartLane.SENSOR_1, ChartLane.SENSOR_2, ChartLane.SENSOR_3), workshop.state.run.drawer.chart.hidden)
         assertEquals(0, onAllNodesWithTag("chart-sensor_1", useUnmergedTree = true).fetchSemanticsNodes().size)
         onNodeWithTag("value-motor_a", useUnmergedTree = true).assertTextContains("+3")
-        onNodeWithTag("port-A", useUnmergedTree = true).assertContentDescriptionContains("power 3", substring = true)
         onNodeWithTag("chart-finer").performClick()
         pass(200)
         onNodeWithTag("chart-motor_a", useUnmergedTree = true).assertIsDisplayed()
