@@ -30,7 +30,11 @@ internal class LinkCommand(
 ) : CoreCliktCommand("link") {
     private val files by argument("FILE", help = "a world (.world.json), a project (.robotran), or programs (.robo, .java) for one robot")
         .multiple(required = true)
-    private val world by option("--world", metavar = "FILE", help = "the world of the programs (.world.json, or a project or link with it); a plain sheet if not given")
+    private val world by option(
+        "--world",
+        metavar = "FILE",
+        help = "the world of the programs (.world.json, or a project or link with it); a plain sheet if not given",
+    )
 
     private val site by option("--site", metavar = "ADDRESS", help = "the address of a Robotran site, to be put before the link")
         .convert { text -> siteAddress(text) ?: fail("$text is not the address of a site, such as https://school.example/robotran/") }
@@ -38,7 +42,8 @@ internal class LinkCommand(
     private val spoken by LanguageOption()
     private val console get() = process.speaking(spoken.language)
 
-    override fun help(context: Context) = "Prints a world, a project or programs as a link: whole with --site, otherwise to be pasted behind the address of a site."
+    override fun help(context: Context) =
+        "Prints a world, a project or programs as a link: whole with --site, otherwise to be pasted behind the address of a site."
 
     override fun run() {
         val single = files.singleOrNull()

@@ -30,7 +30,10 @@ import robotran.programs.ProgramResult as Reading
 internal class TranslateCommand(
     private val console: Console,
 ) : CoreCliktCommand("translate") {
-    private val programs by argument("FILE", help = "Robolang programs (.robo); for --kit also the files of one program in leJOS Java (.java)").multiple(required = true)
+    private val programs by argument(
+        "FILE",
+        help = "Robolang programs (.robo); for --kit also the files of one program in leJOS Java (.java)",
+    ).multiple(required = true)
     private val output by option("-o", "--output", metavar = "FILE", help = "where the Java goes; to the console if not given")
     private val kit by option("--kit", metavar = "FILE", help = "writes a kit for the real brick (.zip)")
 

@@ -28,7 +28,8 @@ private object GermanFileMessages : FileMessages {
 
     override fun isFolder(name: String) = "$name ist ein Ordner, keine Datei."
 
-    override fun isDevice(name: String) = "$name ist keine Datei mit einem Ende, sondern ein Gerät oder eine Pipe, und kann nicht gelesen werden."
+    override fun isDevice(name: String) =
+        "$name ist keine Datei mit einem Ende, sondern ein Gerät oder eine Pipe, und kann nicht gelesen werden."
 
     override fun fileTooLarge(name: String, bytes: Long) = "$name ist zu groß: Höchstens $bytes Bytes sind möglich."
 

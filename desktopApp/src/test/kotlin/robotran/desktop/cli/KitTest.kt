@@ -127,10 +127,12 @@ class KitTest : CommandTest() {
         val names = listOf("Car.java", "Drive.java", "README.txt", "build.xml", "download.sh", "download.bat")
         assertEquals(names.map { "Drive/$it" }, files.keys.toList())
         assertEquals(File(main).readText(), files["Drive/Drive.java"])
-        assertContains(files.getValue("Drive/download.sh"), "lejosc -encoding UTF-8 Car.java Drive.java\nlejoslink -o Drive.bin Drive\nlejosdl Drive.bin\n")
+        val steps = listOf("lejosc -encoding UTF-8 Car.java Drive.java", "lejoslink -o Drive.bin Drive", "lejosdl Drive.bin\n")
+        assertContains(files.getValue("Drive/download.sh"), steps.joinToString("\n"))
         assertContains(files.getValue("Drive/download.bat"), "call lejoslink -o Drive.bin Drive || exit /b 1\r\n")
         val build = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(files.getValue("Drive/build.xml").byteInputStream())
-        val arguments = build.getElementsByTagName("arg").let { list -> (0 until list.length).map { (list.item(it) as Element).getAttribute("value") } }
+        val elements = build.getElementsByTagName("arg").let { list -> (0 until list.length).map { list.item(it) as Element } }
+        val arguments = elements.map { it.getAttribute("value") }
         assertEquals(listOf("", "Car.java", "Drive.java", "", "Drive", "Drive.bin"), arguments)
         assertContains(files.getValue("Drive/README.txt"), "Drive.java is where your Java program begins")
         assertTrue(files.getValue("Drive/README.txt").lines().all { it.length <= 100 })

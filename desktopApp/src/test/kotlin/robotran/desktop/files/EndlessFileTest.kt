@@ -45,7 +45,8 @@ class EndlessFileTest : CommandTest() {
         for (ending in listOf("robo", "java", "class", "jar", "robotran", "world.json")) {
             val files = listOf(linkTo("/dev/zero", "zero.$ending"), linkTo("/dev/urandom", "random.$ending"), pipe("pipe.$ending"))
             for (file in files) {
-                val told = "${if (ending == "class") file.substringAfterLast('/') else file} is not a file with an end but a device or a pipe, which cannot be read."
+                val name = if (ending == "class") file.substringAfterLast('/') else file
+                val told = "$name is not a file with an end but a device or a pipe, which cannot be read."
                 if (ending == "world.json") {
                     assertEquals(told, refusal("run", square, "--world", file))
                     assertEquals(told, refusal("grade", file, square))

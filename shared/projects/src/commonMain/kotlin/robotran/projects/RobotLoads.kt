@@ -58,7 +58,6 @@ suspend fun readRobotLoads(world: World, reader: ProgramReader, given: Map<Strin
 suspend fun readRobotLoads(project: Project, reader: ProgramReader): RobotLoads =
     when (val result = readRobotLoads(project.world, reader, project.programs)) {
         is RobotLoads.Mistaken -> result
-
         is RobotLoads.Ready -> result.copy(loads = loadsWith(project.robots, project.world, result.loads))
     }
 

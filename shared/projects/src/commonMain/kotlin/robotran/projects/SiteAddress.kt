@@ -8,9 +8,10 @@ fun siteAddress(text: String): String? {
     val address = text.trim().substringBefore('#')
     val start = SCHEMES.firstOrNull { address.startsWith(it, ignoreCase = true) } ?: return null
     val machine = address.drop(start.length).takeWhile { it != '/' && it != '?' }
-    val isMachine = machine.all { it.isLetterOrDigit() || it in IN_MACHINE } && machine.firstOrNull()?.let { it.isLetterOrDigit() || it == '[' } == true
-    val isWhole = address.length <= ProjectLimits.MAXIMUM_SITE_CHARACTERS && address.none { it.isWhitespace() || it.isISOControl() || it in NEVER }
-    return address.takeIf { isMachine && isWhole }
+    val beginsAsMachine = machine.firstOrNull()?.let { it.isLetterOrDigit() || it == '[' } == true
+    val isMachine = beginsAsMachine && machine.all { it.isLetterOrDigit() || it in IN_MACHINE }
+    val isWhole = address.none { it.isWhitespace() || it.isISOControl() || it in NEVER }
+    return address.takeIf { isMachine && isWhole && it.length <= ProjectLimits.MAXIMUM_SITE_CHARACTERS }
 }
 
 private val SCHEMES = listOf("https://", "http://")

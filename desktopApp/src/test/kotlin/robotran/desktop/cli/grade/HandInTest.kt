@@ -12,6 +12,7 @@ import robotran.projects.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
+import robotran.projects.ProjectSettings
 import robotran.projects.linkOf
 import robotran.projects.writeProject
 import robotran.world.BuiltInWorlds
@@ -49,7 +50,8 @@ class HandInTest : CommandTest() {
     ) = ProjectProgram(name, ProgramLanguage.ROBOLANG, listOf(SourceFile(name, text)))
 
     private fun java(statements: String): ProjectProgram {
-        val text = "import josx.platform.rcx.*;\npublic class Ahead {\n  public static void main(String[] a) throws Exception {\n$statements\n  }\n}\n"
+        val main = "  public static void main(String[] a) throws Exception {\n$statements\n  }\n"
+        val text = "import josx.platform.rcx.*;\npublic class Ahead {\n$main}\n"
         return ProjectProgram("Ahead", ProgramLanguage.JAVA, listOf(SourceFile("Ahead.java", text)))
     }
 
@@ -64,7 +66,8 @@ class HandInTest : CommandTest() {
         project: Project,
     ) = file(name, writeProject(project))
 
-    private fun link(project: Project): String = "https://robotran.example/" + assertIs<LinkMaking.Made>(runBlocking { linkOf(project) }).fragment
+    private fun link(project: Project): String =
+        "https://robotran.example/" + assertIs<LinkMaking.Made>(runBlocking { linkOf(project) }).fragment
 
     private fun grade(vararg arguments: String): Int {
         console.said.clear()
@@ -95,12 +98,13 @@ class HandInTest : CommandTest() {
     @Test
     fun `a project or a link is the world, too, with its other robots' programs and the seed it is set to`() {
         val rams = ProjectRobot("red", listOf(robolang("forward 40\n", "ram.robo")))
-        val reach = worldText.replace("\"radius\": 5}}, \"stays\": true", "\"radius\": 5}}, \"who\": \"red\"").replace("\"x\": 80, \"y\": 40", "\"x\": 50, \"y\": 10")
-        val teacher = Project(assertIs<WorldFileResult.Loaded>(readWorld(reach)).world, listOf(rams)).let { it.copy(settings = it.settings.copy(seed = 7)) }
+        val reach = worldText.replace("\"stays\": true", "\"who\": \"red\"").replace("\"x\": 80, \"y\": 40", "\"x\": 50, \"y\": 10")
+        val place = assertIs<WorldFileResult.Loaded>(readWorld(reach)).world
+        val teacher = Project(place, listOf(rams), ProjectSettings(seed = 7))
         val waiting = program("wait 7 seconds\n")
-        for (place in listOf(project("teacher.robotran", teacher), link(teacher))) {
+        for (shared in listOf(project("teacher.robotran", teacher), link(teacher))) {
             val report = folder.resolve("report.json")
-            assertEquals(0, grade(place, waiting, "--report", "$report"), console.complaints.joinToString() + console.said)
+            assertEquals(0, grade(shared, waiting, "--report", "$report"), console.complaints.joinToString() + console.said)
             val run = Json.parseToJsonElement(report.toFile().readText()).jsonObject.getValue("programs").jsonArray.single()
                 .jsonObject.getValue("runs").jsonArray.single().jsonObject
             assertEquals("7", run.getValue("seed").jsonPrimitive.content)

@@ -14,9 +14,8 @@ internal class KitScripts(
     /** Into the folders of their packages, if there are any. */
     private val options = if ('.' in mainClass) "-encoding UTF-8 -d ." else "-encoding UTF-8"
 
-    fun antFile(): String {
-        val arguments = sources.joinToString("\n") { "                    <arg value=\"$it\"/>" }
-        return """
+    fun antFile(): String =
+        """
         <?xml version="1.0" encoding="UTF-8"?>
         <project name="$className" default="download" basedir=".">
             <property environment="env"/>
@@ -28,7 +27,7 @@ internal class KitScripts(
             <target name="compile" description="compiles the program for the brick">
                 <exec executable="${'$'}{lejos.bin}/lejosc${'$'}{ending}" failonerror="true">
                     <arg line="$options"/>
-        SOURCES
+        @SOURCES@
                 </exec>
             </target>
 
@@ -45,8 +44,7 @@ internal class KitScripts(
                 </exec>
             </target>
         </project>
-        """.trimIndent().replace("SOURCES", arguments.trimIndent().prependIndent("            ")) + "\n"
-    }
+        """.trimIndent().replace("@SOURCES@", sources.joinToString("\n") { "            <arg value=\"$it\"/>" }) + "\n"
 
     fun shellScript(): String =
         """
