@@ -7,6 +7,7 @@ import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.option
 import kotlinx.coroutines.runBlocking
 import robotran.desktop.ExitCode
@@ -20,6 +21,7 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.linkOf
+import robotran.projects.siteAddress
 import robotran.world.BuiltInWorlds
 
 /** `robotran link FILE..`: prints what to paste behind the address of the page, so that it opens with a world or a project. */
@@ -28,12 +30,20 @@ internal class LinkCommand(
 ) : CoreCliktCommand("link") {
     private val files by argument("FILE", help = "a world (.world.json), a project (.robotran), or programs (.robo, .java) for one robot")
         .multiple(required = true)
-    private val world by option("--world", metavar = "FILE", help = "the world of the programs (.world.json); a plain sheet if not given")
+    private val world by option(
+        "--world",
+        metavar = "FILE",
+        help = "the world of the programs (.world.json, or a project or link with it); a plain sheet if not given",
+    )
+
+    private val site by option("--site", metavar = "ADDRESS", help = "the address of a Robotran site, to be put before the link")
+        .convert { text -> siteAddress(text) ?: fail("$text is not the address of a site, such as https://school.example/robotran/") }
 
     private val spoken by LanguageOption()
     private val console get() = process.speaking(spoken.language)
 
-    override fun help(context: Context) = "Prints a world, a project or programs as a link, to be pasted behind the page's address."
+    override fun help(context: Context) =
+        "Prints a world, a project or programs as a link: whole with --site, otherwise to be pasted behind the address of a site."
 
     override fun run() {
         val single = files.singleOrNull()
@@ -47,7 +57,7 @@ internal class LinkCommand(
                     runBlocking { linkOf(it, spoken.language) }
                 }
 
-                else -> readProjectFile(single.orEmpty(), console)?.let { runBlocking { linkOf(it, spoken.language) } }
+                else -> projectOf(single.orEmpty(), console)?.let { runBlocking { linkOf(it, spoken.language) } }
             }
         throw ProgramResult(tell(made).status)
     }
@@ -59,7 +69,7 @@ internal class LinkCommand(
             }
 
             is LinkMaking.Made -> {
-                console.say(made.fragment)
+                console.say(site.orEmpty() + made.fragment)
                 ExitCode.DONE
             }
 
@@ -86,8 +96,9 @@ internal class LinkCommand(
             console.complain(console.messages.compiled(program.path))
             return null
         }
-        val place = world?.let { readWorldFile(it, console) ?: return null } ?: BuiltInWorlds.plain
-        return Project(place, listOf(ProjectRobot(place.robots.first().name, programs.mapNotNull { it.second })))
+        val place = world?.let { readGivenWorld(it, console) ?: return null } ?: GivenWorld(BuiltInWorlds.plain)
+        val own = ProjectRobot(place.world.robots.first().name, programs.mapNotNull { it.second })
+        return Project(place.world, listOf(own) + place.others)
     }
 
     /** Without the folders of this machine. */

@@ -15,7 +15,7 @@ internal fun lineOf(
             is ProgramSource.Java -> mistake.file
             is ProgramSource.ClassFiles -> listOf(program.path, mistake.file).filter { it.isNotEmpty() }.joinToString(": ")
         }
-    return lineOf(file, mistake)
+    return lineOf(listOfNotNull(program.project, file).joinToString(": "), mistake)
 }
 
 /** [mistake] of the file [name] in one line for a person. */

@@ -2,9 +2,6 @@ package robotran.desktop.cli
 
 import kotlinx.coroutines.runBlocking
 import robotran.desktop.ExitCode
-import robotran.desktop.files.NamedProgram
-import robotran.desktop.files.ProgramFiles
-import robotran.desktop.files.readProgramFiles
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramReader
 import robotran.projects.RobotLoads
@@ -23,10 +20,10 @@ import robotran.world.runUnattended
 /**
  * What to run.
  *
- * @property programs the programs' files for the first robot, see [readProgramFiles]; or one project, see [isProject].
+ * @property programs the programs' files for the first robot; or one project, which with [world] is one for the first robot, too, see [readHandIn].
  * @property robots programs for other robots.
  * @property java how Java programs are to run.
- * @property world the world's file; the plain sheet if null.
+ * @property world the world's file, or a project or link with it; if null, the plain sheet or that of the project.
  * @property milliseconds how much virtual time may pass at most; null for the world's time limit.
  * @property presses what is done to the buttons; if empty, Run is pressed.
  */
@@ -48,12 +45,13 @@ internal class ProgramRunner(
         request: RunRequest,
         outputs: RunOutputs,
     ): ExitCode {
-        request.programs.singleOrNull()?.takeIf(::isProject)?.let { return runProject(it, request, outputs) }
-        val programs = readPrograms(request.programs)
-        val world = if (request.world == null) BuiltInWorlds.plain else readWorldFile(request.world, console)
-        if (programs == null || world == null) return ExitCode.BAD_INPUT
-        val loads = readLoads(world, programs, request) ?: return ExitCode.BAD_INPUT
-        return run(request.changes.of(world), loads, request, outputs)
+        val project = request.programs.singleOrNull()?.takeIf(::isProject)
+        if (project != null && request.world == null) return runProject(project, request, outputs)
+        val own = readOwn(request.programs)
+        val place = if (request.world == null) GivenWorld(BuiltInWorlds.plain) else readGivenWorld(request.world, console)
+        if (own == null || place == null) return ExitCode.BAD_INPUT
+        val loads = readLoads(place, own, request) ?: return ExitCode.BAD_INPUT
+        return run(request.changes.of(place.world), loads, request, outputs)
     }
 
     /** What is said on the command line counts more than what the project says; its inputs are not repeated if buttons are pressed. */
@@ -62,11 +60,11 @@ internal class ProgramRunner(
         request: RunRequest,
         outputs: RunOutputs,
     ): ExitCode {
-        if (request.world != null || request.robots.isNotEmpty()) {
+        if (request.robots.isNotEmpty()) {
             console.complain(console.messages.projectHasItsOwn())
             return ExitCode.BAD_INPUT
         }
-        val project = readProjectFile(name, console) ?: return ExitCode.BAD_INPUT
+        val project = projectOf(name, console) ?: return ExitCode.BAD_INPUT
         val usual = JavaSettings()
         val java =
             JavaSettings(
@@ -137,25 +135,25 @@ internal class ProgramRunner(
     }
 
     /** Null if any of them cannot be read; why is told. */
-    private fun readPrograms(names: List<String>): List<NamedProgram>? =
-        when (val files = readProgramFiles(names, console.messages)) {
-            is ProgramFiles.Read -> {
-                files.programs
+    private fun readOwn(names: List<String>): HandIn? =
+        when (val read = readHandIn(names, console)) {
+            is ReadHandIn.Read -> {
+                read.handIn
             }
 
-            is ProgramFiles.Refused -> {
-                console.complain(files.reason)
+            is ReadHandIn.Refused -> {
+                console.complain(read.reason)
                 null
             }
         }
 
     /** Null if any of them cannot run; why is told. */
     private fun readLoads(
-        world: World,
-        programs: List<NamedProgram>,
+        place: GivenWorld,
+        own: HandIn,
         request: RunRequest,
     ): List<RobotLoad>? =
-        when (val loading = readLoads(world, ProgramReader(PENBOT_CALIBRATION, request.java, console.language), programs, request.robots)) {
+        when (val loading = readLoads(place, ProgramReader(PENBOT_CALIBRATION, request.java, console.language), own, request.robots)) {
             is Loading.Loaded -> {
                 loading.loads
             }

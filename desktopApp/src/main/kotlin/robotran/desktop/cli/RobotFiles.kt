@@ -7,10 +7,11 @@ import robotran.desktop.files.readProgramFiles
 import robotran.desktop.messages.CommandMessages
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
+import robotran.projects.ProjectRobot
 import robotran.projects.RobotLoads
+import robotran.projects.loadsWith
 import robotran.projects.readRobotLoads
 import robotran.world.RobotLoad
-import robotran.world.World
 
 /** A program for a robot of the world, as `--robot red=Ram.robo` says it. */
 internal data class RobotFile(
@@ -30,17 +31,21 @@ internal sealed interface Loading {
     /** @property loads one for each robot, in the world's order. */
     data class Loaded(val loads: List<RobotLoad>) : Loading
 
-    /** They cannot run; each of [reasons] is a line for a person. */
-    data class Refused(val reasons: List<String>) : Loading
+    /** They cannot run; each of [reasons] is a line for a person. If they are readable, they have mistakes. */
+    data class Refused(val reasons: List<String>, val isReadable: Boolean = true) : Loading
 }
 
-/** Reads the programs of all robots of [world]: [own] for the first one, [others] for those that are named, else what the world gives them. */
+/**
+ * Reads the programs of all robots of the world [place]: [own] for the first one, [others] for those that are named, else what the world or the project it is
+ * from gives them.
+ */
 internal fun readLoads(
-    world: World,
+    place: GivenWorld,
     reader: ProgramReader,
-    own: List<NamedProgram>,
+    own: HandIn,
     others: List<RobotFile>,
 ): Loading {
+    val world = place.world
     val messages = CommandMessages.of(reader.language)
     val given = mutableMapOf<String, List<NamedProgram>>()
     for ((robot, files) in others.groupBy({ it.robot }, { it.file })) {
@@ -51,10 +56,13 @@ internal fun readLoads(
     }
     val first = world.robots.first().name
     if (first in given) return Loading.Refused(listOf(messages.firstRobotNamed(first)))
-    given[first] = own
+    val robots = place.others.filter { it.name !in given }
+    robots.forEach { robot -> given[robot.name] = robot.programs.map { NamedProgram(it.name, it.source) } }
+    given[first] = own.programs
     val result = runBlocking { readRobotLoads(world, reader, given.mapValues { (_, programs) -> programs.map { it.source } }) }
+    val choices = robots + ProjectRobot(first, firstProgram = own.firstProgram, lightFacing = own.lightFacing)
     return when (result) {
-        is RobotLoads.Ready -> Loading.Loaded(result.loads)
+        is RobotLoads.Ready -> Loading.Loaded(loadsWith(choices, world, result.loads))
         is RobotLoads.Mistaken -> Loading.Refused(linesOf(result, given[result.robot].orEmpty(), reader))
     }
 }

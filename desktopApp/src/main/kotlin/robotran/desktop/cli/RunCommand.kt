@@ -22,9 +22,13 @@ internal class RunCommand(
     private val programs by argument(
         "FILE",
         help = "a program: in Robolang (.robo), in leJOS Java (one or more .java), or compiled (.class, .jar, a folder); five at most. " +
-            "Or a project (.robotran), or a link that holds one",
+            "Or a project (.robotran), or a link that holds one; with --world only the programs of its first robot",
     ).multipleArguments(required = true)
-    private val world by option("--world", metavar = "FILE", help = "the world to run in (.world.json); a plain sheet if not given")
+    private val world by option(
+        "--world",
+        metavar = "FILE",
+        help = "the world to run in (.world.json, or a project or link with it); a plain sheet if not given",
+    )
     private val seed by option("--seed", metavar = "N", help = "what is left to chance is drawn from this, instead of the world's seed")
         .convert { text -> readSeed(text) ?: fail("$text is not a whole number from 0 to ${Int.MAX_VALUE}") }
     private val picture by option("--picture", metavar = "FILE", help = "writes a picture of the sheet (.png or .svg)")

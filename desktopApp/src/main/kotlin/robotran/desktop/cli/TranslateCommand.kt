@@ -8,19 +8,32 @@ import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.option
+import kotlinx.coroutines.runBlocking
 import robotran.desktop.ExitCode
+import robotran.desktop.files.JAVA
+import robotran.desktop.files.ProgramFiles
+import robotran.desktop.files.readProgramFiles
 import robotran.desktop.files.writeFile
 import robotran.desktop.messages.CommandMessages
+import robotran.programs.ProgramReader
+import robotran.programs.ProgramSource
+import robotran.robolang.translate.KitFile
+import robotran.robolang.translate.javaKitFiles
 import robotran.robolang.translate.kitFiles
 import robotran.robolang.translate.translateRobolang
+import robotran.ui.workshop.PENBOT_CALIBRATION
 import kotlin.io.path.Path
 import kotlin.io.path.name
+import robotran.programs.ProgramResult as Reading
 
 /** `robotran translate FILE..`: writes programs as Java for leJOS, or one as a kit with all that a real brick takes. */
 internal class TranslateCommand(
     private val console: Console,
 ) : CoreCliktCommand("translate") {
-    private val programs by argument("FILE", help = "Robolang programs (.robo)").multiple(required = true)
+    private val programs by argument(
+        "FILE",
+        help = "Robolang programs (.robo); for --kit also the files of one program in leJOS Java (.java)",
+    ).multiple(required = true)
     private val output by option("-o", "--output", metavar = "FILE", help = "where the Java goes; to the console if not given")
     private val kit by option("--kit", metavar = "FILE", help = "writes a kit for the real brick (.zip)")
 
@@ -30,8 +43,35 @@ internal class TranslateCommand(
     override fun help(context: Context) = "Writes programs as leJOS Java for a real robot."
 
     override fun run() {
+        val javaKit = kit.takeIf { output == null && programs.all { it.endsWith(JAVA) } }
+        if (javaKit != null) throw ProgramResult(writeJavaKit(javaKit).status)
         if (programs.size > 1 && (output != null || kit != null)) throw UsageError("-o and --kit take one program at a time")
         throw ProgramResult(programs.maxOf { translate(it).status })
+    }
+
+    private fun writeJavaKit(kit: String): ExitCode {
+        val files =
+            when (val read = readProgramFiles(programs, sentences)) {
+                is ProgramFiles.Read -> read.programs.single()
+                is ProgramFiles.Refused -> return refuse(read.reason)
+            }
+        val reader = ProgramReader(PENBOT_CALIBRATION, language = spoken.language)
+        return when (val result = runBlocking { reader.read(files.source) }) {
+            is Reading.Mistaken -> {
+                result.mistakes.forEach { console.complain(lineOf(files, it)) }
+                ExitCode.PROGRAM_FAILED
+            }
+
+            is Reading.Ready -> {
+                val sources = (files.source as ProgramSource.Java).files.map { KitFile(it.name, it.text) }
+                writeFile(kit, zip(javaKitFiles(checkNotNull(result.mainClass), sources)), sentences)?.let(::refuse) ?: ExitCode.DONE
+            }
+        }
+    }
+
+    private fun refuse(reason: String): ExitCode {
+        console.complain(reason)
+        return ExitCode.BAD_INPUT
     }
 
     private fun translate(program: String): ExitCode =
@@ -46,8 +86,7 @@ internal class TranslateCommand(
             }
 
             is RobolangFile.Unreadable -> {
-                console.complain(file.reason)
-                ExitCode.BAD_INPUT
+                refuse(file.reason)
             }
         }
 

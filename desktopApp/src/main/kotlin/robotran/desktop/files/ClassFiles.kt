@@ -5,13 +5,11 @@ import robotran.programs.ProgramSource
 import robotran.tinyvm.TinyVmLimits
 import java.nio.file.Path
 import kotlin.io.path.extension
-import kotlin.io.path.fileSize
 import kotlin.io.path.isDirectory
 import kotlin.io.path.isRegularFile
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.nameWithoutExtension
-import kotlin.io.path.readBytes
 import kotlin.io.path.walk
 
 /** Reads the class files [names], and those of the classes inside these, which lie beside them. */
@@ -65,8 +63,16 @@ private fun compiled(
     messages: FileMessages,
     nameOf: (Path) -> String,
 ): ReadProgram {
-    paths.firstOrNull { it.fileSize() > TinyVmLimits.CLASS_FILE_BYTES }?.let { return tooLarge(nameOf(it), messages) }
-    return programOf(name, paths.associate { nameOf(it) to it.readBytes() }, messages)
+    val files = LinkedHashMap<String, ByteArray>()
+    for (path in paths.take(TinyVmLimits.CLASSES + 1)) {
+        val file = nameOf(path)
+        val limit = TinyVmLimits.CLASS_FILE_BYTES
+        when (val content = readContent(path, file, limit, messages) { messages.classFileTooLarge(file, limit) }) {
+            is FileContent.Refused -> return ReadProgram.Refused(content.reason)
+            is FileContent.Read -> files[file] = content.bytes
+        }
+    }
+    return programOf(name, files, messages)
 }
 
 private fun innerClassesOf(classFile: Path): List<Path> {

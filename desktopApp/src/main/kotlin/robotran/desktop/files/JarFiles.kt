@@ -3,11 +3,13 @@ package robotran.desktop.files
 import robotran.desktop.messages.FileMessages
 import robotran.tinyvm.TinyVmLimits
 import java.io.InputStream
+import java.nio.file.Path
 import java.util.jar.Attributes
 import java.util.jar.JarFile
 import java.util.jar.Manifest
 import java.util.zip.ZipEntry
 import java.util.zip.ZipFile
+import kotlin.io.path.fileSize
 
 /** Reads all class files in the jar [name]; its manifest may say which to begin with. Never unpacks more than a program can have. */
 internal fun readJar(
@@ -15,7 +17,10 @@ internal fun readJar(
     messages: FileMessages,
 ): ReadProgram =
     reading(name, messages, ReadProgram::Refused) {
-        ZipFile(name).use { jar ->
+        val path = Path.of(name)
+        notAFile(path, name, messages)?.let { return@reading ReadProgram.Refused(it) }
+        if (path.fileSize() > LARGEST_JAR_BYTES) return@reading ReadProgram.Refused(messages.fileTooLarge(name, LARGEST_JAR_BYTES))
+        ZipFile(path.toFile()).use { jar ->
             val entries = jar.entries().asSequence().filter { !it.isDirectory && isClassFile(it.name) }
             val files = LinkedHashMap<String, ByteArray>()
             var bytes = 0
@@ -46,6 +51,9 @@ private fun <T> ZipFile.open(
     entry: ZipEntry,
     read: (InputStream) -> T,
 ): T = getInputStream(entry).use(read)
+
+/** A jar may hold pictures and sounds besides, but its directory is read as a whole. */
+private const val LARGEST_JAR_BYTES = 64_000_000L
 
 /** Far more than a brick holds. */
 private const val MOST_JAR_BYTES = 16_000_000

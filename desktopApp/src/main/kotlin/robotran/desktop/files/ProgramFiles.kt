@@ -23,10 +23,12 @@ internal sealed interface ProgramFiles {
  * A program and where it is from.
  *
  * @property path its first file as it was named.
+ * @property project the project or link it is in, as a person is told of that; null if it is a file of its own.
  */
 internal data class NamedProgram(
     val path: String,
     val source: ProgramSource,
+    val project: String? = null,
 )
 
 /**

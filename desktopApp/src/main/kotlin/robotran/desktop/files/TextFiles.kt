@@ -7,9 +7,6 @@ import java.nio.ByteBuffer
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
 import kotlin.io.path.createParentDirectories
-import kotlin.io.path.fileSize
-import kotlin.io.path.isDirectory
-import kotlin.io.path.readBytes
 import kotlin.io.path.writeBytes
 
 /** What came of reading a text file. */
@@ -20,17 +17,15 @@ internal sealed interface TextFile {
     data class Refused(val reason: String) : TextFile
 }
 
-/** Reads the UTF-8 file [name]; never more than [LARGEST_TEXT_BYTES] of it. */
+/** Reads the UTF-8 file [name]; no larger one than [LARGEST_FILE_BYTES]. */
 internal fun readTextFile(
     name: String,
     messages: FileMessages = EnglishCommandMessages,
 ): TextFile =
     reading(name, messages, TextFile::Refused) {
-        val path = Path.of(name)
-        when {
-            path.isDirectory() -> TextFile.Refused(messages.isFolder(name))
-            path.fileSize() > LARGEST_TEXT_BYTES -> TextFile.Refused(messages.fileTooLarge(name, LARGEST_TEXT_BYTES))
-            else -> TextFile.Read(Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(path.readBytes())).toString())
+        when (val file = readContent(Path.of(name), name, LARGEST_FILE_BYTES, messages)) {
+            is FileContent.Refused -> TextFile.Refused(file.reason)
+            is FileContent.Read -> TextFile.Read(Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(file.bytes)).toString())
         }
     }
 
@@ -48,6 +43,3 @@ internal fun writeFile(
     } catch (problem: IOException) {
         messages.unwritable(name, problem.message.orEmpty())
     }
-
-/** Far more than a program or a world may have; what they may have is checked by those who read them. */
-private const val LARGEST_TEXT_BYTES = 16_000_000L

@@ -36,6 +36,9 @@ internal interface FileMessages {
 
     fun isFolder(name: String): String
 
+    /** It has no end, or may never begin. */
+    fun isDevice(name: String): String
+
     fun fileTooLarge(name: String, bytes: Long): String
 
     fun noClassFile(name: String): String
@@ -50,6 +53,12 @@ internal interface FileMessages {
 
     /** @param endings how the names of programs end. */
     fun notAProgram(name: String, endings: List<String>): String
+
+    /** A link that is the only one. */
+    fun theLink(): String
+
+    /** @param name a project file or a link. */
+    fun noProgramIn(name: String, robot: String): String
 
     fun notRobolang(name: String, ending: String): String
 
@@ -103,6 +112,11 @@ internal interface GradeMessages {
     fun countOf(some: Int, all: Int): String
 
     fun cannotRun(): String
+
+    fun cannotBeUsed(): String
+
+    /** What one of several links is called. */
+    fun numberedLink(number: Int): String
 
     /** The seeds in words, such as `seeds 1 to 20`. */
     fun seeds(first: Int, last: Int): String

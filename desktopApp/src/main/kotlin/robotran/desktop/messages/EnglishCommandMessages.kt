@@ -28,6 +28,8 @@ private object EnglishFileMessages : FileMessages {
 
     override fun isFolder(name: String) = "$name is a folder, not a file."
 
+    override fun isDevice(name: String) = "$name is not a file with an end but a device or a pipe, which cannot be read."
+
     override fun fileTooLarge(name: String, bytes: Long) = "$name is too large: it can have $bytes bytes at most."
 
     override fun noClassFile(name: String) = "There is no class file in $name."
@@ -42,6 +44,10 @@ private object EnglishFileMessages : FileMessages {
 
     override fun notAProgram(name: String, endings: List<String>) =
         "$name is no program: its name does not end in ${listed(endings, "or")}, and it is no folder."
+
+    override fun theLink() = "The link"
+
+    override fun noProgramIn(name: String, robot: String) = "$name has no program for its robot $robot."
 
     override fun notRobolang(name: String, ending: String) = "$name is not a Robolang program: its name does not end in $ending."
 
@@ -58,7 +64,7 @@ private object EnglishRunMessages : RunMessages {
 
     override fun notFormatted(name: String) = "$name is not formatted."
 
-    override fun projectHasItsOwn() = "A project has a world and programs of its own: --world and --robot do not go with it."
+    override fun projectHasItsOwn() = "A project has a world and programs of its own: --robot goes with it only together with --world."
 
     override fun firstRobotNamed(name: String) = "The robot $name is the first one: its programs are named without --robot."
 
@@ -90,6 +96,10 @@ private object EnglishGradeMessages : GradeMessages {
     override fun countOf(some: Int, all: Int) = "$some of $all"
 
     override fun cannotRun() = "It cannot run: it has mistakes."
+
+    override fun cannotBeUsed() = "It cannot be used."
+
+    override fun numberedLink(number: Int) = "link $number"
 
     override fun seeds(first: Int, last: Int) = if (first == last) "seed $first" else "seeds $first to $last"
 

@@ -29,6 +29,9 @@ private object GermanFileMessages : FileMessages {
 
     override fun isFolder(name: String) = "$name ist ein Ordner, keine Datei."
 
+    override fun isDevice(name: String) =
+        "$name ist keine Datei mit einem Ende, sondern ein Gerät oder eine Pipe, und kann nicht gelesen werden."
+
     override fun fileTooLarge(name: String, bytes: Long) = "$name ist zu groß: Höchstens $bytes Bytes sind möglich."
 
     override fun noClassFile(name: String) = "In $name ist keine Klassendatei."
@@ -43,6 +46,10 @@ private object GermanFileMessages : FileMessages {
 
     override fun notAProgram(name: String, endings: List<String>) =
         "$name ist kein Programm: Der Name endet nicht mit ${listed(endings, "oder")}, und es ist kein Ordner."
+
+    override fun theLink() = "Der Link"
+
+    override fun noProgramIn(name: String, robot: String) = "$name enthält kein Programm für den Roboter $robot."
 
     override fun notRobolang(name: String, ending: String) = "$name ist kein Robolang-Programm: Der Name endet nicht mit $ending."
 
@@ -60,8 +67,7 @@ private object GermanRunMessages : RunMessages {
 
     override fun notFormatted(name: String) = "$name ist nicht ordentlich gesetzt."
 
-    override fun projectHasItsOwn() =
-        "Ein Projekt hat seine eigene Welt und seine eigenen Programme: --world und --robot passen nicht dazu."
+    override fun projectHasItsOwn() = "Ein Projekt hat seine Welt und seine Programme: --robot passt nur zusammen mit --world dazu."
 
     override fun firstRobotNamed(name: String) = "Der Roboter $name ist der erste: Seine Programme werden ohne --robot genannt."
 
@@ -94,6 +100,10 @@ private object GermanGradeMessages : GradeMessages {
     override fun countOf(some: Int, all: Int) = "$some von $all"
 
     override fun cannotRun() = "Es kann nicht laufen: Es hat Fehler."
+
+    override fun cannotBeUsed() = "Es ist nicht zu gebrauchen."
+
+    override fun numberedLink(number: Int) = "Link $number"
 
     override fun seeds(first: Int, last: Int) = if (first == last) "Startzahl $first" else "Startzahlen $first bis $last"
 

@@ -29,6 +29,8 @@ private object SpanishFileMessages : FileMessages {
 
     override fun isFolder(name: String) = "$name es una carpeta, no un archivo."
 
+    override fun isDevice(name: String) = "$name no es un archivo con un final, sino un dispositivo o una tubería, que no se puede leer."
+
     override fun fileTooLarge(name: String, bytes: Long) = "$name es demasiado grande: puede tener $bytes bytes como mucho."
 
     override fun noClassFile(name: String) = "En $name no hay ningún archivo de clase."
@@ -45,6 +47,10 @@ private object SpanishFileMessages : FileMessages {
     override fun notAProgram(name: String, endings: List<String>) =
         "$name no es un programa: su nombre no termina en ${listed(endings, "ni")}, y no es una carpeta."
 
+    override fun theLink() = "El enlace"
+
+    override fun noProgramIn(name: String, robot: String) = "$name no tiene ningún programa para su robot $robot."
+
     override fun notRobolang(name: String, ending: String) = "$name no es un programa de Robolang: su nombre no termina en $ending."
 
     override fun notToBeChecked(name: String, endings: List<String>) =
@@ -60,7 +66,7 @@ private object SpanishRunMessages : RunMessages {
 
     override fun notFormatted(name: String) = "$name no está ordenado."
 
-    override fun projectHasItsOwn() = "Un proyecto tiene su mundo y sus programas: --world y --robot no van con él."
+    override fun projectHasItsOwn() = "Un proyecto tiene su mundo y sus programas: --robot va con él solo junto con --world."
 
     override fun firstRobotNamed(name: String) = "El robot $name es el primero: sus programas se dan sin --robot."
 
@@ -93,6 +99,10 @@ private object SpanishGradeMessages : GradeMessages {
     override fun countOf(some: Int, all: Int) = "$some de $all"
 
     override fun cannotRun() = "No puede ejecutarse: tiene errores."
+
+    override fun cannotBeUsed() = "No se puede usar."
+
+    override fun numberedLink(number: Int) = "enlace $number"
 
     override fun seeds(first: Int, last: Int) = if (first == last) "la semilla $first" else "las semillas de la $first a la $last"
 

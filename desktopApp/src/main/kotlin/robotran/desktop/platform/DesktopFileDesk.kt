@@ -2,7 +2,12 @@ package robotran.desktop.platform
 
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
+import robotran.desktop.files.FileContent
+import robotran.desktop.files.LARGEST_FILE_BYTES
+import robotran.desktop.files.readContent
+import robotran.desktop.files.reading
 import robotran.desktop.messages.CommandMessages
+import robotran.desktop.messages.EnglishCommandMessages
 import robotran.documents.FileKind
 import robotran.documents.StoreResult
 import robotran.ui.language.spokenLanguage
@@ -13,14 +18,9 @@ import robotran.ui.platform.writeSafely
 import java.awt.FileDialog
 import java.awt.Frame
 import java.io.IOException
-import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 import kotlin.io.path.exists
-import kotlin.io.path.fileSize
-import kotlin.io.path.isDirectory
-import kotlin.io.path.isRegularFile
 import kotlin.io.path.name
-import kotlin.io.path.readBytes
 
 /**
  * The platform's own dialogs over [window], and files by their paths.
@@ -73,7 +73,7 @@ internal class DesktopFileDesk(
     override suspend fun read(place: String): ByteArray? =
         withContext(Dispatchers.IO) {
             try {
-                Path.of(place).takeIf { it.isRegularFile() && it.fileSize() <= LARGEST_FILE }?.readBytes()
+                (readContent(Path.of(place), place, LARGEST_FILE_BYTES, EnglishCommandMessages) as? FileContent.Read)?.bytes
             } catch (_: IOException) {
                 null
             }
@@ -96,21 +96,16 @@ internal fun openedFile(
 ): OpenedFile? {
     val place = path.toAbsolutePath().normalize()
     val messages = CommandMessages.of(spokenLanguage(null))
-    val trouble =
-        try {
-            when {
-                place.isDirectory() -> messages.isFolder(place.name)
-                place.fileSize() > LARGEST_FILE -> messages.fileTooLarge(place.name, LARGEST_FILE)
-                else -> return OpenedFile(place.name, place.readBytes(), place.toString())
-            }
-        } catch (_: NoSuchFileException) {
-            messages.noFile(place.name)
-        } catch (problem: IOException) {
-            messages.unreadable(place.name, problem.message.orEmpty())
+    return when (
+        val file = reading(place.name, messages, FileContent::Refused) { readContent(place, place.name, LARGEST_FILE_BYTES, messages) }
+    ) {
+        is FileContent.Read -> {
+            OpenedFile(place.name, file.bytes, place.toString())
         }
-    tell(trouble)
-    return null
-}
 
-/** Far more than a project may have; what it may have is checked by those who read it. */
-private const val LARGEST_FILE = 16_000_000L
+        is FileContent.Refused -> {
+            tell(file.reason)
+            null
+        }
+    }
+}

@@ -117,6 +117,36 @@ class KitTest : CommandTest() {
         assertContains(files.getValue("Program2Muenchen/download.sh"), "Program2Muenchen.java")
     }
 
+    @Test
+    fun `a program in Java has the same kit, with all its sources`() {
+        val main = javaProgram("Drive", "new Car().go();")
+        val car = program("public class Car {\n    void go() {\n    }\n}\n", "Car.java")
+        val kit = folder.resolve("java.zip")
+        assertEquals(0, commandLine.execute(listOf("translate", car, main, "--kit", "$kit")), console.complaints.joinToString())
+        val files = texts(kit)
+        val names = listOf("Car.java", "Drive.java", "README.txt", "build.xml", "download.sh", "download.bat")
+        assertEquals(names.map { "Drive/$it" }, files.keys.toList())
+        assertEquals(File(main).readText(), files["Drive/Drive.java"])
+        val steps = listOf("lejosc -encoding UTF-8 Car.java Drive.java", "lejoslink -o Drive.bin Drive", "lejosdl Drive.bin\n")
+        assertContains(files.getValue("Drive/download.sh"), steps.joinToString("\n"))
+        assertContains(files.getValue("Drive/download.bat"), "call lejoslink -o Drive.bin Drive || exit /b 1\r\n")
+        val build = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(files.getValue("Drive/build.xml").byteInputStream())
+        val elements = build.getElementsByTagName("arg").let { list -> (0 until list.length).map { list.item(it) as Element } }
+        val arguments = elements.map { it.getAttribute("value") }
+        assertEquals(listOf("", "Car.java", "Drive.java", "", "Drive", "Drive.bin"), arguments)
+        assertContains(files.getValue("Drive/README.txt"), "Drive.java is where your Java program begins")
+        assertTrue(files.getValue("Drive/README.txt").lines().all { it.length <= 100 })
+    }
+
+    @Test
+    fun `a program in Java with a mistake has no kit`() {
+        val kit = folder.resolve("java.zip")
+        assertEquals(1, commandLine.execute(listOf("translate", javaProgram("Drive", "hop();"), "--kit", "$kit")))
+        assertContains(console.complaints.single(), "Drive.java:5:")
+        assertFalse(kit.toFile().exists())
+        assertEquals(2, commandLine.execute(listOf("translate", "$folder/none.java", "--kit", "$kit")))
+    }
+
     private fun texts(zip: Path): Map<String, String> =
         ZipFile.builder().setPath(zip).get().use { file ->
             file.entries.asSequence().associate { it.name to file.getInputStream(it).readBytes().decodeToString() }

@@ -102,6 +102,25 @@ class LinkCommandTest : CommandTest() {
     }
 
     @Test
+    fun `with the address of a site the link is whole`() {
+        assertEquals(0, link(square, "--site", "https://school.example/robotran/"))
+        assertContains(console.said.last(), Regex("^https://school.example/robotran/#p=a\\S+$"))
+        assertIs<LinkResult.OfProject>(opened())
+        assertEquals(2, link(square, "--site", "school.example"))
+        assertContains(console.complaints.last(), "school.example is not the address of a site")
+    }
+
+    @Test
+    fun `programs go into the world of a project, beside its other robots`() {
+        assertEquals(0, link(square, "--world", tree.resolve("worlds/maze.world.json").path))
+        val maze = assertIs<LinkResult.OfProject>(opened()).project
+        assertEquals(0, link(program("beep\n"), "--world", file("maze.robotran", writeProject(maze))))
+        val project = assertIs<LinkResult.OfProject>(opened()).project
+        assertEquals(maze.world, project.world)
+        assertEquals(listOf("mine.robo"), project.robots.single().programs.map { it.name })
+    }
+
+    @Test
     fun `what cannot be linked to or opened is told in a sentence`() {
         fun complaint(status: Int) = console.complaints.last().also { assertEquals(2, status) }
         assertContains(complaint(link(folder.resolve("no.robo").toString())), "There is no file")
@@ -110,7 +129,8 @@ class LinkCommandTest : CommandTest() {
         assertContains(complaint(link(square, "--world", file("broken.world.json", "{"))), "Line 1 cannot be read")
         assertContains(complaint(link(file("a.world.json", "{}"), "--world", "b.world.json")), "--world goes with programs only")
         assertContains(complaint(run("#p=aAAAA")), "The link is broken or not whole")
-        assertContains(complaint(run(file("b.robotran", "{}"), "--world", "b.world.json")), "--world and --robot do not go with it")
+        val project = file("b.robotran", "{}")
+        assertContains(complaint(run(project, "--robot", "red=$square")), "--robot goes with it only together with --world")
         val wrong = file("wrong.robo", "forwrd 5")
         assertEquals(0, link(wrong))
         assertContains(complaint(run(console.said.last())), "wrong.robo:1:1: ")

@@ -28,7 +28,7 @@ internal class JavaReader(
             mainClassOf(first, compiled.mainClasses) ?: return ProgramResult.Mistaken(listOfNotNull(compiled.missingMain?.let(::mistakeOf)))
         val linked = classFiles.link(source.name, compiled.classes, mainClass) { refusal -> fileOf(source.files, refusal) }
         return when (linked) {
-            is ProgramResult.Ready -> linked.copy(warnings = compiled.warnings.map(::mistakeOf))
+            is ProgramResult.Ready -> linked.copy(warnings = compiled.warnings.map(::mistakeOf), mainClass = mainClass)
             is ProgramResult.Mistaken -> linked
         }
     }

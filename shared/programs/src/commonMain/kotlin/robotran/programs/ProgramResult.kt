@@ -4,8 +4,12 @@ import robotran.rom.RcxProgram
 
 /** What came of reading a program. */
 sealed interface ProgramResult {
-    /** [program] can be loaded into a brick. [warnings] are what is doubtful, in the order of the sources. */
-    data class Ready(val program: RcxProgram, val warnings: List<Mistake> = emptyList()) : ProgramResult
+    /**
+     * [program] can be loaded into a brick. [warnings] are what is doubtful, in the order of the sources.
+     *
+     * @property mainClass the class that a program in Java begins with, with slashes; null of others.
+     */
+    data class Ready(val program: RcxProgram, val warnings: List<Mistake> = emptyList(), val mainClass: String? = null) : ProgramResult
 
     /** It cannot run; [mistakes] are all there are, in the order of the sources, never empty. */
     data class Mistaken(val mistakes: List<Mistake>) : ProgramResult

@@ -27,4 +27,7 @@ object ProjectLimits {
 
     /** Browsers take longer links, but mail and messages break them. */
     const val MAXIMUM_LINK_CHARACTERS = 100_000
+
+    /** Of the address of a site, which stands before every link to it. */
+    const val MAXIMUM_SITE_CHARACTERS = 500
 }

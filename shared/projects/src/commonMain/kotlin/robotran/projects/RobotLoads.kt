@@ -58,15 +58,16 @@ suspend fun readRobotLoads(world: World, reader: ProgramReader, given: Map<Strin
 suspend fun readRobotLoads(project: Project, reader: ProgramReader): RobotLoads =
     when (val result = readRobotLoads(project.world, reader, project.programs)) {
         is RobotLoads.Mistaken -> result
+        is RobotLoads.Ready -> result.copy(loads = loadsWith(project.robots, project.world, result.loads))
+    }
 
-        is RobotLoads.Ready -> result.copy(
-            loads = project.world.robots.zip(result.loads) { place, load ->
-                val robot = project.robots.firstOrNull { it.name == place.name }
-                val first = robot?.firstProgram ?: 0
-                val facing = robot?.lightFacing ?: load.programs.getOrNull(first)?.let(::lightFacingOf)
-                load.copy(firstSlot = first, lightFacing = facing)
-            },
-        )
+/** [loads] of the robots of [world], with the first program and the light sensor as [robots] have them; of programs the loads' own count. */
+fun loadsWith(robots: List<ProjectRobot>, world: World, loads: List<RobotLoad>): List<RobotLoad> =
+    world.robots.zip(loads) { place, load ->
+        val robot = robots.firstOrNull { it.name == place.name }
+        val first = robot?.firstProgram ?: 0
+        val facing = robot?.lightFacing ?: load.programs.getOrNull(first)?.let(::lightFacingOf)
+        load.copy(firstSlot = first, lightFacing = facing)
     }
 
 /** Where [program] says that the light sensor of its robot looks; null if it says nothing, as a program in Java. */

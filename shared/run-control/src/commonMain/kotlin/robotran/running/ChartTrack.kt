@@ -11,7 +11,7 @@ enum class ChartLane {
     SENSOR_2,
     SENSOR_3,
 
-    /** The power, 1..8 forwards and -1..-8 backwards; 0 if the motor is not driven. */
+    /** The power and one more, 1..8 forwards and -1..-8 backwards; 0 if the motor is not driven, which is less than driven with power 0. */
     MOTOR_A,
     MOTOR_B,
     MOTOR_C,

@@ -28,6 +28,12 @@ internal class ParkedTakes {
         takes.removeAll(late)
     }
 
+    /** Closes all there are. */
+    fun closeAll() {
+        close()
+        takes.clear()
+    }
+
     fun close() = takes.forEach(Take::close)
 
     private companion object {

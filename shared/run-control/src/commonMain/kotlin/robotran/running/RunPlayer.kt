@@ -1,9 +1,11 @@
 package robotran.running
 
+import robotran.language.Language
 import robotran.rom.SoundTrack
 import robotran.rom.StepKind
 import robotran.world.Breakpoint
 import robotran.world.RecordedInput
+import robotran.world.RobotLoad
 import robotran.world.Session
 import robotran.world.SessionInput
 import robotran.world.SessionState
@@ -18,11 +20,14 @@ import robotran.world.StopReason
  * @param recording what is done to the run from its beginning, as in a project that was saved with its inputs.
  */
 class RunPlayer(
-    private val setup: RunSetup,
+    private var setup: RunSetup,
     recording: List<RecordedInput> = emptyList(),
 ) {
     private val whole = recording.toMutableList()
-    private val record = RunRecord(setup.world)
+    private var record = RunRecord(setup.world)
+
+    /** What is shown of the run while it is made once more in another language; null if it is not. */
+    private var retelling: Retelling? = null
     private val pace = FramePace()
     private val smooth = SmoothMotion()
     private var take = Take(setup, watched = 0)
@@ -61,16 +66,16 @@ class RunPlayer(
 
     /** The run at [time]; while it seeks, at a moment shortly before it. */
     val state: SessionState
-        get() = (motion as? Motion.Seeking)?.let { record.at(it.target) } ?: session.state
+        get() = (motion as? Motion.Seeking)?.let { shown.at(retelling?.time ?: it.target) } ?: session.state
 
     /** The run as it is best drawn: [state], but in slow motion with what moves between the steps of the physics. */
     val drawn: SessionState get() = if (isSmooth) smooth.at(session.state, pace.fraction) else state
 
     /** Where in the run it is, in milliseconds. */
-    val time: Long get() = (motion as? Motion.Seeking)?.target ?: take.milliseconds
+    val time: Long get() = retelling?.time ?: (motion as? Motion.Seeking)?.target ?: take.milliseconds
 
     /** How much of the run is known, in milliseconds. */
-    val length: Long get() = maxOf(record.end, take.milliseconds, whole.lastOrNull()?.milliseconds ?: 0)
+    val length: Long get() = maxOf(shown.end, take.milliseconds, whole.lastOrNull()?.milliseconds ?: 0)
 
     /** How far the way to another time has been gone, 0..1; 1 if it is not on one. */
     val progress: Double
@@ -83,7 +88,7 @@ class RunPlayer(
     val inputs: List<RecordedInput> get() = whole.toList()
 
     /** What has happened in the run so far, also after [time]; the same list as long as that does not change. */
-    val marks: List<TimelineMark> get() = record.timeline
+    val marks: List<TimelineMark> get() = shown.timeline
 
     /** What the brick of the robot that is [watched] has played up to where [session] is. */
     val sounds: SoundTrack get() = session.sounds
@@ -92,10 +97,10 @@ class RunPlayer(
     val romCalls: RomCalls get() = RomCalls(front.session.romLog, state.robots[watched].romCalls.toLong())
 
     /** The chart of [lane] for the robot that is [watched], over the whole run that is known. */
-    fun chart(lane: ChartLane): ChartLine = ChartLine(record.chart, watched, lane)
+    fun chart(lane: ChartLane): ChartLine = ChartLine(shown.chart, watched, lane)
 
     /** When the robot that is [watched] makes its ROM calls, over the whole run that is known. */
-    val callLine: RomCallLine get() = RomCallLine(record.calls, watched)
+    val callLine: RomCallLine get() = RomCallLine(shown.calls, watched)
 
     /** A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards. */
     fun frame(nanoseconds: Long) {
@@ -133,6 +138,11 @@ class RunPlayer(
         val target = time.coerceIn(0, length)
         stop = null
         waiting.clear()
+        retelling?.let {
+            retelling = it.copy(time = target)
+            motion = Motion.Seeking(shown.end, Motion.Still)
+            return
+        }
         chooseTake(target)
         motion = Motion.Seeking(target, Motion.Still)
         seekOn(Motion.Seeking(target, Motion.Still), 0)
@@ -141,6 +151,28 @@ class RunPlayer(
     /** Comes to the end of a way to another time at once, however long that takes. */
     fun arriveNow() {
         while (motion is Motion.Seeking) pass(ARRIVING_MILLISECONDS)
+    }
+
+    /**
+     * Tells the run in [language] from now on, also what has happened in it so far: it is made once more in the background, while what was known of it stays to be
+     * seen, and goes on where it was.
+     *
+     * @param loads what the robots were given, telling in that language.
+     */
+    fun speak(language: Language, loads: List<RobotLoad> = setup.loads) {
+        if (language == setup.language) return
+        setup = setup.telling(language, loads)
+        val then = (motion as? Motion.Seeking)?.then ?: motion
+        retelling = Retelling(shown, time)
+        record = RunRecord(setup.world)
+        parked.closeAll()
+        take.close()
+        take = Take(setup, watched)
+        // As it was before anything was done to it.
+        see()
+        arrive()
+        motion = Motion.Seeking(length, then)
+        seekOn(Motion.Seeking(length, then), 0)
     }
 
     /** Does something to the run from outside; on the way to another time, once it is reached. */
@@ -167,6 +199,9 @@ class RunPlayer(
         arrive()
     }
 
+    /** What is shown of the run as a whole. */
+    private val shown: RunRecord get() = retelling?.record ?: record
+
     private val isSmooth: Boolean
         get() = speed.isSlow && (motion is Motion.Playing || motion is Motion.Stepping)
 
@@ -191,6 +226,12 @@ class RunPlayer(
     private fun seekOn(now: Motion.Seeking, milliseconds: Int) {
         go(minOf(milliseconds.toLong(), now.target - take.milliseconds).toInt()) { part -> take.run(part, emptySet()) }
         if (take.milliseconds < now.target) return
+        retelling?.let {
+            retelling = null
+            chooseTake(it.time)
+            motion = now.copy(target = it.time)
+            return seekOn(now.copy(target = it.time), 0)
+        }
         motion = now.then
         pace.rest()
         val come = waiting.toList()
@@ -258,6 +299,9 @@ class RunPlayer(
         record.cutAt(session.state)
         newFutures++
     }
+
+    /** A run of which [record] is known, and which was at [time] when it began to be made once more. */
+    private data class Retelling(val record: RunRecord, val time: Long)
 
     private companion object {
         const val ARRIVING_MILLISECONDS = 1_000

@@ -18,5 +18,8 @@ class RunSetup(
     val physics: PhysicsEngine,
     val language: Language = Language.ENGLISH,
 ) {
+    /** The same told in [language], with [loads] that are the same programs telling in it. */
+    internal fun telling(language: Language, loads: List<RobotLoad>) = RunSetup(world, loads, physics, language)
+
     internal fun begin(): Session = Session(world, loads, physics, language)
 }

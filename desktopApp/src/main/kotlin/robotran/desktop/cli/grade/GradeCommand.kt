@@ -20,11 +20,11 @@ import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 internal class GradeCommand(
     private val console: Console,
 ) : CoreCliktCommand("grade") {
-    private val world by argument("WORLD", help = "a world with goals (.world.json)")
+    private val world by argument("WORLD", help = "a world with goals (.world.json, or a project or link with it)")
     private val programs by argument(
         "PROGRAM",
-        help = "a program, graded by itself: a file in Robolang (.robo) or leJOS Java (.java), a jar, or a folder with the files of one " +
-            "Java program",
+        help = "a program, graded by itself: a file in Robolang (.robo) or leJOS Java (.java), a jar, a folder with the files of one " +
+            "Java program, or a project (.robotran) or link, of which the programs of the first robot count",
     ).multipleArguments(required = true)
     private val seeds by option("--seeds", metavar = "A..B", help = "runs once with each of these seeds; with the world's own if not given")
         .convert { text ->

@@ -27,7 +27,7 @@ private fun XMLStreamWriter.suite(
 ) {
     val grades = (program as? ProgramGrades.Graded)?.grades.orEmpty()
     val figures = listOf(
-        "name" to program.name,
+        "name" to program.shownName,
         "tests" to maxOf(1, grades.size),
         "failures" to grades.count { !it.passed },
         "errors" to if (program is ProgramGrades.Refused) 1 else 0,
@@ -36,7 +36,7 @@ private fun XMLStreamWriter.suite(
     )
     element("testsuite", *figures.toTypedArray()) {
         when (program) {
-            is ProgramGrades.Refused -> case(worldTitle, program.name, 0.0) {
+            is ProgramGrades.Refused -> case(worldTitle, program.shownName, 0.0) {
                 element("error", "message" to program.reasons.first(), "type" to "mistakes") { characters(program.reasons) }
             }
 

@@ -35,12 +35,12 @@ internal class GradeTables(
 
     /** Several programs, a row for each, and for each that failed the first seed that it did with. */
     fun ofClass(programs: List<ProgramGrades>): String {
-        val names = programs.map { nameOf(it.name) }
+        val names = programs.map { nameOf(it.shownName) }
         val areUnique = names.toSet().size == names.size
-        val rows = programs.zip(names) { program, name -> listOf(if (areUnique) name else program.name) + classRow(program) }
+        val rows = programs.zip(names) { program, name -> listOf(if (areUnique) name else program.shownName) + classRow(program) }
         val table = render(messages.programColumns(), rows)
         val failures = programs.filterIsInstance<ProgramGrades.Graded>().mapNotNull { program ->
-            program.grades.firstOrNull { !it.passed }?.let { "${program.name}: ${commandFor(program.name, it.seed)}" }
+            program.grades.firstOrNull { !it.passed }?.let { "${program.shownName}: ${commandFor(program.name, it.seed)}" }
         }
         return (listOf(table) + failures).joinToString("\n")
     }
@@ -53,7 +53,7 @@ internal class GradeTables(
             }
 
             is ProgramGrades.Refused -> {
-                listOf("-", messages.cannotRun())
+                listOf("-", if (program.isReadable) messages.cannotRun() else messages.cannotBeUsed())
             }
         }
 
@@ -71,8 +71,8 @@ internal class GradeTables(
 
     private fun sentence(program: ProgramGrades.Graded): String =
         when (program.passed) {
-            program.grades.size -> messages.meetsAll(program.name, inWords())
-            else -> messages.meetsSome(program.name, program.passed, program.grades.size, inWords())
+            program.grades.size -> messages.meetsAll(program.shownName, inWords())
+            else -> messages.meetsSome(program.shownName, program.passed, program.grades.size, inWords())
         }
 
     private fun failure(

@@ -1,6 +1,7 @@
 package robotran.desktop.cli.grade
 
 import robotran.desktop.files.filesOfProgram
+import robotran.projects.isLink
 import kotlin.io.path.Path
 import kotlin.io.path.name
 
@@ -19,7 +20,7 @@ internal class GradedRun(
         program: String,
         seed: Int,
     ): String {
-        val name = Path(program).toAbsolutePath().normalize().name.substringBeforeLast('.')
+        val name = if (isLink(program)) "link" else Path(program).toAbsolutePath().normalize().name.substringBeforeLast('.')
         val words = listOf("./robotran", "run") + filesOfProgram(program) + listOf("--world", world, "--seed", "$seed") +
             listOf("--for", seconds()) + options + listOf("--picture", "$name-$seed.png")
         return words.joinToString(" ", transform = ::quoted)

@@ -3,16 +3,18 @@ package robotran.desktop.cli.grade
 import kotlinx.coroutines.runBlocking
 import robotran.desktop.ExitCode
 import robotran.desktop.cli.Console
+import robotran.desktop.cli.GivenWorld
 import robotran.desktop.cli.Loading
+import robotran.desktop.cli.ReadHandIn
 import robotran.desktop.cli.WorldChanges
 import robotran.desktop.cli.messages
+import robotran.desktop.cli.readGivenWorld
+import robotran.desktop.cli.readHandIn
 import robotran.desktop.cli.readLoads
-import robotran.desktop.cli.readWorldFile
-import robotran.desktop.files.ProgramFiles
 import robotran.desktop.files.filesOfProgram
-import robotran.desktop.files.readProgramFiles
 import robotran.desktop.files.writeFile
 import robotran.programs.ProgramReader
+import robotran.projects.isLink
 import robotran.ui.workshop.PENBOT_CALIBRATION
 import robotran.world.RobotLoad
 import robotran.world.World
@@ -23,15 +25,17 @@ internal class ProgramGrader(
     private val console: Console,
 ) {
     fun run(request: GradeRequest): ExitCode {
-        val world =
-            readWorldFile(request.world, console)?.let { WorldChanges(realism = request.options.realism).of(it) }
+        val place =
+            readGivenWorld(request.world, console)?.with(WorldChanges(realism = request.options.realism))
                 ?: return ExitCode.BAD_INPUT
+        val world = place.world
         if (world.goals.isEmpty()) {
-            console.complain(console.messages.noGoals(request.world))
+            console.complain(console.messages.noGoals(if (isLink(request.world)) world.title else request.world))
             return ExitCode.BAD_INPUT
         }
         val names = request.programs.distinct()
-        val loadings = names.associateWith { loading(it, world, request) }
+        val shownNames = shownNames(names)
+        val loadings = names.associateWith { loading(it, shownNames.getValue(it), place, request) }
         loadings.values.filterIsInstance<Loading.Refused>().flatMap { it.reasons }.forEach(console::complain)
         if (loadings.values.none { it is Loading.Loaded }) return ExitCode.BAD_INPUT
 
@@ -40,9 +44,10 @@ internal class ProgramGrader(
         val loads = loadings.mapNotNull { (name, loading) -> (loading as? Loading.Loaded)?.let { name to it.loads } }.toMap()
         val grades = grade(world, loads, seeds, milliseconds, request.jobs)
         val programs = loadings.map { (name, loading) ->
+            val shownName = shownNames.getValue(name)
             when (loading) {
-                is Loading.Loaded -> ProgramGrades.Graded(name, grades.getValue(name))
-                is Loading.Refused -> ProgramGrades.Refused(name, loading.reasons)
+                is Loading.Loaded -> ProgramGrades.Graded(name, shownName, grades.getValue(name))
+                is Loading.Refused -> ProgramGrades.Refused(name, shownName, loading.reasons, loading.isReadable)
             }
         }
         val problems = write(world, programs, request)
@@ -57,19 +62,26 @@ internal class ProgramGrader(
         }
     }
 
+    /** What each of [names] is called in tables and sentences: a link is too long for that and gets a number. */
+    private fun shownNames(names: List<String>): Map<String, String> {
+        val links = names.filter(::isLink)
+        return names.associateWith { name -> if (name in links) console.messages.numberedLink(links.indexOf(name) + 1) else name }
+    }
+
     private fun loading(
         name: String,
-        world: World,
+        shownName: String,
+        place: GivenWorld,
         request: GradeRequest,
     ): Loading =
-        when (val files = readProgramFiles(filesOfProgram(name), console.messages)) {
-            is ProgramFiles.Read -> {
+        when (val read = readHandIn(filesOfProgram(name), console, shownName)) {
+            is ReadHandIn.Read -> {
                 val reader = ProgramReader(PENBOT_CALIBRATION, request.options.java, console.language)
-                readLoads(world, reader, files.programs, request.options.robots)
+                readLoads(place, reader, read.handIn, request.options.robots)
             }
 
-            is ProgramFiles.Refused -> {
-                Loading.Refused(listOf(files.reason))
+            is ReadHandIn.Refused -> {
+                Loading.Refused(listOf(read.reason), isReadable = false)
             }
         }
 

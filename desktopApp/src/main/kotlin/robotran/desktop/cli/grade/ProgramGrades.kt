@@ -7,23 +7,28 @@ import robotran.world.grade.Grade
 /**
  * What came of one program.
  *
- * @property name its file as it was named.
+ * @property name its file or link as it was named.
+ * @property shownName the same for a person to read.
  */
 internal sealed interface ProgramGrades {
     val name: String
+    val shownName: String
 
     /** @property grades one for each seed, in their order; never empty. */
     data class Graded(
         override val name: String,
+        override val shownName: String,
         val grades: List<Grade>,
     ) : ProgramGrades {
         val passed: Int get() = grades.count { it.passed }
     }
 
-    /** It cannot run; each of [reasons] is a line for a person. */
+    /** It cannot run; each of [reasons] is a line for a person. If it is readable, it has mistakes. */
     data class Refused(
         override val name: String,
+        override val shownName: String,
         val reasons: List<String>,
+        val isReadable: Boolean,
     ) : ProgramGrades
 }
 

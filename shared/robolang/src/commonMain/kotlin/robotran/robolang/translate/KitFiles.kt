@@ -22,12 +22,52 @@ fun kitFiles(
     source: String,
 ): List<KitFile> {
     val className = translation.className
+    val scripts = KitScripts(className, className, listOf(translation.fileName))
     return listOf(
         KitFile("$className/${translation.fileName}", translation.java),
         KitFile("$className/$sourceName", source),
         KitFile("$className/README.txt", KitTexts.readme(className, sourceName)),
-        KitFile("$className/build.xml", KitTexts.antFile(className)),
-        KitFile("$className/download.sh", KitTexts.shellScript(className), isExecutable = true),
-        KitFile("$className/download.bat", KitTexts.batchFile(className).replace("\n", "\r\n")),
-    )
+    ) + filesOf(scripts, className)
 }
+
+/**
+ * The same for a program that its pupil has written in Java: its sources, the page, the build file and the scripts.
+ *
+ * @param mainClass the class that it begins with, with slashes after the parts of its package.
+ * @param sources its files by their names, with or without folders, which the kit does without.
+ */
+fun javaKitFiles(
+    mainClass: String,
+    sources: List<KitFile>,
+): List<KitFile> {
+    val className = mainClass.substringAfterLast('/')
+    val names = mutableListOf<String>()
+    for (source in sources) names += uniqueName(plainName(source.path), names)
+    val scripts = KitScripts(className, mainClass.replace('/', '.'), names)
+    val files = names.zip(sources) { name, source -> KitFile("$className/$name", source.text) }
+    return files + KitFile("$className/README.txt", KitTexts.javaReadme(className)) + filesOf(scripts, className)
+}
+
+private fun filesOf(
+    scripts: KitScripts,
+    className: String,
+): List<KitFile> =
+    listOf(
+        KitFile("$className/build.xml", scripts.antFile()),
+        KitFile("$className/download.sh", scripts.shellScript(), isExecutable = true),
+        KitFile("$className/download.bat", scripts.batchFile().replace("\n", "\r\n")),
+    )
+
+/** The name of a source with nothing in it that a shell takes for something else; that of a public class has nothing such anyway. */
+private fun plainName(path: String): String {
+    val name = path.substringAfterLast('/').substringAfterLast('\\').removeSuffix(JAVA)
+    return name.map { if (it.isLetterOrDigit() || it == '_' || it == '$') it else '_' }.joinToString("").ifEmpty { "_" } + JAVA
+}
+
+private fun uniqueName(
+    name: String,
+    others: List<String>,
+): String =
+    (listOf(name) + (2..others.size + 1).map { name.removeSuffix(JAVA) + "_$it" + JAVA }).first { it !in others }
+
+private const val JAVA = ".java"

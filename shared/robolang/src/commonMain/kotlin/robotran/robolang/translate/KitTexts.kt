@@ -47,58 +47,31 @@ internal object KitTexts {
         with an f behind it, such as 62.5f, save the file and download again.
         """.trimIndent() + "\n"
 
-    fun antFile(className: String): String =
+    /** The page of a program that its pupil has written in Java. */
+    fun javaReadme(className: String): String =
         """
-        <?xml version="1.0" encoding="UTF-8"?>
-        <project name="$className" default="download" basedir=".">
-            <property environment="env"/>
-            <property name="lejos.bin" location="${'$'}{env.LEJOS_HOME}/bin"/>
-            <condition property="ending" value=".bat" else="">
-                <os family="windows"/>
-            </condition>
+        $className FOR A REAL ROBOT
 
-            <target name="compile" description="compiles the program for the brick">
-                <exec executable="${'$'}{lejos.bin}/lejosc${'$'}{ending}" failonerror="true">
-                    <arg line="-encoding UTF-8"/>
-                    <arg value="$className.java"/>
-                </exec>
-            </target>
+        $className.java is where your Java program begins. It runs on a LEGO Mindstorms RCX with leJOS
+        2.1 or 3.0. Plug motors and sensors in where it wants them: the robot of Robotran has its left
+        wheel on motor A, the right wheel on C, the pen on B, bumpers on 1 (left) and 3 (right) and the
+        light sensor on 2.
 
-            <target name="link" depends="compile" description="puts it together with the classes it uses">
-                <exec executable="${'$'}{lejos.bin}/lejoslink${'$'}{ending}" failonerror="true">
-                    <arg line="-o $className.bin"/>
-                    <arg value="$className"/>
-                </exec>
-            </target>
+        WHAT YOU NEED, ONCE
+        1. Install a JDK that leJOS can use, 1.4 to 8, and leJOS itself.
+        2. Set LEJOS_HOME to the folder of leJOS and RCXTTY to the infrared tower: usb or COM1.
+        3. Put the robot before the tower, about 10 cm away, and switch it on.
+        4. Put the firmware of leJOS on the brick: lejosfirmdl
 
-            <target name="download" depends="link" description="sends it to the brick">
-                <exec executable="${'$'}{lejos.bin}/lejosdl${'$'}{ending}" failonerror="true">
-                    <arg value="$className.bin"/>
-                </exec>
-            </target>
-        </project>
-        """.trimIndent() + "\n"
+        EACH TIME
+        Switch the robot on and type one of these in this folder:
+            ant                 (with Ant)
+            ./download.sh       (Linux, macOS)
+            download.bat        (Windows)
+        Then press Run on the brick. Hold Run and press On-Off to stop a program that does not end.
 
-    fun shellScript(className: String): String =
-        """
-        #!/bin/sh
-        # Compiles $className for the brick and sends it there.
-        set -e
-        cd "${'$'}(dirname "${'$'}0")"
-        PATH="${'$'}{LEJOS_HOME:+${'$'}LEJOS_HOME/bin:}${'$'}PATH"
-        lejosc -encoding UTF-8 $className.java
-        lejoslink -o $className.bin $className
-        lejosdl $className.bin
-        """.trimIndent() + "\n"
-
-    fun batchFile(className: String): String =
-        """
-        @echo off
-        rem Compiles $className for the brick and sends it there.
-        cd /d "%~dp0"
-        if not "%LEJOS_HOME%"=="" set PATH=%LEJOS_HOME%\bin;%PATH%
-        call lejosc -encoding UTF-8 $className.java || exit /b 1
-        call lejoslink -o $className.bin $className || exit /b 1
-        call lejosdl $className.bin
+        IF IT DRIVES FARTHER OR LESS FAR THAN IN ROBOTRAN
+        No two robots are quite alike, and a fresh battery makes them faster. Measure how far yours
+        goes, and change the times in your program by the same share.
         """.trimIndent() + "\n"
 }

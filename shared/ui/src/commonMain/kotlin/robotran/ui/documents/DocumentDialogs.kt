@@ -38,6 +38,7 @@ internal fun DocumentDialogs(state: DocumentState, onEvent: (DocumentEvent) -> U
         is DocumentDialog.Renaming -> RenameDialog(dialog, onEvent)
         is DocumentDialog.Works -> WorksDialog(dialog, onEvent)
         is DocumentDialog.SharingLink -> ShareLinkDialog(dialog, state.hasShareSheet, onEvent)
+        DocumentDialog.SharingFile -> ShareFileDialog(onEvent)
         is DocumentDialog.PastingLink -> PasteLinkDialog(dialog, onEvent)
         is DocumentDialog.ChangedMeanwhile -> ChangedMeanwhileDialog(dialog, onEvent)
         DocumentDialog.WouldBeLost -> WouldBeLostDialog(onEvent)

@@ -16,12 +16,15 @@ import robotran.ui.resources.documents_close
 import robotran.ui.resources.documents_copied
 import robotran.ui.resources.documents_copy
 import robotran.ui.resources.documents_link_label
+import robotran.ui.resources.documents_save_as
 import robotran.ui.resources.documents_share_elsewhere
-import robotran.ui.resources.documents_share_fragment
+import robotran.ui.resources.documents_share_file_title
 import robotran.ui.resources.documents_share_help
 import robotran.ui.resources.documents_share_length
 import robotran.ui.resources.documents_share_long
 import robotran.ui.resources.documents_share_making
+import robotran.ui.resources.documents_share_no_site
+import robotran.ui.resources.documents_share_site
 import robotran.ui.resources.documents_share_title
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.DocumentDialog
@@ -53,11 +56,25 @@ internal fun ShareLinkDialog(dialog: DocumentDialog.SharingLink, hasShareSheet: 
     }
 }
 
+/** Offers the file, where nobody knows what a link would lead to, and the way to where that is said. */
+@Composable
+internal fun ShareFileDialog(onEvent: (DocumentEvent) -> Unit) {
+    val close = { onEvent(DocumentEvent.DialogClosed) }
+    DialogFrame(
+        stringResource(Res.string.documents_share_file_title),
+        close,
+        buttons = {
+            OtherButton(stringResource(Res.string.documents_close), "document-cancel", close)
+            OtherButton(stringResource(Res.string.documents_share_site), "share-site") { onEvent(DocumentEvent.SiteWanted) }
+            MainButton(stringResource(Res.string.documents_save_as), "share-save-as") { onEvent(DocumentEvent.SaveAsWanted) }
+        },
+    ) { Explanation(stringResource(Res.string.documents_share_no_site)) }
+}
+
 @Composable
 private fun LinkItself(link: String) {
     val colours = LocalRobotranColours.current
     Explanation(stringResource(Res.string.documents_share_help))
-    if (link.startsWith('#')) Explanation(stringResource(Res.string.documents_share_fragment))
     OutlinedTextField(
         link,
         onValueChange = {},

@@ -97,7 +97,12 @@ private fun valueText(line: ChartLine, time: Long): String {
     return if (least == greatest) signed(line, least) else "${signed(line, least)}–${signed(line, greatest)}"
 }
 
-private fun signed(line: ChartLine, value: Int) = if (line.lane.isMotor && value > 0) "+$value" else "$value"
+/** Of a motor the power that programs, the ROM and the brick's ports count from 0 to 7, with a sign for the direction; 0 without one if it is not driven. */
+private fun signed(line: ChartLine, value: Int) = when {
+    !line.lane.isMotor || value == 0 -> "$value"
+    value > 0 -> "+${value - 1}"
+    else -> "-${-value - 1}"
+}
 
 private fun DrawScope.drawLane(line: ChartLine, window: ChartWindow, at: Long, now: Long, colours: RobotranColours) {
     val range = rangeOf(line)

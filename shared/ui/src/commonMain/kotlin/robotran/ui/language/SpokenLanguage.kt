@@ -5,6 +5,8 @@ import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.key
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.staticCompositionLocalOf
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
 import robotran.language.Language
 
 /**
@@ -16,6 +18,13 @@ import robotran.language.Language
 internal fun InLanguage(language: Language?, content: @Composable () -> Unit) {
     remember(language) { speak(language?.tag) }
     CompositionLocalProvider(LocalLanguage provides spokenLanguage(language)) { key(language) { content() } }
+}
+
+/** [words] in [language], where there is nothing around to be said in it too, as over a window. */
+@Composable
+internal fun textIn(language: Language?, words: StringResource): String {
+    remember(language) { speak(language?.tag) }
+    return key(language) { stringResource(words) }
 }
 
 /** What is spoken here, for sentences that are no resources. */

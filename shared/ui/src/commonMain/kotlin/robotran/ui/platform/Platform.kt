@@ -30,7 +30,10 @@ interface Platform {
     /** What this window knows of itself after it was loaded anew. */
     val window: WindowMemory get() = NoWindowMemory
 
-    /** The address of the page this runs in, without a fragment; empty where there is none. */
+    /**
+     * The address of the page this runs in or belongs to, without a fragment; empty where there is none, so that people are asked for
+     * [Settings.site][robotran.ui.workshop.Settings.site].
+     */
     val pageAddress: String get() = ""
 
     /** Where long work is done, away from the thread of the screen where there is another. */
@@ -46,4 +49,5 @@ class MemoryPlatform(
     override val clock: WallClock = StandingClock(),
     override val arrivals: Arrivals = Arrivals(),
     override val window: WindowMemory = NoWindowMemory,
+    override val pageAddress: String = "",
 ) : Platform

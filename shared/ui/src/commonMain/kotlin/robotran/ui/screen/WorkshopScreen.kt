@@ -52,7 +52,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             }
         }
         LearningPages(state.learning, onEvent)
-        if (state.settingsShown) SettingsPage(state.settings, onEvent)
+        if (state.settingsShown) SettingsPage(state.settings, state.siteWanted, asksForSite = !state.hasPage, onEvent)
         DocumentDialogs(state.document, onEvent)
     }
 }

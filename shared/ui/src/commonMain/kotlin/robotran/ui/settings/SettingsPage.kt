@@ -33,7 +33,7 @@ import kotlin.math.roundToInt
 
 /** How the app is to look and sound on this machine. What is chosen is seen at once. */
 @Composable
-internal fun SettingsPage(settings: Settings, onEvent: (SettingsEvent) -> Unit) {
+internal fun SettingsPage(settings: Settings, siteWanted: Boolean, asksForSite: Boolean, onEvent: (SettingsEvent) -> Unit) {
     val change = { changed: Settings -> onEvent(SettingsEvent.SettingsChanged(changed)) }
     Page(stringResource(Res.string.settings_title), "settings", { onEvent(SettingsEvent.SettingsShown(false)) }) {
         Column(Modifier.verticalScroll(rememberScrollState()).padding(24.dp), Arrangement.spacedBy(28.dp)) {
@@ -69,6 +69,7 @@ internal fun SettingsPage(settings: Settings, onEvent: (SettingsEvent) -> Unit) 
             SwitchRow(stringResource(Res.string.settings_less_motion), settings.lessMotion, "less-motion") {
                 change(settings.copy(lessMotion = it))
             }
+            if (asksForSite) SiteField(settings.site, siteWanted) { change(settings.copy(site = it)) }
         }
     }
 }

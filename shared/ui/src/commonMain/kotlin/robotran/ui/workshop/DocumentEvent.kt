@@ -45,6 +45,9 @@ sealed interface DocumentEvent : WorkshopEvent {
     /** A link to all there is is wanted. */
     data object LinkWanted : DocumentEvent
 
+    /** The address that links begin with is to be chosen. */
+    data object SiteWanted : DocumentEvent
+
     data object LinkCopied : DocumentEvent
 
     data object LinkShared : DocumentEvent

@@ -1,15 +1,20 @@
 package robotran.ui.workshop
 
+import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.withContext
 import org.jetbrains.compose.resources.StringResource
 import robotran.documents.ZipEntry
 import robotran.documents.fileNameFor
 import robotran.documents.projectFile
 import robotran.documents.zipOf
+import robotran.programs.ProgramReader
+import robotran.programs.ProgramResult
 import robotran.projects.LinkMaking
 import robotran.projects.linkOf
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
+import robotran.robolang.translate.KitFile
+import robotran.robolang.translate.javaKitFiles
 import robotran.robolang.translate.kitFiles
 import robotran.robolang.translate.translateRobolang
 import robotran.ui.platform.FileKind
@@ -20,6 +25,7 @@ import robotran.ui.resources.documents_not_copied
 import robotran.ui.resources.documents_replay_empty
 import robotran.ui.resources.documents_saved
 import robotran.ui.resources.documents_too_long
+import robotran.ui.resources.status_no_compiler
 import robotran.ui.sheet.worldPicturePng
 import robotran.ui.sheet.worldPictureSvg
 
@@ -29,12 +35,15 @@ internal class DocumentExports(
     private val keeper: DocumentKeeper,
     private val show: (DocumentDialog?) -> Unit,
 ) {
+    /** A link without the address of a page leads nowhere, so where there is none, it is the file that is shared. */
     suspend fun makeLink() {
+        val address = bench.platform.pageAddress.ifEmpty { bench.settings.site }
+        if (address.isEmpty()) return show(DocumentDialog.SharingFile)
         show(DocumentDialog.SharingLink())
         val making = withContext(bench.platform.background) { linkOf(bench.project, bench.language) }
         show(
             when (making) {
-                is LinkMaking.Made -> DocumentDialog.SharingLink(link = bench.platform.pageAddress + making.fragment)
+                is LinkMaking.Made -> DocumentDialog.SharingLink(link = address + making.fragment)
                 is LinkMaking.TooLong -> DocumentDialog.SharingLink(tooLong = making.message)
             },
         )
@@ -82,10 +91,9 @@ internal class DocumentExports(
         }
     }
 
-    /** A program in Java is its own kit. */
     suspend fun saveKit() {
         val program = bench.shownProgram
-        if (program.language == ProgramLanguage.JAVA) return saveProgram()
+        if (program.language == ProgramLanguage.JAVA) return saveJavaKit(program)
         val text = program.files.single().text
         when (val result = readRobolang(program.name, text, PENBOT_CALIBRATION)) {
             is RobolangResult.Mistaken -> {
@@ -93,11 +101,34 @@ internal class DocumentExports(
             }
 
             is RobolangResult.Ready -> {
-                val files = kitFiles(translateRobolang(result.program), program.name, text)
-                save(program.name, FileKind.ZIP, zipOf(files.map { ZipEntry(it.path, it.text.encodeToByteArray(), it.isExecutable) }))
+                saveKit(program, kitFiles(translateRobolang(result.program), program.name, text))
             }
         }
     }
+
+    private suspend fun saveJavaKit(program: PupilProgram) {
+        val source = program.source()
+        val reader = ProgramReader(PENBOT_CALIBRATION, language = bench.language)
+        val result = try {
+            withContext(bench.platform.background) { reader.read(source) }
+        } catch (cancelled: CancellationException) {
+            throw cancelled
+        } catch (_: Throwable) {
+            return bench.say(Notice(Res.string.status_no_compiler, bad = true))
+        }
+        when (result) {
+            is ProgramResult.Mistaken -> {
+                say(Res.string.documents_kit_mistake, result.mistakes.first().range?.line ?: 1)
+            }
+
+            is ProgramResult.Ready -> {
+                saveKit(program, javaKitFiles(checkNotNull(result.mainClass), program.files.map { KitFile(it.name, it.text) }))
+            }
+        }
+    }
+
+    private suspend fun saveKit(program: PupilProgram, files: List<KitFile>) =
+        save(program.name, FileKind.ZIP, zipOf(files.map { ZipEntry(it.path, it.text.encodeToByteArray(), it.isExecutable) }))
 
     private suspend fun save(name: String, kind: FileKind, bytes: ByteArray) {
         when (val saving = bench.platform.files.save(fileNameFor(name, kind), kind, bytes)) {

@@ -47,6 +47,7 @@ class DocumentHolder(private val bench: Bench) {
             DocumentEvent.RenameWanted -> show(DocumentDialog.Renaming(keeper.name))
             is DocumentEvent.Renamed -> rename(event.name)
             DocumentEvent.LinkWanted -> launch { exports.makeLink() }
+            DocumentEvent.SiteWanted -> chooseSite()
             DocumentEvent.LinkCopied -> launch { exports.copyLink(state.dialog) }
             DocumentEvent.LinkShared -> launch { exports.shareLink(state.dialog) }
             DocumentEvent.LinkPastingWanted -> show(DocumentDialog.PastingLink())
@@ -246,6 +247,11 @@ class DocumentHolder(private val bench: Bench) {
 
             else -> Unit
         }
+    }
+
+    private fun chooseSite() {
+        closeDialog()
+        bench.perform(SettingsEvent.SiteWanted)
     }
 
     private fun closeDialog() {

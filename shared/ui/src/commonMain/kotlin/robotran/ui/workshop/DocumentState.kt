@@ -56,6 +56,9 @@ sealed interface DocumentDialog {
      */
     data class SharingLink(val link: String? = null, val tooLong: String? = null, val copied: Boolean = false) : DocumentDialog
 
+    /** There is no link, since nobody knows where it would lead to; there is the file. */
+    data object SharingFile : DocumentDialog
+
     /** @property trouble why the link that was pasted cannot be used. */
     data class PastingLink(val trouble: String? = null) : DocumentDialog
 

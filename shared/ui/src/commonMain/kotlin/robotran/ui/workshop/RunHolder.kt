@@ -3,6 +3,7 @@ package robotran.ui.workshop
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import robotran.language.Language
 import robotran.rom.BrickButton
 import robotran.rom.RunState
 import robotran.rom.StepKind
@@ -121,6 +122,13 @@ class RunHolder(
         this.recording = recording
         beginAfresh(programs.slotsBeginning(programs.slotToRun), world)
         state = state.copy(untouched = true, hasRecording = recording.isNotEmpty(), settings = bench.project.settings)
+        rest.disturb()
+        show()
+    }
+
+    /** Tells the run in [language], also what has happened in it so far. */
+    fun speak(language: Language) {
+        run.speak(language)
         rest.disturb()
         show()
     }

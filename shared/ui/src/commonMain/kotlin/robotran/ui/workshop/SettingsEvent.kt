@@ -10,4 +10,7 @@ sealed interface SettingsEvent : WorkshopEvent {
 
     /** The page with the settings is to be shown or not. */
     data class SettingsShown(val shown: Boolean) : SettingsEvent
+
+    /** The page with the settings is to be shown where the address of the site is chosen. */
+    data object SiteWanted : SettingsEvent
 }

@@ -5,6 +5,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
+import robotran.projects.siteAddress
 import robotran.ui.platform.WorkStore
 
 /** Keeps the [Settings] of this machine. */
@@ -16,18 +17,28 @@ class SettingsHolder(private val bench: Bench, first: Settings) {
     var shown: Boolean by mutableStateOf(false)
         private set
 
+    /** Whether that page is to begin with [Settings.site]. */
+    var siteWanted: Boolean by mutableStateOf(false)
+        private set
+
     private val writes = WritesInOrder(bench)
 
     fun handle(event: SettingsEvent) {
         when (event) {
             is SettingsEvent.SettingsChanged -> change(event.settings)
             is SettingsEvent.SoundSwitched -> change(state.copy(soundOn = event.on))
-            is SettingsEvent.SettingsShown -> shown = event.shown
+            is SettingsEvent.SettingsShown -> show(event.shown, atSite = false)
+            SettingsEvent.SiteWanted -> show(true, atSite = true)
         }
     }
 
     /** Waits until what was changed is kept. */
     suspend fun keepNow() = writes.finish()
+
+    private fun show(page: Boolean, atSite: Boolean) {
+        shown = page
+        siteWanted = atSite
+    }
 
     private fun change(settings: Settings) {
         if (settings == state) return
@@ -51,6 +62,7 @@ class SettingsHolder(private val bench: Bench, first: Settings) {
             }
         }
 
-        private fun Settings.within() = copy(textScale = textScale.coerceIn(1f, 2f), codeSize = codeSize.coerceIn(10f, 40f))
+        private fun Settings.within() =
+            copy(textScale = textScale.coerceIn(1f, 2f), codeSize = codeSize.coerceIn(10f, 40f), site = siteAddress(site).orEmpty())
     }
 }

@@ -1,5 +1,6 @@
 package robotran.ui.workshop
 
+import robotran.language.Language
 import robotran.running.Motion
 import robotran.running.RunPlayer
 import robotran.running.RunSetup
@@ -34,6 +35,8 @@ internal class WatchedRun(
     var firstSlots = programs.slotsBeginning(programs.slotToRun)
         private set
 
+    private lateinit var setup: RunSetup
+
     var player = newPlayer(emptyList())
         private set
 
@@ -62,6 +65,16 @@ internal class WatchedRun(
             it.speed = before.speed
             if (before.watched in world.robots.indices) it.watched = before.watched
         }
+    }
+
+    /** Tells the run in [language], by programs that were read in it as far as they are the ones that run. */
+    fun speak(language: Language) {
+        val now = if (isChanged) setup.loads else programs.loads(world, firstSlots)
+        val loads = setup.loads.zip(now) { loaded, read ->
+            loaded.copy(programs = loaded.programs.mapIndexed { slot, program -> read.programs.getOrNull(slot) ?: program })
+        }
+        setup = RunSetup(world, loads, physics, language)
+        player.speak(language, loads)
     }
 
     /** Looks into another [robot] of the world, whose brick is heard from now on. */
@@ -108,8 +121,10 @@ internal class WatchedRun(
         player.close()
     }
 
-    private fun newPlayer(inputs: List<RecordedInput>) =
-        RunPlayer(RunSetup(world, programs.loads(world, firstSlots), physics, bench.language), inputs)
+    private fun newPlayer(inputs: List<RecordedInput>): RunPlayer {
+        setup = RunSetup(world, programs.loads(world, firstSlots), physics, bench.language)
+        return RunPlayer(setup, inputs)
+    }
 
     private fun breakpoints(): Set<Breakpoint> =
         programs.breakpoints(world.robots[player.watched].name, player.state.robots[player.watched].brick.selectedSlot)

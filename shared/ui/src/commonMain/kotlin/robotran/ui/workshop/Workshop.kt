@@ -58,6 +58,8 @@ class Workshop(
             taskShown = taskShown,
             notice = notice,
             settingsShown = settingsHolder.shown,
+            siteWanted = settingsHolder.siteWanted,
+            hasPage = platform.pageAddress.isNotEmpty(),
         )
 
     override val project: Project get() = opened.copy(robots = programs.projectRobots(opened.world), inputs = emptyList())
@@ -246,6 +248,7 @@ class Workshop(
         if (language == before) return
         programs.speak(language)
         run.programsRead(programs.state.reading)
+        run.speak(language)
     }
 
     private fun programsRead(reading: ProgramReading) = run.programsRead(reading)

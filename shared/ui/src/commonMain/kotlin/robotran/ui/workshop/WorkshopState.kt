@@ -18,6 +18,8 @@ import robotran.world.World
  * @property taskShown whether what is to be done in the world is to be seen over the sheet.
  * @property notice what the app has to say, null if nothing.
  * @property settingsShown whether the page with the settings is shown.
+ * @property siteWanted whether that page is to begin with the address of the site.
+ * @property hasPage whether the app knows by itself where links lead to.
  */
 @Immutable
 data class WorkshopState(
@@ -32,6 +34,8 @@ data class WorkshopState(
     val taskShown: Boolean = false,
     val notice: Notice? = null,
     val settingsShown: Boolean = false,
+    val siteWanted: Boolean = false,
+    val hasPage: Boolean = false,
 ) {
     val program: PupilProgram get() = programs.program
     val file: ProgramFile get() = programs.file

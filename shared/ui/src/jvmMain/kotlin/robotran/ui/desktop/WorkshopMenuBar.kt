@@ -11,6 +11,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.rom.StepKind
 import robotran.ui.language.InLanguage
+import robotran.ui.language.textIn
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_close_window
 import robotran.ui.resources.documents_edit_world
@@ -33,6 +34,7 @@ import robotran.ui.resources.documents_replay
 import robotran.ui.resources.documents_run_now
 import robotran.ui.resources.documents_save
 import robotran.ui.resources.documents_save_as
+import robotran.ui.resources.documents_select_all
 import robotran.ui.resources.documents_settings
 import robotran.ui.resources.documents_share
 import robotran.ui.resources.documents_stop_now
@@ -40,8 +42,11 @@ import robotran.ui.resources.documents_tutorial
 import robotran.ui.resources.documents_undo
 import robotran.ui.resources.documents_untitled
 import robotran.ui.resources.documents_worlds
+import robotran.ui.resources.editor_copy
+import robotran.ui.resources.editor_cut
 import robotran.ui.resources.editor_find
 import robotran.ui.resources.editor_format
+import robotran.ui.resources.editor_paste
 import robotran.ui.resources.learning_help
 import robotran.ui.resources.run_go_on
 import robotran.ui.resources.run_pause
@@ -62,6 +67,8 @@ import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorldEditEvent
 import robotran.worldediting.Edit
+import java.awt.event.KeyEvent
+import javax.swing.JFrame
 
 /** The platform's menu over a window with the workshop [state], in the language of the app. */
 @Composable
@@ -71,12 +78,15 @@ fun FrameWindowScope.WorkshopMenuBar(
     openAnother: () -> Unit,
     close: () -> Unit,
 ) {
-    // A window that is on the screen already does not make room for its menu by itself.
-    LaunchedEffect(window) { window.rootPane.revalidate() }
     InLanguage(state.settings.language) {
+        // A window that is on the screen already neither makes room for its menu by itself nor draws another that takes its place.
+        LaunchedEffect(window) {
+            window.rootPane.revalidate()
+            window.rootPane.repaint()
+        }
         MenuBar {
             Menu(stringResource(Res.string.documents_menu_file)) { FileItems(onEvent, openAnother, close) }
-            Menu(stringResource(Res.string.documents_menu_edit)) { EditItems(state, onEvent) }
+            Menu(stringResource(Res.string.documents_menu_edit)) { EditItems(state, window, onEvent) }
             Menu(stringResource(Res.string.documents_menu_run)) { RunItems(state, onEvent) }
             Menu(stringResource(Res.string.documents_menu_view)) {
                 Choice(Res.string.documents_edit_world, enabled = state.worldEdit == null) { onEvent(WorldEditEvent.EditorOpened) }
@@ -98,8 +108,9 @@ fun FrameWindowScope.WorkshopMenuBar(
 /** What stands over the window: the work's name, with a dot as long as not all of it is in its file. */
 @Composable
 fun windowTitle(workshop: Workshop?): String {
-    val document = workshop?.state?.document ?: return APP
-    val name = document.name.ifEmpty { stringResource(Res.string.documents_untitled) }
+    val state = workshop?.state ?: return APP
+    val document = state.document
+    val name = document.name.ifEmpty { textIn(state.settings.language, Res.string.documents_untitled) }
     val dot = if (document.fileName != null && !document.saved) "● " else ""
     return "$dot$name – $APP"
 }
@@ -127,7 +138,7 @@ private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: (
 
 /** What is edited is the world while its editor is open, otherwise the program. */
 @Composable
-private fun MenuScope.EditItems(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+private fun MenuScope.EditItems(state: WorkshopState, window: JFrame, onEvent: (WorkshopEvent) -> Unit) {
     val isProgram = state.worldEdit == null
     Choice(Res.string.documents_undo, control(Key.Z)) {
         onEvent(if (isProgram) ProgramEvent.Undone else WorldEditEvent.Edited(Edit.Undo))
@@ -135,6 +146,11 @@ private fun MenuScope.EditItems(state: WorkshopState, onEvent: (WorkshopEvent) -
     Choice(Res.string.documents_redo, control(Key.Z, shift = true)) {
         onEvent(if (isProgram) ProgramEvent.Redone else WorldEditEvent.Edited(Edit.Redo))
     }
+    Separator()
+    Choice(Res.string.editor_cut, control(Key.X)) { pressShortcut(window, KeyEvent.VK_X) }
+    Choice(Res.string.editor_copy, control(Key.C)) { pressShortcut(window, KeyEvent.VK_C) }
+    Choice(Res.string.editor_paste, control(Key.V)) { pressShortcut(window, KeyEvent.VK_V) }
+    Choice(Res.string.documents_select_all, control(Key.A)) { pressShortcut(window, KeyEvent.VK_A) }
     Separator()
     Choice(Res.string.editor_find, control(Key.F), isProgram) { onEvent(ProgramEvent.FindingWanted) }
     Choice(Res.string.editor_format, control(Key.F, shift = true), isProgram) { onEvent(ProgramEvent.Formatted) }

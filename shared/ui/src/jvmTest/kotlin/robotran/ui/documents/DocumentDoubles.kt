@@ -79,12 +79,15 @@ internal class Machine {
     val clipboard = RememberingClipboard()
     val clock = StandingClock(now = 1_000_000)
 
+    /** Where links lead to, as far as the app knows by itself. */
+    var page = "https://school.example/robotran/"
+
     fun window(vararg arrivals: Arrival): Workshop = tab(NoWindowMemory, *arrivals)
 
     /** A tab of a browser, which remembers by [memory]. */
     fun tab(memory: WindowMemory, vararg arrivals: Arrival): Workshop {
         val waiting = Arrivals().also { arrivals.forEach(it::bring) }
-        return runBlocking { openWorkshop(platform = MemoryPlatform(NoLoudSpeaker, store, files, clipboard, clock, waiting, memory)) }
+        return runBlocking { openWorkshop(platform = MemoryPlatform(NoLoudSpeaker, store, files, clipboard, clock, waiting, memory, page)) }
     }
 }
 

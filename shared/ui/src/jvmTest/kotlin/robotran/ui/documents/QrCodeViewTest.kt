@@ -19,6 +19,7 @@ import robotran.ui.screen.pass
 import robotran.ui.workshop.DocumentDialog
 import robotran.ui.workshop.DocumentEvent
 import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.Workshop
 import kotlin.random.Random
 import kotlin.test.Test
@@ -43,6 +44,7 @@ class QrCodeViewTest {
     fun `a link that is too long for a camera says so`() = onPhone { workshop ->
         val random = Random(7)
         val noise = (1..300).joinToString("\n") { "// ${random.nextLong().toString(36)}" }
+        workshop.handle(SettingsEvent.SettingsChanged(workshop.state.settings.copy(site = "https://school.example/")))
         workshop.handle(ProgramEvent.ProgramEdited(noise))
         workshop.handle(DocumentEvent.LinkWanted)
         pass(200)

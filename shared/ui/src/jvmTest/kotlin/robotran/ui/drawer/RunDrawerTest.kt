@@ -130,7 +130,7 @@ class RunDrawerTest {
         pass(300)
         assertEquals(setOf(ChartLane.SENSOR_1, ChartLane.SENSOR_2, ChartLane.SENSOR_3), workshop.state.run.drawer.chart.hidden)
         assertEquals(0, onAllNodesWithTag("chart-sensor_1", useUnmergedTree = true).fetchSemanticsNodes().size)
-        onNodeWithTag("value-motor_a", useUnmergedTree = true).assertTextContains("+4")
+        onNodeWithTag("value-motor_a", useUnmergedTree = true).assertTextContains("+3")
         onNodeWithTag("chart-finer").performClick()
         pass(200)
         onNodeWithTag("chart-motor_a", useUnmergedTree = true).assertIsDisplayed()

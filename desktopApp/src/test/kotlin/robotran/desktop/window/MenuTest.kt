@@ -1,0 +1,51 @@
+package robotran.desktop.window
+
+import java.io.File
+import java.util.concurrent.TimeUnit
+import kotlin.test.AfterTest
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** The menu over the window, in a window: on the display that there is, or on one of Xvfb. */
+class MenuTest {
+    private var display: Process? = null
+
+    @AfterTest
+    fun closeDisplay() {
+        display?.destroy()
+    }
+
+    @Test
+    fun `the menu speaks the language that is chosen at once, and cuts, copies and pastes where the focus is`() {
+        // Without a display and without Xvfb there is no window to look at.
+        val name = System.getenv("DISPLAY") ?: openDisplay() ?: return
+        val java = File(System.getProperty("java.home"), "bin/java").path
+        val builder = ProcessBuilder(java, "-cp", System.getProperty("java.class.path"), "robotran.desktop.window.MenuProbeKt")
+        builder.environment()["DISPLAY"] = name
+        val probe = builder.redirectError(ProcessBuilder.Redirect.DISCARD).start()
+        val said = probe.inputStream.bufferedReader().readLines()
+        assertTrue(probe.waitFor(30, TimeUnit.SECONDS), "$said")
+        val expected = listOf(
+            "ENGLISH: [File, Edit, Run, View, Help]",
+            "GERMAN: [Datei, Bearbeiten, Lauf, Ansicht, Hilfe]",
+            "SPANISH: [Archivo, Editar, Ejecutar, Ver, Ayuda]",
+            "ENGLISH: [File, Edit, Run, View, Help]",
+            "A: pen down",
+            "C: pen down",
+            "X: ",
+            "V: pen down",
+            "V: pen downpen down",
+        )
+        assertEquals(expected, said)
+    }
+
+    /** The name of a display that nobody sees; null if there is no Xvfb. */
+    private fun openDisplay(): String? {
+        val started = runCatching {
+            ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1000x700x24").redirectError(ProcessBuilder.Redirect.DISCARD).start()
+        }.getOrNull() ?: return null
+        display = started
+        return started.inputStream.bufferedReader().readLine()?.let { ":$it" }
+    }
+}

@@ -1,0 +1,61 @@
+package robotran.ui.settings
+
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.input.KeyboardType
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.projects.siteAddress
+import robotran.ui.documents.fieldColours
+import robotran.ui.resources.Res
+import robotran.ui.resources.settings_site
+import robotran.ui.resources.settings_site_help
+import robotran.ui.resources.settings_site_wrong
+import robotran.ui.theme.LocalRobotranColours
+
+/** The address of the site that links lead to; of what is written only an address that can be one, or nothing, is told [onSite]. */
+@Composable
+internal fun SiteField(site: String, wanted: Boolean, onSite: (String) -> Unit) {
+    val colours = LocalRobotranColours.current
+    var text by remember { mutableStateOf(site) }
+    val isWrong = text.isNotBlank() && siteAddress(text) == null
+    val focus = remember { FocusRequester() }
+    LaunchedEffect(wanted) { if (wanted) focus.requestFocus() }
+    OutlinedTextField(
+        text,
+        onValueChange = {
+            text = it
+            val address = siteAddress(it)
+            if (address != null || it.isBlank()) onSite(address.orEmpty())
+        },
+        Modifier.fillMaxWidth().focusRequester(focus).testTag("site"),
+        label = { Text(stringResource(Res.string.settings_site)) },
+        supportingText = {
+            Text(
+                stringResource(if (isWrong) Res.string.settings_site_wrong else Res.string.settings_site_help),
+                Modifier.testTag(if (isWrong) "site-wrong" else "site-help").semantics { liveRegion = LiveRegionMode.Polite },
+                color = if (isWrong) colours.mistake else colours.quiet,
+                fontSize = 14.sp,
+            )
+        },
+        isError = isWrong,
+        singleLine = true,
+        keyboardOptions = KeyboardOptions(keyboardType = KeyboardType.Uri, autoCorrectEnabled = false),
+        colors = fieldColours(),
+    )
+}

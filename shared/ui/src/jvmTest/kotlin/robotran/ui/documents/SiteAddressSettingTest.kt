@@ -1,0 +1,75 @@
+package robotran.ui.documents
+
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertIsFocused
+import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performTextInput
+import androidx.compose.ui.test.performTextReplacement
+import kotlinx.coroutines.runBlocking
+import robotran.ui.platform.MemoryPlatform
+import robotran.ui.platform.MemoryStore
+import robotran.ui.screen.onPhone
+import robotran.ui.screen.pass
+import robotran.ui.workshop.DocumentDialog
+import robotran.ui.workshop.DocumentEvent
+import robotran.ui.workshop.Settings
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.SettingsHolder
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+
+/** Sharing where the app is no page and belongs to none: in the window and on Android. */
+@OptIn(ExperimentalTestApi::class)
+class SiteAddressSettingTest {
+    @Test
+    fun `without an address of a site the file is offered and no link that leads nowhere`() = onPhone { workshop ->
+        workshop.handle(DocumentEvent.LinkWanted)
+        pass(200)
+        onNodeWithTag("share-save-as").assertIsDisplayed()
+        for (tag in listOf("qr-code", "link-text", "link-copy", "link-share")) onNodeWithTag(tag).assertDoesNotExist()
+        onNodeWithTag("share-site").performClick()
+        pass(200)
+        onNodeWithTag("site").assertIsDisplayed().assertIsFocused()
+        onNodeWithTag("site").performTextInput("school.example")
+        onNodeWithTag("site-wrong", useUnmergedTree = true).assertTextContains("https://", substring = true)
+        assertEquals("", workshop.state.settings.site)
+        onNodeWithTag("site").performTextReplacement(" https://school.example/robotran/#p=a1 ")
+        onNodeWithTag("site-wrong", useUnmergedTree = true).assertDoesNotExist()
+        workshop.handle(SettingsEvent.SettingsShown(false))
+        workshop.handle(DocumentEvent.LinkWanted)
+        pass(200)
+        val link = checkNotNull(assertIs<DocumentDialog.SharingLink>(workshop.state.document.dialog).link)
+        assertTrue(link.startsWith("https://school.example/robotran/#p=a"), link)
+        onNodeWithTag("qr-code").assertExists()
+        workshop.handle(SettingsEvent.SettingsShown(true))
+        workshop.handle(DocumentEvent.DialogClosed)
+        pass(200)
+        onNodeWithTag("site").performTextReplacement("")
+        assertEquals("", workshop.state.settings.site)
+    }
+
+    @Test
+    fun `an app that belongs to a page asks for no address`() {
+        val workshop = Machine().window()
+        assertTrue(workshop.state.hasPage)
+        workshop.close()
+        val other = Machine().also { it.page = "" }.window()
+        assertFalse(other.state.hasPage)
+        other.close()
+    }
+
+    @Test
+    fun `what was kept is the address again, unless it cannot be one`() = runBlocking {
+        for ((kept, read) in listOf("https://school.example/" to "https://school.example/", "javascript:alert(1)" to "")) {
+            val store = MemoryStore()
+            store.write("settings", """{"site": "$kept"}""")
+            assertEquals(Settings(site = read), SettingsHolder.readFrom(MemoryPlatform(store = store).store))
+        }
+    }
+}
