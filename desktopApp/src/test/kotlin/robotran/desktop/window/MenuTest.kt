@@ -24,7 +24,8 @@ class MenuTest {
         val builder = ProcessBuilder(java, "-cp", System.getProperty("java.class.path"), "robotran.desktop.window.MenuProbeKt")
         builder.environment()["DISPLAY"] = name
         val probe = builder.redirectError(ProcessBuilder.Redirect.DISCARD).start()
-        val said = probe.inputStream.bufferedReader().readLines()
+        // What draws the window has something to say, too, where there is no graphics card.
+        val said = probe.inputStream.bufferedReader().readLines().filter { Regex("[A-Z]+: .*").matches(it) }
         assertTrue(probe.waitFor(30, TimeUnit.SECONDS), "$said")
         val expected = listOf(
             "ENGLISH: [File, Edit, Run, View, Help]",
