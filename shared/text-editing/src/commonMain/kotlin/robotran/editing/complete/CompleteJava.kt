@@ -106,8 +106,10 @@ private fun namesIn(draft: Draft, writing: Int): List<Completion> {
 /** What never stands alone. */
 private val KEYWORD_ENDINGS = (
     mapOf("if" to " (|)", "while" to " (|)", "for" to " (|)", "catch" to " (|)") +
-        "abstract class extends final implements import instanceof interface new package private protected public static synchronized throw throws"
-            .split(' ').associateWith { " " }
+        (
+            "abstract class extends final implements import instanceof interface new package private protected public static " +
+                "synchronized throw throws"
+        ).split(' ').associateWith { " " }
 ).mapValues { WordEnding.of(it.value) }
 
 private val SILENT = setOf(PieceKind.COMMENT, PieceKind.TEXT, PieceKind.NUMBER)

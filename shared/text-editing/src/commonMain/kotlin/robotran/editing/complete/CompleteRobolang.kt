@@ -26,12 +26,13 @@ internal fun completeRobolang(draft: Draft, help: WordHelp, isWanted: Boolean): 
     val isAtEnd = text.substring(column).isBlank()
     val candidates = if (before.isEmpty() || before == listOf("else")) {
         val blocks = if (before.isEmpty() && isAtEnd) BLOCKS else emptyList()
-        words(RobolangWords.commands, help, COMMAND_ENDINGS.takeIf { isAtEnd }) + blocks.map { it.copy(help = help.of(it.inserted.substringBefore(' '))) } + names
+        val commands = words(RobolangWords.commands, help, COMMAND_ENDINGS.takeIf { isAtEnd })
+        commands + blocks.map { it.copy(help = help.of(it.inserted.substringBefore(' '))) } + names
     } else {
         val last = before.last()
         val own = FOLLOWER_ENDINGS[last].orEmpty()
         FOLLOWERS[last]?.let { words(it, help, own.takeIf { isAtEnd }) }
-            ?: (words(VALUE_WORDS, help, (VALUE_ENDINGS + own).takeIf { isAtEnd }) + names + functions(help) + words(RobolangWords.keywords, help))
+            ?: (valueWords(help, (VALUE_ENDINGS + own).takeIf { isAtEnd }) + names + functions(help) + words(RobolangWords.keywords, help))
     }
     if (!isWanted && candidates.any { it.isWritten(typed) }) return null
     val items = matching(typed, candidates.distinctBy { it.label }).filter { it.inserted != typed }
@@ -39,7 +40,12 @@ internal fun completeRobolang(draft: Draft, help: WordHelp, isWanted: Boolean): 
 }
 
 private fun words(words: List<String>, help: WordHelp, endings: Map<String, WordEnding>? = null) =
-    words.map { word -> completionOf(word, endings?.get(word), help).let { it.copy(asksOn = it.inserted == "$word " && word in FOLLOWERS) } }
+    words.map { word ->
+        val completion = completionOf(word, endings?.get(word), help)
+        completion.copy(asksOn = completion.inserted == "$word " && word in FOLLOWERS)
+    }
+
+private fun valueWords(help: WordHelp, endings: Map<String, WordEnding>?) = words(VALUE_WORDS, help, endings)
 
 private fun functions(help: WordHelp) = RobolangWords.functions.map { (name, parameters) ->
     val commas = ", ".repeat(parameters - 1)
@@ -76,8 +82,10 @@ private fun declares(draft: Draft, line: Int): Boolean {
     return DECLARATIONS.any { draft.text.startsWith(it, start, end) }
 }
 
-private fun String.startsWith(word: String, start: Int, end: Int): Boolean =
-    start + word.length < end && regionMatches(start, word, 0, word.length, ignoreCase = true) && !isWordCharacter(this[start + word.length])
+private fun String.startsWith(word: String, start: Int, end: Int): Boolean {
+    val behind = start + word.length
+    return behind < end && regionMatches(start, word, 0, word.length, ignoreCase = true) && !isWordCharacter(this[behind])
+}
 
 private val DECLARATIONS = listOf("var", "const", "procedure", "function", "for")
 private val DECLARING = setOf("var", "const", "procedure", "function", "for", "each", "(", ",")
@@ -97,50 +105,6 @@ private val FOLLOWERS = mapOf(
     "left" to listOf("bumper"),
     "right" to listOf("bumper"),
 )
-
-/** What the commands need behind them. */
-private val COMMAND_ENDINGS = mapOf(
-    "forward" to " |20|",
-    "backward" to " |20|",
-    "turn" to " ",
-    "start" to " ",
-    "power" to " |5|",
-    "motor" to " |A| forward",
-    "pen" to " ",
-    "wait" to " |1| second",
-    "reset" to " timer",
-    "play" to " |440| for 1 second",
-    "show" to " ",
-    "clear" to " screen",
-    "repeat" to " |4| times",
-    "for" to " |i| from 1 to 10",
-    "if" to " ",
-    "var" to " ",
-    "const" to " ",
-    "procedure" to " ",
-    "function" to " ",
-    "whenever" to " ",
-    "robot" to " ",
-).mapValues { WordEnding.of(it.value) }
-
-/** What a word that follows another needs behind it, by that other. */
-private val FOLLOWER_ENDINGS = mapOf(
-    "turn" to mapOf("left" to " |90|", "right" to " |90|"),
-    "wait" to mapOf("until" to " "),
-    "for" to mapOf("each" to " "),
-    "power" to mapOf("left" to " |5|", "right" to " |5|"),
-).mapValues { (_, endings) -> endings.mapValues { WordEnding.of(it.value) } }
-
-private val VALUE_ENDINGS = mapOf(
-    "left" to " bumper",
-    "right" to " bumper",
-    "sensor" to " |1|",
-    "button" to " ",
-    "and" to " ",
-    "or" to " ",
-    "not" to " ",
-    "mod" to " ",
-).mapValues { WordEnding.of(it.value) }
 
 private val VALUE_WORDS =
     listOf("left", "right", "light", "sensor", "button", "timer", "battery", "true", "false", "and", "or", "not", "mod")

@@ -136,8 +136,9 @@ private fun ShownFile(
         val lit = state.translation?.takeIf { state.isTranslated }
         val line = state.draft.lines.lineOf(state.draft.selection.caret) + 1
         val failedLine = failure?.sourceLine ?: 0
-        val marks = remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, failedLine, lit, if (lit == null) 0 else line) {
-            marksOf(state, runningLine, if (lit == null) emptySet() else setOf(line)).copy(failedLine = failedLine, matches = matches)
+        val partners = if (lit == null) emptySet() else setOf(line)
+        val marks = remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, failedLine, partners) {
+            marksOf(state, runningLine, partners).copy(failedLine = failedLine, matches = matches)
         }
         BesideOrBelow(
             state.translationShown && state.program.language == ProgramLanguage.ROBOLANG,
@@ -176,7 +177,8 @@ private fun ShownFile(
             },
         )
         if (state.mistakes.isNotEmpty()) {
-            MistakeStrip(state.program, state.mistakes, state.file.name, mostMistakes, state.mistakePointedOut, actions::goToNextNote, actions::fix)
+            val pointedOut = state.mistakePointedOut
+            MistakeStrip(state.program, state.mistakes, state.file.name, mostMistakes, pointedOut, actions::goToNextNote, actions::fix)
         }
         // Lowest, so that its keys stay where they are while mistakes come and go.
         if (control.hasFocus && control.isTouched) KeyRow(control)

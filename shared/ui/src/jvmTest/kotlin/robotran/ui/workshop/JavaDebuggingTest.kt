@@ -22,7 +22,8 @@ class JavaDebuggingTest {
     )
     private val alone = PupilProgram(
         "Alone.java",
-        "public class Alone {\n    public static void main(String[] args) {\n        int x = 1;\n        x = x + 1;\n        x = 10 / (x - 2);\n    }\n}\n",
+        "public class Alone {\n    public static void main(String[] args) {\n" +
+            "        int x = 1;\n        x = x + 1;\n        x = 10 / (x - 2);\n    }\n}\n",
     )
     private val several = PupilProgram(listOf(counting, helper))
 
