@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
-import { appears, choose, disappears, press, reports, says, tap, words, writeProgram } from './words.mjs';
+import { choose, press, reports, says, tap } from './words.mjs';
 
 const MAIN = 'public class Program {\n    public static void main(String[] args) {\n        int rounds = 0;\n        while (rounds < 5) {\n'
   + '            rounds = Helper.next(rounds);\n        }\n        rounds = 1 / (rounds - 5);\n    }\n}\n';
@@ -15,6 +15,9 @@ async function replace(page, text) {
   await page.keyboard.press('Control+a');
   await page.keyboard.insertText(text);
 }
+
+/** The note under `line` that says why the run could not go on there; status and brick say so, too, under names of their own. */
+const failureNote = (page, line) => page.locator('#robotran-words div:not([data-tag])').and(page.getByText(new RegExp(`^Line ${line}: `)));
 
 /** Goes to `line` of the file that is shown. */
 async function goToLine(page, line) {
@@ -42,15 +45,16 @@ test('a Java program of one file stops at its breakpoint, is stepped through, an
     await press(page, 'stop');
 
     await press(page, 'program');
+    await goToLine(page, 5);
     await page.keyboard.press('F9');
     await tap(page, 'run');
-    await says(page, 'failure', /Line 7: .*0/);
     await says(page, 'status', /Line 7: /);
+    await failureNote(page, 7).waitFor({ state: 'attached' });
     await photograph(page, 'java-failure');
     await press(page, 'program');
     await page.keyboard.press('Control+End');
     await page.keyboard.type('//');
-    await disappears(page, 'failure');
+    await failureNote(page, 7).waitFor({ state: 'detached' });
     assert.deepEqual(troubles, []);
   }));
 
@@ -73,12 +77,12 @@ test('the line that a Robolang program could not go on at is marked and brought 
   await replace(page, `var x = 0\n${'beep\n'.repeat(40)}show 10 / x`);
   await page.keyboard.press('Control+Home');
   await press(page, 'run');
-  await says(page, 'failure', /Line 42: /);
-  const { bottom } = await words(page, 'failure').evaluate((note) => note.getBoundingClientRect().toJSON());
-  assert.ok(bottom < TABLET.height, `the note ends at ${bottom}`);
+  await failureNote(page, 42).waitFor({ state: 'attached' });
   await photograph(page, 'robolang-failure');
-  await writeProgram(page, 'beep');
-  await disappears(page, 'failure');
-  await appears(page, 'program');
+  const { bottom } = await failureNote(page, 42).evaluate((note) => note.getBoundingClientRect().toJSON());
+  assert.ok(bottom < TABLET.height, `the note ends at ${bottom}`);
+  await press(page, 'program');
+  await page.keyboard.type('//');
+  await failureNote(page, 42).waitFor({ state: 'detached' });
   assert.deepEqual(troubles, []);
 }));

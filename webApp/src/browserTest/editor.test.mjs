@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { isKept } from './kept.mjs';
 import { isReady, photograph } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
-import { appears, choose, disappears, placeOf, press, programText, says, tap, words, writeProgram } from './words.mjs';
+import { appears, choose, disappears, isSaid, placeOf, press, programText, says, tap, words, writeProgram } from './words.mjs';
 
 const FULL = 200_000;
 const LINE = 'forward 20\n';
@@ -63,7 +63,7 @@ for (const [how, point] of [['a mouse', press], ['a finger', tap]]) {
     const java = (end) => 'public class Program {\n    public static void main(String[] args) {\n        int rounds = 0;\n'
       + `        for (int i = 0; i < 3; i++) {\n            rounds = rounds + i${end}\n        }\n    }\n}\n`;
     await page.keyboard.insertText(java(''));
-    await says(page, 'mistake', /";" at the end/);
+    await isSaid(page, /Line 5: Put a ";" at the end/);
     await says(page, 'fix', /Add ;/);
     await point(page, 'fix');
     await reads(page, java(';'));

@@ -57,6 +57,9 @@ export const says = (page, tag, pattern) => page.waitForFunction(([wanted, sourc
   return text !== null && new RegExp(source, 's').test(text);
 }, [tag, pattern.source], { timeout: 30_000 });
 
+/** Waits until anything on the screen says so. */
+export const isSaid = (page, pattern) => page.locator('#robotran-words').getByText(pattern).first().waitFor({ state: 'attached', timeout: 30_000 });
+
 /** What is in the program's editor. */
 export const programText = (page) => page.evaluate(() => {
   const field = document.activeElement?.tagName === 'TEXTAREA' ? document.activeElement : null;
