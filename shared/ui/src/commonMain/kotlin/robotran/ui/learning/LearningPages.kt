@@ -22,6 +22,8 @@ internal fun LearningPages(state: LearningState, onEvent: (LearningEvent) -> Uni
 
         LearningPage.WORLDS -> WorldGalleryPage(state, onEvent)
 
+        LearningPage.EXAMPLES -> ExamplesPage(state.help.code, onEvent)
+
         LearningPage.HELP -> BoxWithConstraints(Modifier.fillMaxSize().padding(12.dp)) {
             val most = maxHeight * PANEL_SHARE
             Box(Modifier.align(Alignment.BottomStart)) { HelpPanel(state, onEvent, Modifier.widthIn(max = 520.dp).heightIn(max = most)) }

@@ -1,7 +1,6 @@
 package robotran.ui.program
 
 import androidx.compose.foundation.layout.Box
-import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
@@ -20,25 +19,23 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.exampleTexts
-import robotran.ui.lejosExampleTexts
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_add
-import robotran.ui.resources.program_examples_java
-import robotran.ui.resources.program_examples_robolang
+import robotran.ui.resources.program_examples
 import robotran.ui.resources.program_new_class
 import robotran.ui.resources.program_new_java
 import robotran.ui.resources.program_new_robolang
 import robotran.ui.resources.program_no_room
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningPage
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ProgramLanguage
 import robotran.ui.workshop.ProgramsState
-import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.WorkshopEvent
 
-/** The button with a plus: a new program in either language, an example, or one more class for a Java program. */
+/** The button with a plus: a new program in either language, the examples, or one more class for a Java program. */
 @Composable
 internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
@@ -59,9 +56,8 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
                 Choice(stringResource(Res.string.program_new_class), "new-class") { choose(ProgramEvent.ClassAdded) }
             }
             if (state.hasRoom) {
-                val language = state.program.language
-                Examples(stringResource(Res.string.program_examples_robolang), exampleTexts, ProgramLanguage.ROBOLANG, language, choose)
-                Examples(stringResource(Res.string.program_examples_java), lejosExampleTexts, ProgramLanguage.JAVA, language, choose)
+                HorizontalDivider(color = LocalRobotranColours.current.line)
+                Choice(stringResource(Res.string.program_examples), "examples") { choose(LearningEvent.PageWanted(LearningPage.EXAMPLES)) }
             }
         }
     }
@@ -75,33 +71,6 @@ private fun NewPrograms(onEvent: (WorkshopEvent) -> Unit) {
     Choice(stringResource(Res.string.program_new_java), "new-java") { onEvent(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA)) }
 }
 
-/** The examples in one language under their title, which opens and closes them; first open are those of the language one works in. */
-@Composable
-private fun Examples(
-    title: String,
-    examples: Map<String, String>,
-    language: ProgramLanguage,
-    current: ProgramLanguage,
-    onEvent: (WorkshopEvent) -> Unit,
-) {
-    var open by remember { mutableStateOf(language == current) }
-    HorizontalDivider(color = LocalRobotranColours.current.line)
-    DropdownMenuItem(
-        text = { Text(title, color = LocalRobotranColours.current.quiet, fontSize = 14.sp, fontWeight = FontWeight.Medium) },
-        onClick = { open = !open },
-        modifier = Modifier.testTag("examples-${language.name.lowercase()}").heightIn(min = Measures.TARGET),
-        trailingIcon = { SignPicture(if (open) Signs.UP else Signs.DOWN, LocalRobotranColours.current.quiet, 12.dp) },
-    )
-    if (open) {
-        for ((name, text) in examples) {
-            Choice(name, "example-$name", aboutExample(text)) { onEvent(ProgramEvent.ProgramAdded(PupilProgram(name, text))) }
-        }
-    }
-}
-
-/** What an example says about itself: its first line. */
-private fun aboutExample(text: String): String? = text.lineSequence().first().takeIf { it.startsWith("//") }?.removePrefix("//")?.trim()
-
 @Composable
 private fun Note(text: String) {
     val colour = LocalRobotranColours.current.quiet
@@ -109,15 +78,8 @@ private fun Note(text: String) {
 }
 
 @Composable
-private fun Choice(text: String, tag: String, about: String? = null, onClick: () -> Unit) = DropdownMenuItem(
-    text = {
-        Column(Modifier.padding(vertical = 4.dp)) {
-            Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp)
-            about?.let {
-                Text(it, Modifier.widthIn(max = 300.dp), LocalRobotranColours.current.quiet, fontSize = 13.sp, lineHeight = 17.sp)
-            }
-        }
-    },
+private fun Choice(text: String, tag: String, onClick: () -> Unit) = DropdownMenuItem(
+    text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
     onClick = onClick,
     modifier = Modifier.testTag(tag).heightIn(min = Measures.TARGET),
 )

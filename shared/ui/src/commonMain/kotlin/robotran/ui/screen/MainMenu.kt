@@ -25,6 +25,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.edit_world
 import robotran.ui.resources.first_page
 import robotran.ui.resources.learn
+import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_help
 import robotran.ui.resources.menu
 import robotran.ui.resources.settings_title
@@ -62,6 +63,9 @@ internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, wi
             }
             MenuItem(stringResource(Res.string.learn), "menu-learn") { choose(LearningEvent.PageWanted(LearningPage.TUTORIAL)) }
             MenuItem(stringResource(Res.string.worlds), "menu-worlds") { choose(LearningEvent.PageWanted(LearningPage.WORLDS)) }
+            MenuItem(stringResource(Res.string.learning_examples), "menu-examples") {
+                choose(LearningEvent.PageWanted(LearningPage.EXAMPLES))
+            }
             MenuItem(stringResource(Res.string.learning_help), "menu-words") { choose(LearningEvent.PageWanted(LearningPage.HELP)) }
             if (state.worldEdit == null) {
                 MenuItem(stringResource(Res.string.edit_world), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }

@@ -6,16 +6,19 @@ import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import kotlinx.coroutines.yield
+import robotran.rom.RcxProgram
+import robotran.rom.RunState
 import robotran.world.RobotLoad
 import robotran.world.Session
 import robotran.world.SessionState
 import robotran.world.World
 import robotran.world.physics.PhysicsEngine
 import robotran.world.physics.loadPhysicsEngine
+import robotran.world.pressRun
 
 /**
- * Small pictures of worlds before anything has happened there, each drawn once and one after the other, so that the screen goes on meanwhile.
- * They are drawn in about the size that they are shown in, so that thin lines stay what they are.
+ * Small pictures of worlds, before anything has happened there or after a program has run, each drawn once and one after the other, so that the
+ * screen goes on meanwhile. They are drawn in about the size that they are shown in, so that thin lines stay what they are.
  */
 internal class SheetPictures {
     private val drawing = Mutex()
@@ -28,30 +31,55 @@ internal class SheetPictures {
         else -> drawn[key to room.pixels] ?: drawn.entries.firstOrNull { it.key.first == key }?.value
     }
 
-    /** The picture of [world], which is known as [key], for [room]; drawn if it was not. */
-    suspend fun of(key: String, world: World, colours: SheetColours, room: PictureRoom): ImageBitmap = drawing.withLock {
+    /** The picture of [world], which is known as [key], for [room], after [program] has run if there is one; drawn if it was not. */
+    suspend fun of(
+        key: String,
+        world: World,
+        colours: SheetColours,
+        room: PictureRoom,
+        program: () -> RcxProgram? = { null },
+    ): ImageBitmap = drawing.withLock {
         if (colours != this.colours || drawn.size >= MOST) drawn.clear()
         this.colours = colours
-        drawn.getOrPut(key to room.pixels) { draw(world, colours, room) }
+        drawn.getOrPut(key to room.pixels) { draw(world, program, colours, room) }
     }
 
-    private suspend fun draw(world: World, colours: SheetColours, room: PictureRoom): ImageBitmap {
+    private suspend fun draw(world: World, program: () -> RcxProgram?, colours: SheetColours, room: PictureRoom): ImageBitmap {
         yield()
         val engine = physics ?: loadPhysicsEngine().also { physics = it }
         val width = room.widthFor(world.paper)
         return withContext(Dispatchers.Default) {
-            renderSheet(world, atStart(world, engine), width, colours = colours, density = room.density)
+            renderSheet(world, stateOf(world, program(), engine), width, colours = colours, density = room.density)
         }
     }
 
-    private fun atStart(world: World, engine: PhysicsEngine): SessionState {
-        val session = Session(world, emptyList<RobotLoad>(), engine)
-        return session.state.also { session.close() }
+    private suspend fun stateOf(world: World, program: RcxProgram?, engine: PhysicsEngine): SessionState {
+        val session = Session(world, listOfNotNull(program).map { RobotLoad(listOf(it)) }, engine)
+        try {
+            if (program != null) session.runInParts()
+            return session.state
+        } finally {
+            session.close()
+        }
+    }
+
+    /** Runs the program to its end, or as long as somebody would look on, a little at a time. */
+    private suspend fun Session.runInParts() {
+        pressRun()
+        repeat(MOST_PARTS) {
+            advance(PART)
+            if (state.brick.run !is RunState.Running) return
+            yield()
+        }
     }
 
     private companion object {
         /** So many are remembered at most. */
         const val MOST = 120
+
+        /** Milliseconds of virtual time. */
+        const val PART = 250
+        const val MOST_PARTS = 160
         var physics: PhysicsEngine? = null
     }
 }

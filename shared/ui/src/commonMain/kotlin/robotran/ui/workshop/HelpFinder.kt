@@ -31,12 +31,27 @@ internal class HelpFinder(private val bench: Bench) {
             ProgramLanguage.ROBOLANG -> PupilProgram("try.robo", example)
             ProgramLanguage.JAVA -> PupilProgram("Try.java", javaToTry(example))
         }
+        return put(program)
+    }
+
+    /** Puts the example [name] into a tab and runs nothing; false if there is no room for it, which is then said. */
+    fun addExample(language: ProgramLanguage, name: String): Boolean {
+        val program = PupilProgram(name, language.examples[name] ?: return false)
+        val place = bench.project.pupilPrograms.indexOf(program)
+        if (place < 0) return put(program, replacing = false)
+        // It is there as it came.
+        bench.perform(ProgramEvent.ProgramChosen(place))
+        bench.show(Pane.PROGRAM)
+        return true
+    }
+
+    private fun put(program: PupilProgram, replacing: Boolean = true): Boolean {
         val programs = bench.project.pupilPrograms
-        if (programs.size >= Brick.MOST_PROGRAMS && programs.none { it.name == program.name }) {
+        if (programs.size >= Brick.MOST_PROGRAMS && !(replacing && programs.any { it.name == program.name })) {
             bench.say(Notice(Res.string.learning_help_no_room))
             return false
         }
-        bench.addProgram(program, replacing = true)
+        bench.addProgram(program, replacing)
         bench.show(Pane.PROGRAM)
         return true
     }

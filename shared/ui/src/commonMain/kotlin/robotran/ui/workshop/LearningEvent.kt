@@ -41,6 +41,9 @@ sealed interface LearningEvent : WorkshopEvent {
     /** The world [name] of the gallery is to come onto the desk, with the programs there are. */
     data class WorldChosen(val name: String) : LearningEvent
 
+    /** The example [name] in [language] is to be put into a tab. */
+    data class ExampleChosen(val language: ProgramLanguage, val name: String) : LearningEvent
+
     /** Help on the word at [offset] of [text] is wanted. */
     data class HelpWanted(val text: String, val offset: Int) : LearningEvent
 
@@ -63,5 +66,6 @@ enum class LearningPage(val coversAll: Boolean) {
     FIRST_RUN(coversAll = true),
     TUTORIAL(coversAll = false),
     WORLDS(coversAll = true),
+    EXAMPLES(coversAll = true),
     HELP(coversAll = false),
 }

@@ -54,6 +54,7 @@ class LearningHolder(private val bench: Bench) {
             LearningEvent.TutorialLeft -> leaveTutorial()
             is LearningEvent.WorldsAsked -> state = state.copy(asked = event.asked)
             is LearningEvent.WorldChosen -> chooseWorld(event.name)
+            is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name)) leavePage()
             is LearningEvent.HelpWanted -> showHelp(help.at(event.text, event.offset))
             is LearningEvent.WordChosen -> showHelp(help.on(state.help.code, event.word))
             is LearningEvent.WordsWanted -> showHelp(HelpState(event.language))
@@ -116,7 +117,7 @@ class LearningHolder(private val bench: Bench) {
         if (page == LearningPage.TUTORIAL) {
             showTutorial()
         } else {
-            if (page == LearningPage.HELP) state = state.copy(help = HelpState(help.shownCode))
+            if (page == LearningPage.HELP || page == LearningPage.EXAMPLES) state = state.copy(help = HelpState(help.shownCode))
             state = state.copy(page = page, asked = "")
         }
     }

@@ -47,6 +47,7 @@ import robotran.ui.resources.editor_cut
 import robotran.ui.resources.editor_find
 import robotran.ui.resources.editor_format
 import robotran.ui.resources.editor_paste
+import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_help
 import robotran.ui.resources.run_go_on
 import robotran.ui.resources.run_pause
@@ -98,6 +99,7 @@ fun FrameWindowScope.WorkshopMenuBar(
                 Choice(Res.string.documents_tutorial, KeyShortcut(Key.F1, shift = true)) {
                     onEvent(LearningEvent.PageWanted(LearningPage.TUTORIAL))
                 }
+                Choice(Res.string.learning_examples) { onEvent(LearningEvent.PageWanted(LearningPage.EXAMPLES)) }
                 Choice(Res.string.learning_help) { onEvent(LearningEvent.PageWanted(LearningPage.HELP)) }
                 Choice(Res.string.documents_first_page) { onEvent(LearningEvent.PageWanted(LearningPage.FIRST_RUN)) }
             }

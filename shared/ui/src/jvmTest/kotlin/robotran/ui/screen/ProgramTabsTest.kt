@@ -39,6 +39,8 @@ class ProgramTabsTest {
     fun `an example is added beside what is there, and what was closed comes back`() = onTablet { workshop ->
         onNodeWithTag("add-program").performClick()
         pass(500)
+        onNodeWithTag("examples").performClick()
+        pass(500)
         onNodeWithTag("example-countdown.robo").performClick()
         pass(500)
         assertEquals(listOf("square.robo", "countdown.robo"), workshop.state.programs.programs.map { it.name })

@@ -1,0 +1,99 @@
+package robotran.ui.learning
+
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.graphics.toPixelMap
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.hasTestTag
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performScrollToNode
+import kotlinx.coroutines.runBlocking
+import robotran.ui.openWorkshop
+import robotran.ui.screen.keepAs
+import robotran.ui.screen.onPhone
+import robotran.ui.screen.onTablet
+import robotran.ui.screen.pass
+import robotran.ui.screen.photograph
+import robotran.ui.sheet.PictureRoom
+import robotran.ui.sheet.SheetColours
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningPage
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.ProgramLanguage
+import robotran.ui.workshop.examples
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
+
+@OptIn(ExperimentalTestApi::class)
+class ExamplesPageTest {
+    @Test
+    fun `an example is found in the menu and comes into a tab of its own`() = onPhone { workshop ->
+        onNodeWithTag("menu").performClick()
+        pass(300)
+        onNodeWithTag("menu-examples").performClick()
+        pass(300)
+        onNodeWithTag("example-cards").performScrollToNode(hasTestTag("example-flower.robo"))
+        onNodeWithTag("example-flower.robo").performClick()
+        pass(300)
+        assertNull(workshop.state.learning.page)
+        assertEquals(listOf("square.robo", "flower.robo"), workshop.state.programs.programs.map { it.name })
+        onNodeWithTag("program").assertIsDisplayed()
+    }
+
+    @Test
+    fun `who works in Java finds the examples in Java first`() = onTablet { workshop ->
+        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        onNodeWithTag("add-program").performClick()
+        pass(300)
+        onNodeWithTag("examples").performClick()
+        pass(300)
+        onNodeWithTag("example-Countdown.java").assertIsDisplayed().performClick()
+        pass(300)
+        assertEquals("Countdown.java", workshop.state.programName)
+    }
+
+    @Test
+    fun `an example that is there as it came is not put there twice, and a full brick is told`() {
+        val workshop = runBlocking { openWorkshop() }
+        workshop.handle(LearningEvent.ExampleChosen(ProgramLanguage.ROBOLANG, "square.robo"))
+        assertEquals(1, workshop.state.programs.programs.size)
+        repeat(4) { workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG)) }
+        workshop.handle(LearningEvent.ExampleChosen(ProgramLanguage.ROBOLANG, "star.robo"))
+        assertEquals(5, workshop.state.programs.programs.size)
+        assertNotNull(workshop.state.notice)
+        workshop.close()
+    }
+
+    @Test
+    fun `pictures show what the examples draw, those in Java as their twins in Robolang`() = runBlocking {
+        val square = ExamplePictures.of("square.robo", SheetColours.LIGHT, ROOM)
+        val other = ExamplePictures.of("tree.robo", SheetColours.LIGHT, ROOM)
+        assertTrue(square.pixels() != other.pixels())
+        assertEquals(square.pixels(), ExamplePictures.of("Square.java", SheetColours.LIGHT, ROOM).pixels())
+        val twins = ProgramLanguage.JAVA.examples.keys.filter { name ->
+            ExamplePictures.of(name, SheetColours.LIGHT, ROOM).pixels() != ExamplePictures.of("none.java", SheetColours.LIGHT, ROOM).pixels()
+        }
+        assertTrue("Spiral.java" in twins && "WallBouncer.java" in twins, "$twins")
+    }
+
+    @Test
+    fun `the page can be photographed`() {
+        for ((name, width, height) in listOf(Triple("tablet", 1280, 800), Triple("phone", 411, 891))) {
+            val workshop = runBlocking { openWorkshop() }
+            workshop.handle(LearningEvent.PageWanted(LearningPage.EXAMPLES))
+            runBlocking { for (example in ProgramLanguage.ROBOLANG.examples.keys) ExamplePictures.of(example, SheetColours.LIGHT, ROOM) }
+            photograph(workshop, width, height).keepAs("examples-$name")
+            workshop.close()
+        }
+    }
+
+    private companion object {
+        val ROOM = PictureRoom.of(320, 240, density = 1f)
+    }
+
+    private fun ImageBitmap.pixels(): List<Int> = toPixelMap().buffer.toList()
+}

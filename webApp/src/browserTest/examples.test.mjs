@@ -1,0 +1,35 @@
+// The examples, with pictures of what they draw, as a pupil finds them on a tablet and on a phone, in either language.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { photograph } from './page.mjs';
+import { onPage, PHONE, TABLET } from './set-up.mjs';
+import { appears, choose, disappears, placeOf, press, says } from './words.mjs';
+
+test('an example is found in the menu and opened', () => onPage(TABLET, async ({ page, troubles }) => {
+  await choose(page, 'menu', 'menu-examples');
+  await appears(page, 'example-flower.robo');
+  // The pictures are drawn while the page can be used.
+  await page.waitForTimeout(3_000);
+  await photograph(page, 'examples');
+  await press(page, 'example-flower.robo');
+  await disappears(page, 'examples-page');
+  await says(page, 'program', /six petals/);
+  assert.deepEqual(troubles, []);
+}));
+
+test('behind the plus, who works in Java finds the examples in Java first', () =>
+  onPage({ ...PHONE, hasTouch: true }, async ({ page, troubles }) => {
+    const touch = async (tag) => {
+      const { x, y } = await placeOf(page, tag);
+      await page.touchscreen.tap(x, y);
+    };
+    await touch('tab-program');
+    await touch('add-program');
+    await touch('new-java');
+    await disappears(page, 'new-java');
+    await touch('add-program');
+    await touch('examples');
+    await touch('example-Countdown.java');
+    await says(page, 'program', /class Countdown/);
+    assert.deepEqual(troubles, []);
+  }));
