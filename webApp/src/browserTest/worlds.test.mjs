@@ -103,11 +103,11 @@ for (const [name, size] of [['upright', PHONE], ['on its side', { width: 891, he
       await appears(page, 'world');
       await photograph(page, `task-phone-${name.replaceAll(' ', '-')}`);
       await touch(page, 'task-hide');
-      await disappears(page, 'task-card');
+      await disappears(page, 'task-text');
       await touch(page, 'task-chip');
-      await appears(page, 'task-card');
+      await appears(page, 'task-text');
       await touch(page, 'run');
-      await disappears(page, 'task-card');
+      await disappears(page, 'task-text');
       assert.deepEqual(troubles, []);
     }));
 }
