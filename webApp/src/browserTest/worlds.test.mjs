@@ -134,6 +134,7 @@ test('a world file that is opened leaves the world before in My work', () => onP
   await choose(page, 'work-menu', 'work-open');
   await (await chooser).setFiles([{ name: 'corner.world.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(WORLD)) }]);
   await says(page, 'task-title', /Ms Weber/);
+  await isKept(page, 'Ms Weber');
   await page.reload();
   await isReady(page);
   await disappears(page, 'thing-block-0');

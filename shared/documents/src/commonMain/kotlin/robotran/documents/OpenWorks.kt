@@ -39,11 +39,17 @@ class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
      * The work [id], which [claim] is on, as the one that comes back to the window it was in; null if it cannot be read, or is gone.
      *
      * @param hasEnded whether that window has ended as it should, although it could not say so here any more.
+     * @param left what that window has left of it elsewhere as it ended, see [leftText]; counts if it is newer than what was kept.
      */
-    suspend fun takeBack(id: String, claim: WorkClaim, hasEnded: Boolean): ComingBack? {
-        val found = shelf.read(id) as? WorkReading.Found ?: return null
+    suspend fun takeBack(id: String, claim: WorkClaim, hasEnded: Boolean, left: String? = null): ComingBack? {
+        val reading = shelf.read(id)
+        if (reading is WorkReading.Unusable) return null
+        val kept = reading as? WorkReading.Found
+        val newer = left?.let { WorkText.open(id, it) as? WorkCopy.Whole }?.takeIf { it.entry.keptAt > (kept?.work?.keptAt ?: 0) }
+        val found = newer?.read() as? WorkReading.Found ?: kept ?: return null
         val wasRunning = store.read(nameOf(id))?.startsWith(RUNNING) ?: false
-        return ComingBack(found.work, claim, wasCutShort = found.wasTorn || (wasRunning && !hasEnded))
+        val wasCutShort = kept?.wasTorn == true || (wasRunning && !hasEnded)
+        return ComingBack(found.work, claim, wasCutShort, isKept = found === kept)
     }
 
     private suspend fun orphans(): List<Open> =
@@ -69,5 +75,9 @@ class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
  * @property claim this window's on it.
  * @property wasCutShort whether the app did not end as it should, so that the last second of work may be lost.
  * @property others how many other works were cut short with it.
+ * @property isKept whether it is kept as it is here.
  */
-data class ComingBack(val work: KeptWork, val claim: WorkClaim, val wasCutShort: Boolean, val others: Int = 0)
+data class ComingBack(val work: KeptWork, val claim: WorkClaim, val wasCutShort: Boolean, val others: Int = 0, val isKept: Boolean = true)
+
+/** [work] as a window that ends can leave it somewhere else than in its store, see [OpenWorks.takeBack]. */
+fun leftText(work: KeptWork): String = WorkText.write(work, order = 0)

@@ -6,7 +6,8 @@ import robotran.ui.platform.WindowMemory
 
 /**
  * What a tab knows of itself after a reload: the id of its work in the browser's `sessionStorage`, which a tab that is duplicated gets a copy of, so
- * that claims decide who has the work. Whether a page was left or has crashed is in `localStorage`: nothing else can be written while a page goes.
+ * that claims decide who has the work. Whether a page was left or has crashed, and what was not kept when it was left, is in `localStorage`: nothing else can
+ * be written while a page goes.
  */
 internal object WebWindowMemory : WindowMemory {
     init {
@@ -18,6 +19,10 @@ internal object WebWindowMemory : WindowMemory {
         set(value) = keepTabsWork(value.orEmpty())
 
     override fun hasEnded(id: String): Boolean = takeEnd(id)
+
+    override fun leave(id: String, text: String?) = keepLeft(id, text)
+
+    override fun left(id: String): String? = leftOf(id)
 }
 
 /** Out of sight a page may be ended without a word, and nothing is lost by it then. Storage may be forbidden. */
@@ -46,6 +51,16 @@ private fun keepTabsWork(id: String): Unit = js(
         } catch { }
     }""",
 )
+
+private fun keepLeft(id: String, text: String?): Unit = js(
+    """{
+        try {
+            if (text == null) localStorage.removeItem('robotran-left-' + id); else localStorage.setItem('robotran-left-' + id, text);
+        } catch { }
+    }""",
+)
+
+private fun leftOf(id: String): String? = js("(() => { try { return localStorage.getItem('robotran-left-' + id); } catch { return null; } })()")
 
 private fun takeEnd(id: String): Boolean = js(
     """(() => {

@@ -7,6 +7,12 @@ interface WindowMemory {
 
     /** Whether the window that showed the work [id] last was left or loaded anew, rather than having crashed; asked once, when that comes back. */
     fun hasEnded(id: String): Boolean
+
+    /** Remembers at once [text], what may not have been kept of the work [id] when this window ends; null once it was kept. */
+    fun leave(id: String, text: String?)
+
+    /** What was left of the work [id], null if nothing was. */
+    fun left(id: String): String?
 }
 
 /** Where every window is new. */
@@ -16,4 +22,8 @@ object NoWindowMemory : WindowMemory {
         set(_) = Unit
 
     override fun hasEnded(id: String): Boolean = false
+
+    override fun leave(id: String, text: String?) = Unit
+
+    override fun left(id: String): String? = null
 }

@@ -68,7 +68,8 @@ class DocumentHolder(private val bench: Bench) {
             keeper.beginWith(keeper.freeName())
         } else {
             bench.openProject(back.work.project)
-            keeper.tookUp(back.work, back.claim)
+            keeper.tookUp(back.work, back.claim, bench.project.takeIf { back.isKept })
+            if (!back.isKept) keepNow()
             bench.perform(WorkshopEvent.TaskShown(false))
             comeBack.say(back)
         }
@@ -125,6 +126,7 @@ class DocumentHolder(private val bench: Bench) {
 
     /** The window is out of sight and may be gone without a word: all is kept, and the next start goes on as if it had been closed. */
     suspend fun rest() {
+        keeper.leaveUnkept()
         if (keepNow()) keeper.leave(comesBack = true)
     }
 

@@ -12,6 +12,7 @@ import robotran.documents.WorkClaim
 import robotran.documents.WorkFile
 import robotran.documents.WorkShelf
 import robotran.documents.freeWorkName
+import robotran.documents.leftText
 import robotran.documents.newWorkName
 import robotran.projects.Project
 
@@ -34,6 +35,7 @@ internal class DocumentKeeper(private val bench: Bench) {
     private var savedProject: Project? = null
     private var isMarkedOpen = false
     private var isOnlyChosen = false
+    private var hasLeft = false
 
     var name = ""
     var file: WorkFile? = null
@@ -79,8 +81,8 @@ internal class DocumentKeeper(private val bench: Bench) {
         savedProject = bench.project
     }
 
-    /** What is on the screen now is [work], which is kept already as [project]. */
-    suspend fun tookUp(work: KeptWork, claim: WorkClaim, project: Project = bench.project) {
+    /** What is on the screen now is [work], which is kept already as [project]; null if it is not kept as it is. */
+    suspend fun tookUp(work: KeptWork, claim: WorkClaim, project: Project? = bench.project) {
         forget()
         id = work.id
         workClaim = claim
@@ -89,7 +91,8 @@ internal class DocumentKeeper(private val bench: Bench) {
         keptFile = work.file
         keptName = work.name
         keptProject = project
-        savedProject = if (work.saved) project else null
+        hasLeft = project == null
+        savedProject = if (work.saved) project ?: bench.project else null
         openWorks.opened(work.id, bench.platform.clock.now)
         isMarkedOpen = true
         if (name.isEmpty() && id == work.id) name = freeName()
@@ -115,6 +118,14 @@ internal class DocumentKeeper(private val bench: Bench) {
         times = times.changed(bench.platform.clock.now)
     }
 
+    /** Leaves what is not kept yet with the window, which may be gone before it is. */
+    fun leaveUnkept() {
+        val id = id
+        if (id == null || isKept) return
+        bench.platform.window.leave(id, leftText(KeptWork(id, name, bench.platform.clock.now, bench.project, file, isSaved)))
+        hasLeft = true
+    }
+
     /** Keeps the work if it has changed and that is due; null if there was nothing to do. */
     suspend fun keepIfDue(): Keeping? = if (isKept || !times.isDue(bench.platform.clock.now)) null else keepNow()
 
@@ -132,6 +143,8 @@ internal class DocumentKeeper(private val bench: Bench) {
             keptProject = work.project
             keptName = work.name
             keptFile = work.file
+            if (hasLeft) bench.platform.window.leave(work.id, null)
+            hasLeft = false
             if (!isMarkedOpen) openWorks.opened(work.id, now)
             isMarkedOpen = true
         }

@@ -45,13 +45,17 @@ internal class WorkComingBack(private val bench: Bench, private val keeper: Docu
 
     /** The work [id], which this window has shown before; null if it is gone, or if another window has it, which is then said. */
     private suspend fun takeOwn(id: String): ComingBack? {
-        if (id !in keeper.shelf.ids()) return null
+        val left = bench.platform.window.left(id)
+        if (left == null && id !in keeper.shelf.ids()) return null
         val claim = claim(id)
         if (claim == null) {
             bench.say(Notice(Res.string.documents_own_elsewhere))
             return null
         }
-        return keeper.openWorks.takeBack(id, claim, bench.platform.window.hasEnded(id)).also { if (it == null) claim.release() }
+        val back = keeper.openWorks.takeBack(id, claim, bench.platform.window.hasEnded(id), left)
+        if (back == null) claim.release()
+        if (back?.isKept == true && left != null) bench.platform.window.leave(id, null)
+        return back
     }
 
     /** A page that goes lets go of its work a little later than the next one comes. */

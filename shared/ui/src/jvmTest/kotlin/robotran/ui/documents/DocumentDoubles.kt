@@ -97,6 +97,14 @@ internal class TabMemory(override var workId: String? = null) : WindowMemory {
     var hasEnded = true
 
     override fun hasEnded(id: String): Boolean = hasEnded
+
+    private val texts = mutableMapOf<String, String>()
+
+    override fun leave(id: String, text: String?) {
+        if (text == null) texts.remove(id) else texts[id] = text
+    }
+
+    override fun left(id: String): String? = texts[id]
 }
 
 /** Writes [text], and lets a moment pass in which nobody types. */

@@ -6,6 +6,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.documents_back
 import robotran.ui.resources.documents_own_elsewhere
 import robotran.ui.workshop.DocumentEvent
+import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.WorkshopEvent
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -86,6 +87,24 @@ class TabsTest {
         reloaded.close()
         memory.hasEnded = false
         assertEquals(Res.string.documents_back, machine.tab(memory).state.notice?.text)
+    }
+
+    @Test
+    fun `what could not be kept before the page went is there again, and is kept then`() {
+        val first = machine.tab(memory).also { it.write("forward 1") }
+        machine.store.full = true
+        machine.clock.now += 1_000
+        first.handle(ProgramEvent.ProgramEdited("forward 12"))
+        runBlocking { first.restDocument() }
+        first.close()
+        machine.store.full = false
+        machine.clock.now += 1_000
+        val second = machine.tab(memory)
+        assertEquals("forward 12", second.state.programText)
+        assertNull(memory.workId?.let(memory::left))
+        second.write("forward 13")
+        second.close()
+        assertEquals("forward 13", machine.tab(memory).state.programText)
     }
 
     @Test

@@ -7,6 +7,7 @@ import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.hasTestTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performScrollTo
 import androidx.compose.ui.test.performScrollToNode
 import kotlinx.coroutines.runBlocking
 import robotran.ui.openWorkshop
@@ -34,7 +35,7 @@ class ExamplesPageTest {
     fun `an example is found in the menu and comes into a tab of its own`() = onPhone { workshop ->
         onNodeWithTag("menu").performClick()
         pass(300)
-        onNodeWithTag("menu-examples").performClick()
+        onNodeWithTag("menu-examples").performScrollTo().performClick()
         pass(300)
         onNodeWithTag("example-cards").performScrollToNode(hasTestTag("example-flower.robo"))
         onNodeWithTag("example-flower.robo").performClick()
