@@ -97,3 +97,40 @@ test('a browser that cannot draw is told why', async () => {
   assert.match(await words(page), /WebGL/);
   await page.context().close();
 });
+
+test('what went wrong is told under Details, for somebody who is asked for help', async () => {
+  const page = await visit({ locale: 'de-AT', prepare: startInVain });
+  await page.waitForSelector('#loading-details', { state: 'visible', timeout: 30_000 });
+  assert.equal(await words(page), 'Robotran konnte nicht starten.');
+  assert.equal(await page.textContent('#loading-details summary'), 'Einzelheiten');
+  assert.equal(await page.isVisible('#loading-report'), false, 'only who asks for it sees it');
+  await page.click('#loading-details summary');
+  const report = await page.innerText('#loading-report');
+  const version = await page.evaluate(() => JSON.parse(document.getElementById('site').textContent).version);
+  assert.match(report, /RangeError: something odd/);
+  assert.match(report, /Chrome\/\d+/);
+  assert.ok(report.includes(`Robotran ${version}`) && report.includes('de-AT'), report);
+  await photograph(page, 'loading-details');
+  await page.context().close();
+});
+
+/** Runs in the page: what Compose asks for as it starts fails. */
+function startInVain() {
+  const { Locale } = Intl;
+  Intl.Locale = function (tag) {
+    if (document.readyState !== 'loading') throw new RangeError('something odd');
+    return new Locale(tag);
+  };
+}
+
+test('a language that is none counts as English', async () => {
+  const prepare = () => {
+    Object.defineProperty(Navigator.prototype, 'language', { get: () => 'C', configurable: true });
+    Object.defineProperty(Navigator.prototype, 'languages', { get: () => ['C'], configurable: true });
+  };
+  const page = await visit({ prepare });
+  await appIsThere(page);
+  assert.equal(await page.getAttribute('html', 'lang'), 'en');
+  await page.waitForSelector('#robotran-words [data-tag]', { state: 'attached' });
+  await page.context().close();
+});

@@ -10,6 +10,7 @@
       noNetwork: 'The network is still away. Please try again a little later.',
       notStarted: 'Robotran could not start.',
       again: 'Try again',
+      details: 'Details',
     },
     es: {
       loading: 'Robotran se está preparando.',
@@ -20,6 +21,7 @@
       noNetwork: 'Sigue sin haber red. Inténtalo otra vez un poco más tarde.',
       notStarted: 'Robotran no ha podido empezar.',
       again: 'Intentarlo otra vez',
+      details: 'Detalles',
     },
     de: {
       loading: 'Robotran macht sich bereit.',
@@ -30,10 +32,29 @@
       noNetwork: 'Das Netz ist noch weg. Versuche es bitte etwas später noch einmal.',
       notStarted: 'Robotran konnte nicht starten.',
       again: 'Noch einmal versuchen',
+      details: 'Einzelheiten',
     },
   };
   const ATTEMPTS = 3;
-  const asked = (navigator.language || 'en').split('-')[0].toLowerCase();
+  const MOST_DETAILS = 4000;
+
+  // Some browsers hand on what the machine calls its language, such as `C`, which is none; Compose would not start with it.
+  const isLanguage = (tag) => {
+    try {
+      return Boolean(new Intl.Locale(tag));
+    } catch {
+      return false;
+    }
+  };
+  const languages = [...(navigator.languages || [navigator.language])];
+  if (languages.length === 0 || ![...languages, navigator.language].every(isLanguage)) {
+    const known = languages.filter(isLanguage);
+    if (known.length === 0) known.push('en');
+    // Not on `navigator` itself: what the app puts there for a chosen language it takes away again.
+    Object.defineProperty(Navigator.prototype, 'languages', { get: () => known, configurable: true });
+    Object.defineProperty(Navigator.prototype, 'language', { get: () => known[0], configurable: true });
+  }
+  const asked = navigator.language.split('-')[0].toLowerCase();
   const tag = asked in WORDS ? asked : 'en';
   const words = WORDS[tag];
   const part = (name) => document.getElementById(name);
@@ -49,14 +70,23 @@
     if (place) place.textContent = sentence;
   };
 
+  /** What somebody who is asked for help needs to know. */
+  const report = (error) => {
+    const [name, stack] = [String(error || ''), String((error && error.stack) || '')];
+    return [stack.includes(name) ? stack : `${name}\n${stack}`, navigator.userAgent, `Robotran ${site.version}`, languages.join()]
+      .map((line) => line.trim()).filter(Boolean).join('\n').slice(0, MOST_DETAILS);
+  };
+
   let trouble = null;
-  const fail = (reason) => {
+  const fail = (reason, error) => {
     // What is missing explains what goes wrong after it, and a second attempt helps only with what may come.
     if (!part('loading') || trouble === 'oldBrowser' || trouble === 'notFetched') return;
     trouble = reason;
     say(words[reason]);
     part('loading-progress').hidden = true;
     part('loading-again').hidden = reason === 'oldBrowser';
+    part('loading-report').textContent = report(error);
+    part('loading-details').hidden = false;
   };
   const canDraw = () => {
     try {
@@ -68,8 +98,9 @@
       return false;
     }
   };
-  const failToStart = (error) => fail(error && error.name === 'CompileError' ? 'oldBrowser' : 'notStarted');
-  const onError = (event) => (event.target instanceof HTMLScriptElement ? fail('notFetched') : failToStart(event.error));
+  const failToStart = (error) => fail(error && error.name === 'CompileError' ? 'oldBrowser' : 'notStarted', error);
+  const onError = (event) =>
+    (event.target instanceof HTMLScriptElement ? fail('notFetched', event.target.src) : failToStart(event.error || event.message));
   const onRejection = (event) => failToStart(event.reason);
   addEventListener('error', onError, true);
   addEventListener('unhandledrejection', onRejection);
@@ -77,6 +108,7 @@
   document.documentElement.lang = tag;
   say(words.loading);
   part('loading-again').textContent = words.again;
+  part('loading-details').firstElementChild.textContent = words.details;
   part('loading-again').addEventListener('click', async () => {
     const answer = await fetchAsEver(base, { cache: 'reload' }).catch(() => null);
     if (answer && answer.ok) location.reload();
@@ -101,8 +133,9 @@
       if (response && isWanted(response)) return response;
       if (attempt < ATTEMPTS) await pause(attempt * 700);
     }
-    fail('notFetched');
-    throw new Error(`${address} could not be fetched`);
+    const error = new Error(`${address} could not be fetched`);
+    fail('notFetched', error);
+    throw error;
   };
   const countBytes = async (response) => {
     const reader = response.body.getReader();
@@ -124,7 +157,7 @@
     const whole = absolute(address);
     const response = download(whole);
     coming.set(whole, response.then((answer) => {
-      countBytes(answer.clone()).catch(() => fail('notFetched'));
+      countBytes(answer.clone()).catch((error) => fail('notFetched', error));
       return typed(address, answer);
     }));
     coming.get(whole).catch(() => undefined);
