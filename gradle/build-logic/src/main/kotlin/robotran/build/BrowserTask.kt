@@ -13,6 +13,7 @@ import org.gradle.api.tasks.PathSensitivity
 import org.gradle.process.ExecOperations
 import org.gradle.process.ExecSpec
 import java.io.ByteArrayOutputStream
+import java.io.File
 
 /** A task whose scripts, run by Node, serve [page] themselves and drive it in Chromium. */
 abstract class BrowserTask(private val processes: ExecOperations) : DefaultTask() {
@@ -42,18 +43,24 @@ abstract class BrowserTask(private val processes: ExecOperations) : DefaultTask(
 
     /** Runs Node with [arguments] where scripts find the browser, its driver and the page. */
     protected fun runNode(arguments: List<String>, configure: (ExecSpec) -> Unit = {}) {
-        val browser = ByteArrayOutputStream()
-        processes.exec {
-            it.commandLine(browserFinder.get().asFile.path)
-            it.standardOutput = browser
-        }
+        val browser = linesOf(browserFinder.get().asFile).first()
         processes.exec { exec ->
             exec.executable(node.get())
             exec.args(arguments)
-            exec.environment("CHROMIUM", browser.toString().trim())
+            exec.environment("CHROMIUM", browser)
             exec.environment("NODE_PATH", modules.get())
             exec.environment("PAGE", page.get().asFile.path)
             configure(exec)
         }
+    }
+
+    /** What [script] prints. */
+    protected fun linesOf(script: File): List<String> {
+        val said = ByteArrayOutputStream()
+        processes.exec {
+            it.commandLine(script.path)
+            it.standardOutput = said
+        }
+        return said.toString().lines().filter { it.isNotBlank() }
     }
 }

@@ -15,7 +15,7 @@ class RootPlugin : Plugin<Project> {
         project.tasks.register("setUp") { task ->
             task.group = "build setup"
             task.description = "Sets up everything that this machine lacks for the whole build."
-            task.dependsOn(WebTools.SET_UP_TASK, Chromium.SET_UP_TASK)
+            task.dependsOn(WebTools.SET_UP_TASK, Chromium.SET_UP_TASK, Chromium.ENGINES_TASK)
         }
         CodeStyle.register(project)
         val moduleMap = registerModuleMapCheck(project)

@@ -20,7 +20,10 @@ class WebAppPlugin : Plugin<Project> {
         WebTools.use(project)
         val dist = addSite(project)
         val browserTest = addBrowserTest(project, dist)
-        project.tasks.named("check") { it.dependsOn(browserTest) }
+        val engineTest = addEngineTest(project)
+        // Both want the whole machine.
+        engineTest.configure { it.mustRunAfter(browserTest) }
+        project.tasks.named("check") { it.dependsOn(browserTest, engineTest) }
         addMeasuring(project, dist)
     }
 
@@ -51,19 +54,33 @@ class WebAppPlugin : Plugin<Project> {
             task.site.set(project.layout.buildDirectory.dir("site"))
         }
 
-    private fun addBrowserTest(project: Project, dist: TaskProvider<AssembleSite>): TaskProvider<BrowserTest> =
-        project.tasks.register("browserTest", BrowserTest::class.java) { task ->
+    private fun addBrowserTest(project: Project, dist: TaskProvider<AssembleSite>): TaskProvider<BrowserTest> {
+        project.tasks.withType(BrowserTest::class.java).configureEach { task ->
             task.group = "verification"
-            task.description = "Drives the built page in headless Chromium and takes pictures of it."
             task.page.set(dist.flatMap { it.site })
-            task.tests.from(project.fileTree("src/browserTest"))
+            task.helpers.from(project.fileTree("src/browserTest") { it.exclude("**/*.test.mjs") })
             // Solutions need the worlds that they are for, which the page does not open.
             task.examples.from(project.rootProject.fileTree("examples") { it.exclude("solutions/**") })
             task.expectedProjectRuns.set(project.rootProject.file("shared/projects/src/commonTest/resources/runs"))
             task.expectedRuns.set(project.rootProject.file("shared/world/src/commonTest/resources/runs"))
             task.expectedJavaRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/runs"))
+            task.results.set(project.layout.buildDirectory.dir("test-results/${task.name}"))
+        }
+        return project.tasks.register("browserTest", BrowserTest::class.java) { task ->
+            task.description = "Drives the built page in headless Chromium and takes pictures of it."
+            task.tests.from(project.fileTree("src/browserTest") { it.include("*.test.mjs") })
             task.pictures.set(project.layout.buildDirectory.dir("pictures"))
-            task.results.set(project.layout.buildDirectory.dir("test-results/browserTest"))
+        }
+    }
+
+    /** `engineTest`: a short visit to the page in each engine that pupils have. */
+    private fun addEngineTest(project: Project): TaskProvider<BrowserTest> =
+        project.tasks.register("engineTest", BrowserTest::class.java) { task ->
+            task.description = "Visits the built page in Chromium, Firefox and WebKit: it starts, runs programs, and is there without a network."
+            task.dependsOn(":${Chromium.ENGINES_TASK}")
+            task.engineFinder.set(project.rootProject.file(Chromium.ENGINES_SCRIPT))
+            task.tests.from(project.fileTree("src/browserTest/engines") { it.include("*.test.mjs") })
+            task.pictures.set(project.layout.buildDirectory.dir("engine-pictures"))
         }
 
     /** `measurePage`: how long the page takes to be there and how smoothly it runs, by hand. */

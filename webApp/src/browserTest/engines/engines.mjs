@@ -1,0 +1,24 @@
+// The browsers that the page is to run in, whichever of them are here.
+import { startBrowser } from '../browser.mjs';
+import { openFirefox } from './firefox.mjs';
+import { openWebKit } from './webkit.mjs';
+
+const { CHROMIUM, FIREFOX, WEBKIT, WEBKIT_DRIVER } = process.env;
+
+/**
+ * Their names and what opens a page in each, with as much of Playwright's `Page` as `EnginePage` has; null where the browser is missing, which the
+ * build has said.
+ */
+export const ENGINES = {
+  Chromium: CHROMIUM ? openChromium : null,
+  Firefox: FIREFOX ? (size) => openFirefox(FIREFOX, size) : null,
+  WebKit: WEBKIT ? (size) => openWebKit({ driver: WEBKIT_DRIVER, binary: WEBKIT }, size) : null,
+};
+
+async function openChromium({ width, height }) {
+  const browser = await startBrowser();
+  const context = await browser.newContext({ viewport: { width, height }, serviceWorkers: 'allow' });
+  const page = await context.newPage();
+  page.close = () => browser.close();
+  return page;
+}

@@ -1,0 +1,83 @@
+// A short visit in every engine: it starts, a program is typed and runs, Java is compiled, a link is opened, and all is there without a network.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { deflateRawSync } from 'node:zlib';
+import { assertRecordedRun, photograph, putWelcomeAway, report } from '../page.mjs';
+import { serve } from '../serve.mjs';
+import { appears, press, reports, says, writeProgram } from '../words.mjs';
+import { ENGINES } from './engines.mjs';
+
+const SIZE = { width: 1180, height: 820 };
+const examples = process.env.EXAMPLES.split(path.delimiter);
+const example = (name) => examples.find((file) => path.basename(file) === name);
+
+const isThere = async (page) => {
+  await page.waitForFunction(() => {
+    const details = document.getElementById('loading-details');
+    if (details && !details.hidden) throw new Error(document.getElementById('loading').textContent);
+    return globalThis.robotran !== undefined && document.querySelector('#robotran-words [data-tag]') !== null;
+  }, null, { timeout: 90_000 });
+};
+
+for (const [name, open] of Object.entries(ENGINES)) {
+  describe(name, { skip: open === null && `${name} is not here` }, () => {
+    let site;
+    let page;
+
+    before(async () => {
+      site = await serve(process.env.PAGE);
+      page = await open(SIZE);
+    });
+
+    after(async () => {
+      await page?.close();
+      site?.stop();
+    });
+
+    test(`the page starts in ${name}, and the robot draws the square`, async () => {
+      await page.goto(site.address);
+      await isThere(page);
+      await putWelcomeAway(page);
+      await press(page, 'run');
+      await reports(page, (report) => report.status === 'ended');
+      const { inkCentimetres } = await report(page);
+      assert.ok(inkCentimetres > 79 && inkCentimetres < 81, `${inkCentimetres} cm of ink`);
+      await photograph(page, `engine-${name.toLowerCase()}`);
+    });
+
+    test(`a program that is typed in ${name} runs`, async () => {
+      await writeProgram(page, 'pen down\nforward 12');
+      await says(page, 'status', /Run/);
+      await press(page, 'run');
+      await reports(page, (report) => report.status === 'ended' && report.inkCentimetres > 11 && report.inkCentimetres < 13);
+    });
+
+    test(`${name} makes recorded runs, in Robolang and in Java, bit for bit`, async () => {
+      await assertRecordedRun(page, example('square.robo'), process.env.EXPECTED_RUNS);
+      await assertRecordedRun(page, example('Square.java'), process.env.EXPECTED_JAVA_RUNS);
+    });
+
+    test(`without a network the page is there again in ${name}, with the work and with Java`, async () => {
+      await page.waitForFunction(() => navigator.serviceWorker.getRegistration()
+        .then((registration) => registration?.active?.state === 'activated' && !registration.installing && !registration.waiting));
+      site.refuse = () => 503;
+      const asked = site.asked.length;
+      await page.reload();
+      await isThere(page);
+      await says(page, 'program', /forward 12/);
+      await assertRecordedRun(page, example('Square.java'), process.env.EXPECTED_JAVA_RUNS);
+      assert.deepEqual(site.asked.slice(asked).filter((path) => !/service-worker\.js$/.test(path)), []);
+    });
+
+    test(`${name} opens a link`, async () => {
+      const project = JSON.parse(await readFile(path.join(process.env.EXPECTED_PROJECT_RUNS, 'full-of-things-0.robotran'), 'utf8'));
+      const link = `#p=a${deflateRawSync(JSON.stringify(project)).toString('base64url')}`;
+      await page.evaluate((fragment) => { location.hash = fragment; }, link);
+      await appears(page, 'thing-block-0');
+      assert.equal(await page.evaluate(() => location.hash), '');
+      await says(page, 'program', /^(?!.*forward 12)/);
+    });
+  });
+}
