@@ -73,6 +73,19 @@ class BackTest {
     }
 
     @Test
+    fun `Back closes a page before the find bar that lies below it`() {
+        app.goBack()
+        show(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        app.touch("find-open")
+        show(SettingsEvent.SettingsShown(true))
+        app.goBack()
+        assertFalse(app.workshop.state.settingsShown)
+        assertTrue(app.isThere("find-bar"))
+        app.goBack()
+        assertFalse(app.isThere("find-bar"))
+    }
+
+    @Test
     fun `Back leaves the editor of worlds and keeps what was done`() {
         app.goBack()
         show(WorldEditEvent.EditorOpened)

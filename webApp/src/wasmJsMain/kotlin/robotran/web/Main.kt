@@ -20,7 +20,7 @@ fun main() {
     findResourcesInSite()
     val embedded = isEmbedded()
     val platform = WebPlatform(WebSpeaker(), embedded)
-    PageWindow(page) {
+    PageWindow(page, hasHistory = !embedded) {
         RobotranStart(platform = platform, welcoming = !embedded, embedded = embedded, onOpened = { workshop ->
             openPageInterface(workshop)
             if (!embedded) keepWork(workshop)

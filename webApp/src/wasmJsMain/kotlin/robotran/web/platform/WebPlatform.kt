@@ -68,7 +68,7 @@ private fun pageAddress(): String = js("location.href.split('#')[0]")
 private fun takeFragment(stays: Boolean): String = js(
     """(() => {
         const fragment = location.hash;
-        if (!stays && /^#[wp]=/.test(fragment)) history.replaceState(null, '', location.href.split('#')[0]);
+        if (!stays && /^#[wp]=/.test(fragment)) history.replaceState(history.state, '', location.href.split('#')[0]);
         return fragment;
     })()""",
 )

@@ -4,15 +4,21 @@ package robotran.web.window
 
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
+import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableIntStateOf
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.InternalComposeUiApi
 import androidx.compose.ui.LocalSystemTheme
 import androidx.compose.ui.SystemTheme
 import androidx.compose.ui.input.InputMode
 import androidx.compose.ui.input.InputModeManager
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEvent
+import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.pointer.PointerIcon
 import androidx.compose.ui.platform.LocalClipboardManager
 import androidx.compose.ui.platform.PlatformContext
@@ -32,6 +38,7 @@ import kotlinx.coroutines.Dispatchers
 import org.jetbrains.skiko.SkiaLayer
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
+import robotran.ui.parts.BackHandlers
 import robotran.ui.screen.LocalKeyboardHeight
 
 /**
@@ -39,9 +46,10 @@ import robotran.ui.screen.LocalKeyboardHeight
  * keyboard on the screen that covers nothing, and HTML beside the canvas for those who cannot see it.
  *
  * @param body what it fills, as far as no keyboard on the screen covers that and no notch or rounded corner cuts it off.
+ * @param hasHistory whether Back of the browser closes what is open.
  */
 @OptIn(InternalComposeUiApi::class, ExperimentalComposeUiApi::class)
-internal class PageWindow(body: HTMLElement, content: @Composable () -> Unit) {
+internal class PageWindow(body: HTMLElement, hasHistory: Boolean, content: @Composable () -> Unit) {
     private val place = PagePlace(body)
     private val canvas = document.createElement("canvas") as HTMLCanvasElement
     private val layer = SkiaLayer()
@@ -51,6 +59,7 @@ internal class PageWindow(body: HTMLElement, content: @Composable () -> Unit) {
     private var density by mutableStateOf(Density(1f))
     private var size by mutableStateOf(IntSize.Zero)
     private var keyboardHeight by mutableStateOf(0.dp)
+    private var openLayers by mutableIntStateOf(0)
     private var theme by mutableStateOf(SystemTheme.Unknown)
 
     init {
@@ -60,7 +69,7 @@ internal class PageWindow(body: HTMLElement, content: @Composable () -> Unit) {
         canvas.style.setProperty("display", "block")
         place.element.appendChild(canvas)
         input = PageTextInput(place.element, canvas) { density.density }
-        mirror = SemanticsMirror(place.element, canvas, input) { density.density }
+        mirror = SemanticsMirror(place.element, canvas, input, { density.density }) { openLayers = it }
     }
 
     private val scene: ComposeScene = CanvasLayersComposeScene(
@@ -86,9 +95,27 @@ internal class PageWindow(body: HTMLElement, content: @Composable () -> Unit) {
                 LocalKeyboardHeight provides keyboardHeight,
                 content = content,
             )
+            if (hasHistory) CloseByBack()
         }
         place.whenChanged(::fit)
         canvas.focus()
+    }
+
+    @Composable
+    private fun CloseByBack() {
+        LaunchedEffect(Unit) {
+            val history = PageHistory(::closeTop)
+            snapshotFlow { openLayers + BackHandlers.count }.collect(history::show)
+        }
+    }
+
+    /** Dialogs and menus lie over everything else, and know Escape. */
+    private fun closeTop() {
+        if (openLayers == 0) {
+            BackHandlers.goBack()
+        } else {
+            for (type in listOf(KeyEventType.KeyDown, KeyEventType.KeyUp)) scene.sendKeyEvent(KeyEvent(Key.Escape, type))
+        }
     }
 
     private fun fit(width: Int, height: Int, covered: Dp) {

@@ -15,6 +15,8 @@ import org.w3c.dom.HTMLElement
 /**
  * What Compose says of itself to screen readers, as HTML that lies unseen over the canvas: buttons that can be pressed, texts, fields, and regions that
  * are read out when they change. Nothing of it is in the way of fingers, and the Tab key stays with the canvas, which tells what has the focus there.
+ *
+ * @param tellOpen is told how many dialogs and menus are open.
  */
 @OptIn(InternalComposeUiApi::class)
 internal class SemanticsMirror(
@@ -22,6 +24,7 @@ internal class SemanticsMirror(
     private val canvas: HTMLCanvasElement,
     private val input: PageTextInput,
     private val density: () -> Float,
+    private val tellOpen: (Int) -> Unit,
 ) : PlatformContext.SemanticsOwnerListener {
     private val root = document.createElement("div") as HTMLElement
     private val layers = LinkedHashMap<SemanticsOwner, MirrorLayer>()
@@ -66,7 +69,9 @@ internal class SemanticsMirror(
         root.style.left = "${canvas.offsetLeft}px"
         root.style.top = "${canvas.offsetTop}px"
         val told = layers.keys.map { owner -> owner to describe(owner, density()) }
-        val top = told.indexOfLast { (owner, _) -> isModal(owner) }.coerceAtLeast(0)
+        val modal = told.map { (owner, _) -> isModal(owner) }
+        tellOpen(modal.count { it })
+        val top = modal.lastIndexOf(true).coerceAtLeast(0)
         var focus: Described? = null
         told.forEachIndexed { place, (owner, all) ->
             layers[owner]?.show(if (place < top) emptyList() else all)

@@ -4,4 +4,4 @@ import androidx.activity.compose.BackHandler
 import androidx.compose.runtime.Composable
 
 @Composable
-internal actual fun BackGesture(enabled: Boolean, onBack: () -> Unit) = BackHandler(enabled, onBack)
+internal actual fun BackGesture(count: Int, onBack: () -> Unit) = BackHandler(count > 0, onBack)

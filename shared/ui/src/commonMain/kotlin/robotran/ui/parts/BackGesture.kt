@@ -3,8 +3,10 @@ package robotran.ui.parts
 import androidx.compose.runtime.Composable
 
 /**
- * Back, as phones and tablets have it: [onBack] is done instead of leaving the app while [enabled]. Of several, the one that was composed
- * last counts. Menus and dialogs close by themselves. Platforms without it do nothing.
+ * Back, as phones, tablets and browsers have it: [onBack] is done instead of leaving the app while there is something to close. Of several, the one
+ * that was composed last counts. Menus and dialogs close by themselves. Platforms without it do nothing.
+ *
+ * @param count how many times in a row Back finds something to close here.
  */
 @Composable
-internal expect fun BackGesture(enabled: Boolean = true, onBack: () -> Unit)
+internal expect fun BackGesture(count: Int = 1, onBack: () -> Unit)

@@ -1,6 +1,5 @@
 package robotran.ui.screen
 
-import robotran.ui.workshop.DocumentEvent
 import robotran.ui.workshop.LearningEvent
 import robotran.ui.workshop.Pane
 import robotran.ui.workshop.RunEvent
@@ -10,21 +9,21 @@ import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorldEditEvent
 import robotran.ui.worldedit.escaped
 
-/**
- * What Back does while [state] is shown: it closes what lies over the rest, the topmost first, and where there is room for one pane only it
- * goes to the world from the others. Null where Back leaves the app.
- */
-internal fun backEvent(state: WorkshopState, isWide: Boolean): WorkshopEvent? {
-    val edit = state.worldEdit
-    return when {
-        state.document.dialog != null -> DocumentEvent.DialogClosed
-        state.settingsShown -> SettingsEvent.SettingsShown(false)
-        state.learning.page != null -> LearningEvent.PageLeft
-        edit != null -> escaped(edit.editing)?.let(WorldEditEvent::Edited) ?: WorldEditEvent.EditorClosed
-        isWide -> RunEvent.DrawerChosen(null).takeIf { state.run.drawer.tab != null }
-        state.learning.tutorial?.isFolded == false -> LearningEvent.TutorialFolded(true)
-        state.pane != Pane.WORLD -> WorkshopEvent.PaneChosen(Pane.WORLD)
-        state.run.drawer.tab != null -> RunEvent.DrawerChosen(null)
-        else -> null
+/** What Back closes of the pages that lie over the workshop, the topmost first; menus and dialogs close by themselves. */
+internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildList {
+    if (state.settingsShown) add(SettingsEvent.SettingsShown(false))
+    if (state.learning.page != null) add(LearningEvent.PageLeft)
+    state.worldEdit?.let { edit ->
+        escaped(edit.editing)?.let { add(WorldEditEvent.Edited(it)) }
+        add(WorldEditEvent.EditorClosed)
     }
+}
+
+/** What Back closes of the workshop itself; where there is room for one pane only, it goes to the world from the others. Nothing where Back leaves the app. */
+internal fun paneBackEvents(state: WorkshopState, isWide: Boolean): List<WorkshopEvent> = buildList {
+    if (!isWide) {
+        if (state.learning.tutorial?.isFolded == false) add(LearningEvent.TutorialFolded(true))
+        if (state.pane != Pane.WORLD) add(WorkshopEvent.PaneChosen(Pane.WORLD))
+    }
+    if (state.run.drawer.tab != null) add(RunEvent.DrawerChosen(null))
 }

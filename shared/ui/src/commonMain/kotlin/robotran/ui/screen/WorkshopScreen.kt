@@ -35,8 +35,8 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         // Larger text needs the room of a larger screen.
         val scale = state.settings.textScale.coerceAtMost(LocalDensity.current.fontScale)
         val layout = ScreenLayout.of(maxWidth, maxHeight + LocalKeyboardHeight.current, scale)
-        val back = backEvent(state, layout != ScreenLayout.NARROW)
-        BackGesture(back != null) { back?.let(onEvent) }
+        val ofPanes = paneBackEvents(state, isWide = layout != ScreenLayout.NARROW)
+        BackGesture(ofPanes.size) { ofPanes.firstOrNull()?.let(onEvent) }
         val isCovered = state.settingsShown || state.learning.page?.coversAll == true
         // Nobody is told of what nobody can see.
         Column(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
@@ -53,6 +53,9 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         }
         LearningPages(state.learning, onEvent)
         if (state.settingsShown) SettingsPage(state.settings, state.siteWanted, asksForSite = !state.hasPage, onEvent)
+        val ofPages = pageBackEvents(state)
+        // Composed when a page opens, so that what was opened in the panes before, such as the find bar, stays until the page is closed.
+        if (ofPages.isNotEmpty()) BackGesture(ofPages.size) { onEvent(ofPages.first()) }
         DocumentDialogs(state.document, onEvent)
     }
 }

@@ -4,4 +4,4 @@ import androidx.compose.runtime.Composable
 
 /** There is none. */
 @Composable
-internal actual fun BackGesture(enabled: Boolean, onBack: () -> Unit) = Unit
+internal actual fun BackGesture(count: Int, onBack: () -> Unit) = Unit
