@@ -4,15 +4,11 @@ import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.toPixelMap
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
-import androidx.compose.ui.test.hasTestTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
-import androidx.compose.ui.test.performScrollTo
-import androidx.compose.ui.test.performScrollToNode
 import kotlinx.coroutines.runBlocking
 import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs
-import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.ui.screen.photograph
@@ -32,16 +28,15 @@ import kotlin.test.assertTrue
 @OptIn(ExperimentalTestApi::class)
 class ExamplesPageTest {
     @Test
-    fun `an example is found in the menu and comes into a tab of its own`() = onPhone { workshop ->
+    fun `an example is found in the menu and comes into a tab of its own`() = onTablet { workshop ->
         onNodeWithTag("menu").performClick()
         pass(300)
-        onNodeWithTag("menu-examples").performScrollTo().performClick()
+        onNodeWithTag("menu-examples").performClick()
         pass(300)
-        onNodeWithTag("example-cards").performScrollToNode(hasTestTag("example-flower.robo"))
-        onNodeWithTag("example-flower.robo").performClick()
+        onNodeWithTag("example-countdown.robo").performClick()
         pass(300)
         assertNull(workshop.state.learning.page)
-        assertEquals(listOf("square.robo", "flower.robo"), workshop.state.programs.programs.map { it.name })
+        assertEquals(listOf("square.robo", "countdown.robo"), workshop.state.programs.programs.map { it.name })
         onNodeWithTag("program").assertIsDisplayed()
     }
 
@@ -92,9 +87,9 @@ class ExamplesPageTest {
         }
     }
 
+    private fun ImageBitmap.pixels(): List<Int> = toPixelMap().buffer.toList()
+
     private companion object {
         val ROOM = PictureRoom.of(320, 240, density = 1f)
     }
-
-    private fun ImageBitmap.pixels(): List<Int> = toPixelMap().buffer.toList()
 }
