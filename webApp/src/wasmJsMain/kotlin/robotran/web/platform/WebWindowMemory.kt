@@ -60,7 +60,8 @@ private fun keepLeft(id: String, text: String?): Unit = js(
     }""",
 )
 
-private fun leftOf(id: String): String? = js("(() => { try { return localStorage.getItem('robotran-left-' + id); } catch { return null; } })()")
+private fun leftOf(id: String): String? =
+    js("(() => { try { return localStorage.getItem('robotran-left-' + id); } catch { return null; } })()")
 
 private fun takeEnd(id: String): Boolean = js(
     """(() => {

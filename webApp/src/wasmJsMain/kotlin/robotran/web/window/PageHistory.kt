@@ -57,17 +57,25 @@ internal class PageHistory(private val closeTop: () -> Unit) {
     private fun settle() {
         when {
             // A way that was never gone is not waited for a second time.
-            goes in 1..MOST_WAITS -> goes++.also { settleSoon() }
+            goes in 1..MOST_WAITS -> {
+                goes++
+                settleSoon()
+            }
+
             closable > here -> {
                 goes = 0
                 repeat(closable - here) { pushEntry(++here) }
             }
+
             closable < here -> {
                 goes = 1
                 go(closable - here)
                 settleSoon()
             }
-            else -> goes = 0
+
+            else -> {
+                goes = 0
+            }
         }
     }
 

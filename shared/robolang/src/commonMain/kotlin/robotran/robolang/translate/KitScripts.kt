@@ -44,7 +44,9 @@ internal class KitScripts(
                 </exec>
             </target>
         </project>
-        """.trimIndent().replace("@SOURCES@", sources.joinToString("\n") { "            <arg value=\"$it\"/>" }) + "\n"
+        """.trimIndent().replace("@SOURCES@", sourceArguments()) + "\n"
+
+    private fun sourceArguments() = sources.joinToString("\n") { "            <arg value=\"$it\"/>" }
 
     fun shellScript(): String =
         """

@@ -67,7 +67,14 @@ internal fun WorkRow(work: ShownWork, onEvent: (DocumentEvent) -> Unit) {
                 Text(nameOf(work), fontSize = 16.sp, lineHeight = 22.sp, fontWeight = FontWeight.Medium)
                 val holds = listOfNotNull(work.world?.title?.takeIf { it != work.entry.name }) + work.programs
                 // There is room for it from the beginning, so that nothing moves when it comes.
-                Text(holds.joinToString(" · "), color = colours.quiet, fontSize = 14.sp, lineHeight = 20.sp, maxLines = 1, overflow = TextOverflow.Ellipsis)
+                Text(
+                    holds.joinToString(" · "),
+                    color = colours.quiet,
+                    fontSize = 14.sp,
+                    lineHeight = 20.sp,
+                    maxLines = 1,
+                    overflow = TextOverflow.Ellipsis,
+                )
                 Text(timeOf(work), color = colours.quiet, fontSize = 14.sp, lineHeight = 20.sp)
             }
         }

@@ -122,8 +122,10 @@ private fun ExamplePicture(name: String) {
 }
 
 /** What an example says about itself: the note it begins with, up to the end of its first sentence. */
-private fun aboutExample(text: String): String =
-    text.lineSequence().takeWhile { it.startsWith("//") }.joinToString(" ") { it.removePrefix("//").trim() }.substringBefore(". ").removeSuffix(".")
+private fun aboutExample(text: String): String {
+    val note = text.lineSequence().takeWhile { it.startsWith("//") }
+    return note.joinToString(" ") { it.removePrefix("//").trim() }.substringBefore(". ").removeSuffix(".")
+}
 
 private val ProgramLanguage.title: StringResource
     get() = when (this) {

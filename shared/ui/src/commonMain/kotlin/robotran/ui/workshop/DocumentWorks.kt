@@ -1,7 +1,7 @@
 package robotran.ui.workshop
 
-import robotran.documents.KeptWork
 import kotlinx.coroutines.yield
+import robotran.documents.KeptWork
 import robotran.documents.StoreResult
 import robotran.documents.WorkClaim
 import robotran.documents.WorkEntry

@@ -29,6 +29,7 @@ internal class WorkComingBack(private val bench: Bench, private val keeper: Docu
 
     /** Says what came back, if it did not come back as if nothing had been. */
     fun say(back: ComingBack) {
+        if (!back.wasCutShort && back.others == 0) return
         val name = back.work.name
         val myWork = { bench.perform(DocumentEvent.WorksWanted) }
         when {
@@ -37,9 +38,13 @@ internal class WorkComingBack(private val bench: Bench, private val keeper: Docu
                 bench.say(Notice(text, action = Res.string.documents_my_work, onAction = myWork))
             }
 
-            !back.wasCutShort -> Unit
-            name.isEmpty() -> bench.say(Notice(Res.string.documents_back_unnamed))
-            else -> bench.say(Notice(Res.string.documents_back, listOf(name)))
+            name.isEmpty() -> {
+                bench.say(Notice(Res.string.documents_back_unnamed))
+            }
+
+            else -> {
+                bench.say(Notice(Res.string.documents_back, listOf(name)))
+            }
         }
     }
 

@@ -36,8 +36,15 @@ internal fun WorldPanel(making: Making, newTitle: String) {
         { change(figures.copy(title = it)) }, making::settle,
     )
     TextRow(
-        stringResource(Res.string.worldedit_task), figures.task, WorldLimits.MAXIMUM_TASK_CHARACTERS, "field-task",
-        { change(figures.copy(task = it)) }, making::settle, mayBeBlank = true, isProse = true, hint = stringResource(Res.string.worldedit_task_hint),
+        stringResource(Res.string.worldedit_task),
+        figures.task,
+        WorldLimits.MAXIMUM_TASK_CHARACTERS,
+        "field-task",
+        { change(figures.copy(task = it)) },
+        making::settle,
+        mayBeBlank = true,
+        isProse = true,
+        hint = stringResource(Res.string.worldedit_task_hint),
     )
     val sides = WorldLimits.MINIMUM_PAPER_SIDE..WorldLimits.MAXIMUM_PAPER_SIDE
     RowHeading(stringResource(Res.string.worldedit_paper))

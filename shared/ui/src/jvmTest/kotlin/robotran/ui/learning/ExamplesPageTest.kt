@@ -70,9 +70,8 @@ class ExamplesPageTest {
         val other = ExamplePictures.of("tree.robo", SheetColours.LIGHT, ROOM)
         assertTrue(square.pixels() != other.pixels())
         assertEquals(square.pixels(), ExamplePictures.of("Square.java", SheetColours.LIGHT, ROOM).pixels())
-        val twins = ProgramLanguage.JAVA.examples.keys.filter { name ->
-            ExamplePictures.of(name, SheetColours.LIGHT, ROOM).pixels() != ExamplePictures.of("none.java", SheetColours.LIGHT, ROOM).pixels()
-        }
+        val empty = ExamplePictures.of("none.java", SheetColours.LIGHT, ROOM).pixels()
+        val twins = ProgramLanguage.JAVA.examples.keys.filter { ExamplePictures.of(it, SheetColours.LIGHT, ROOM).pixels() != empty }
         assertTrue("Spiral.java" in twins && "WallBouncer.java" in twins, "$twins")
     }
 
