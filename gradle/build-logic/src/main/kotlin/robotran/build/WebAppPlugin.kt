@@ -76,7 +76,7 @@ class WebAppPlugin : Plugin<Project> {
     /** `engineTest`: a short visit to the page in each engine that pupils have. */
     private fun addEngineTest(project: Project): TaskProvider<BrowserTest> =
         project.tasks.register("engineTest", BrowserTest::class.java) { task ->
-            task.description = "Visits the built page in Chromium, Firefox and WebKit: start, programs, no network."
+            task.description = "Visits the built page in Chromium, Firefox and WebKit: it starts, runs programs, and needs no network then."
             task.dependsOn(":${Chromium.ENGINES_TASK}")
             task.engineFinder.set(project.rootProject.file(Chromium.ENGINES_SCRIPT))
             task.tests.from(project.fileTree("src/browserTest/engines") { it.include("*.test.mjs") })

@@ -55,27 +55,18 @@ internal class PageHistory(private val closeTop: () -> Unit) {
     }
 
     private fun settle() {
-        when {
-            // A way that was never gone is not waited for a second time.
-            goes in 1..MOST_WAITS -> {
-                goes++
-                settleSoon()
-            }
-
-            closable > here -> {
-                goes = 0
-                repeat(closable - here) { pushEntry(++here) }
-            }
-
-            closable < here -> {
-                goes = 1
-                go(closable - here)
-                settleSoon()
-            }
-
-            else -> {
-                goes = 0
-            }
+        // A way that was never gone is not waited for without end.
+        if (goes in 1..MOST_WAITS) {
+            goes++
+            settleSoon()
+            return
+        }
+        goes = 0
+        repeat(closable - here) { pushEntry(++here) }
+        if (closable < here) {
+            goes = 1
+            go(closable - here)
+            settleSoon()
         }
     }
 
