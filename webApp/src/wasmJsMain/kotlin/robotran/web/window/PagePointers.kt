@@ -35,6 +35,9 @@ internal class PagePointers(
 ) {
     private val fingers = LinkedHashMap<Int, Offset>()
 
+    /** Where the mouse is, if it is over the canvas. */
+    private var mouse: Offset? = null
+
     fun listen() {
         // The browser neither scrolls nor zooms nor goes back under a finger here.
         canvas.style.setProperty("touch-action", "none")
@@ -57,9 +60,18 @@ internal class PagePointers(
     private fun finger(event: PointerEvent, type: PointerEventType) {
         val id = event.pointerId
         when (type) {
-            PointerEventType.Press -> fingers[id] = placeOf(event)
-            PointerEventType.Move, PointerEventType.Release -> if (id in fingers) fingers[id] = placeOf(event) else return
-            else -> return
+            PointerEventType.Press -> {
+                forgetMouse()
+                fingers[id] = placeOf(event)
+            }
+
+            PointerEventType.Move, PointerEventType.Release -> {
+                if (id in fingers) fingers[id] = placeOf(event) else return
+            }
+
+            else -> {
+                return
+            }
         }
         val isUp = type == PointerEventType.Release
         val pointers = fingers.map { (finger, position) ->
@@ -69,7 +81,14 @@ internal class PagePointers(
         if (isUp) fingers -= id
     }
 
+    /** Compose takes the first touch while a mouse hovers for a part of the mouse's way, and does nothing with it. */
+    private fun forgetMouse() {
+        mouse?.let { scene.sendPointerEvent(PointerEventType.Exit, it) }
+        mouse = null
+    }
+
     private fun mouse(event: PointerEvent, type: PointerEventType) {
+        mouse = placeOf(event).takeIf { type != PointerEventType.Exit }
         scene.sendPointerEvent(
             type, placeOf(event),
             buttons = PointerButtons(event.buttons.toInt()),
