@@ -46,8 +46,8 @@ const ON_A_TABLET = [
   [['edit-world'], 'edit-done'],
   [['work-menu', 'work-my-work'], 'document-dialog'],
   [['work-menu', 'work-share-link'], 'document-dialog'],
-  [['run-more'], 'run-panel'],
-  [['find-open'], 'find-bar'],
+  [['run-more'], 'run-panel-close'],
+  [['find-open'], 'find-close'],
 ];
 
 test('Back closes each page, dialog and menu, and nothing is left behind', () =>
@@ -79,17 +79,16 @@ test('what is closed in another way leaves no entry, and Forward brings nothing 
 }));
 
 test('what lies over another closes first', () => onPage(TABLET, async ({ page, troubles }) => {
-  await tap(page, 'edit-world');
-  await appears(page, 'edit-done');
-  await tap(page, 'menu');
-  await tap(page, 'menu-worlds');
+  await tap(page, 'find-open');
+  await appears(page, 'find-close');
+  await tap(page, 'worlds');
   await appears(page, 'worlds-page');
   assert.equal(await entries(page), 2);
   await page.goBack();
   await disappears(page, 'worlds-page');
-  await appears(page, 'edit-done');
+  await appears(page, 'find-close');
   await page.goBack();
-  await disappears(page, 'edit-done');
+  await disappears(page, 'find-close');
   assert.equal(await entries(page), 0);
   assert.deepEqual(troubles, []);
 }));
@@ -97,7 +96,7 @@ test('what lies over another closes first', () => onPage(TABLET, async ({ page, 
 test('on a phone Back goes to the world from the other panes, again after a reload', () => onPage(PHONE, async ({ page, troubles }) => {
   await openAndGoBack(page, ['tab-program'], 'program');
   await appears(page, 'world');
-  await openAndGoBack(page, ['menu', 'menu-settings'], 'settings');
+  await openAndGoBack(page, ['menu', 'menu-worlds'], 'worlds-page');
   await tap(page, 'tab-program');
   await appears(page, 'program');
   assert.equal(await entries(page), 1);

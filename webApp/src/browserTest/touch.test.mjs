@@ -125,3 +125,11 @@ test('turning the screen arranges it anew and keeps what was done', () => onPage
   await reports(page, (report) => report.inkCentimetres > 8);
   assert.deepEqual(troubles, []);
 }));
+
+test('a finger presses what has come to lie under a mouse that rests', () => onPage({ ...TABLET, hasTouch: true, welcome: true }, async ({ page, troubles }) => {
+  await press(page, 'first-run-close');
+  const { x, y } = await placeOf(page, 'menu');
+  await page.touchscreen.tap(x, y);
+  await appears(page, 'menu-settings');
+  assert.deepEqual(troubles, []);
+}));
