@@ -81,7 +81,7 @@ internal class PagePointers(
         if (isUp) fingers -= id
     }
 
-    /** Where something has closed under a mouse that rests, Compose would take the first touch for a part of the mouse's way, and nothing would be pressed. */
+    /** Where something has closed under a mouse that rests, Compose would take the first touch for the mouse's, and nothing would be pressed. */
     private fun forgetMouse() {
         mouse?.let { scene.sendPointerEvent(PointerEventType.Exit, it) }
         mouse = null
