@@ -83,7 +83,7 @@ class Workshop(
             is ProgramEvent -> handleProgram(event)
             is RunEvent -> handleRun(event)
             is SheetEvent -> sheet.handle(event)
-            is WorldEditEvent -> worldEdit.handle(event)
+            is WorldEditEvent -> handleWorldEdit(event)
             is DocumentEvent -> document.handle(event)
             is SettingsEvent -> handleSettings(event)
             is LearningEvent -> learning.handle(event)
@@ -229,6 +229,12 @@ class Workshop(
     }
 
     /** Whoever runs the program wants to see the whole sheet. */
+    private fun handleWorldEdit(event: WorldEditEvent) {
+        // Help would lie over the palette.
+        if (event == WorldEditEvent.EditorOpened && learning.state.page != null) learning.handle(LearningEvent.PageLeft)
+        worldEdit.handle(event)
+    }
+
     private fun handleRun(event: RunEvent) {
         if (event == RunEvent.RunPressed) taskShown = false
         run.handle(event)

@@ -6,6 +6,8 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTouchInput
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningPage
 import robotran.ui.workshop.WorldEditEvent
 import robotran.world.BuiltInWorlds
 import robotran.world.MarkFigure
@@ -37,6 +39,15 @@ class EditByTouchTest {
         assertEquals(null, workshop.state.worldEdit)
         assertEquals(1, workshop.state.world.lamps.size)
         assertEquals(1, workshop.project.world.lamps.size)
+    }
+
+    @Test
+    fun `help on words does not lie over the editor`() = onTablet { workshop ->
+        workshop.handle(LearningEvent.PageWanted(LearningPage.HELP))
+        pass(300)
+        EditorTest(this, workshop).tap("edit-world")
+        assertEquals(null, workshop.state.learning.page)
+        assertNotEquals(null, workshop.state.worldEdit)
     }
 
     @Test
