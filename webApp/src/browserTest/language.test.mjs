@@ -7,7 +7,7 @@ import { onPage, PHONE, TABLET } from './set-up.mjs';
 import { choose, disappears, press, reports, says, writeProgram } from './words.mjs';
 
 const JAVA = `import josx.platform.rcx.*;
-public class Drive {
+public class Program {
 public static void main(String[] args) throws Exception {
 Motor.A.setPower(3);
 Motor.A.forward();
@@ -24,7 +24,7 @@ const shown = (page) => page.evaluate(() => document.querySelector('#robotran-wo
 async function speak(page, place) {
   await choose(page, 'menu', 'menu-settings');
   await press(page, `language-${place}`);
-  await page.keyboard.press('Escape');
+  await press(page, 'settings-close');
   await disappears(page, 'language-0');
 }
 
@@ -32,17 +32,19 @@ for (const [what, write] of [
   ['Robolang', (page) => writeProgram(page, 'motor A forward\nwait 20 seconds')],
   ['Java', async (page) => {
     await choose(page, 'add-program', 'new-java');
-    await writeProgram(page, JAVA);
+    await press(page, 'program');
+    await page.keyboard.press('Control+a');
+    await page.keyboard.insertText(JAVA);
   }],
 ]) {
   test(`the ROM log of a run in ${what} is told in the language that is chosen, and the chart and the brick show one power`, () =>
     onPage(TABLET, async ({ page, troubles }) => {
       await write(page);
       await press(page, 'run');
+      await says(page, 'port-A', /forward, power 3/);
       await press(page, 'drawer-open');
       await press(page, 'drawer-chart');
       await shows(page, /Motor A: \+3/);
-      await says(page, 'port-A', /forward, power 3/);
       await press(page, 'stop');
       await reports(page, (report) => report.status === 'ended');
       await press(page, 'drawer-log');
@@ -80,7 +82,7 @@ test('a program in Java has a kit for a real robot, as one in Robolang has', () 
     assert.ok(square.includes(name), name);
   }
   await choose(page, 'add-program', 'new-java');
-  await writeProgram(page, JAVA.replace('Drive', 'Program'));
+  await writeProgram(page, JAVA);
   const files = await kit();
   for (const part of ['Program/Program.java', 'Program/README.txt', 'Program/build.xml', 'Program/download.bat', 'lejosc -encoding UTF-8 Program.java']) {
     assert.ok(files.includes(part), part);

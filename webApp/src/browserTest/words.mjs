@@ -19,9 +19,15 @@ export async function placeOf(page, tag) {
   return place.jsonValue();
 }
 
-/** Clicks on `tag` as a mouse does. */
+/** Clicks on `tag` as a mouse does, and turns its wheel first if that lies below what is in sight, as the end of a long menu may. */
 export async function press(page, tag) {
-  const { x, y } = await placeOf(page, tag);
+  let { x, y } = await placeOf(page, tag);
+  const { height } = page.viewportSize();
+  if (y > height) {
+    await page.mouse.move(x, height / 2);
+    await page.mouse.wheel(0, y - height / 2);
+    ({ x, y } = await placeOf(page, tag));
+  }
   await page.mouse.click(x, y);
 }
 
