@@ -172,9 +172,11 @@ class ScreenLayoutTest {
     private fun Workshop.write(program: String) = handle(ProgramEvent.ProgramEdited(program))
 
     /** Where all is that can be pressed, by tag. */
-    private fun ComposeUiTest.placesNow(): Map<String, Rect> = PRESSABLE.mapNotNull { tag ->
-        onAllNodesWithTag(tag).fetchSemanticsNodes().singleOrNull()?.let { tag to it.boundsInRoot }
-    }.toMap()
+    private fun ComposeUiTest.placesNow(): Map<String, Rect> =
+        onAllNodes(TAGGED).fetchSemanticsNodes()
+            .groupBy { it.config[SemanticsProperties.TestTag] }
+            .filter { (tag, nodes) -> tag in PRESSABLE && nodes.size == 1 }
+            .mapValues { (_, nodes) -> nodes.single().boundsInRoot }
 
     private fun ComposeUiTest.node(tag: String): SemanticsNode = onNodeWithTag(tag).fetchSemanticsNode()
 
@@ -183,11 +185,12 @@ class ScreenLayoutTest {
     private fun SemanticsNode.isInMenu() = generateSequence(this) { it.parent }.any { it.config.contains(SemanticsProperties.IsPopup) }
 
     private companion object {
+        val TAGGED = SemanticsMatcher.keyIsDefined(SemanticsProperties.TestTag)
         val SCROLLS_DOWN = SemanticsMatcher.keyIsDefined(SemanticsProperties.VerticalScrollAxisRange)
 
         /** What a menu keeps free over and under itself. */
         const val SPARE = 64
-        val PRESSABLE = listOf(
+        val PRESSABLE = setOf(
             "menu", "learn", "worlds", "edit-world", "tab-program", "tab-world", "tab-brick",
             "run", "pause", "step", "steps", "stop", "speed", "run-more", "sound", "timeline", "mark-previous", "mark-next",
             "world", "sheet-nearer", "sheet-whole", "sheet-follow", "sheet-show", "sheet-surroundings", "drawer-variables", "drawer-goals",
