@@ -29,8 +29,9 @@ class ChangingTest {
         val sheet = emptySheet()
         val figures = sheet.world.figures
         val impossible = listOf(
-            figures.copy(title = " "), figures.copy(title = "x".repeat(101)), figures.copy(task = "a\nb"), figures.copy(width = 19.0),
-            figures.copy(height = 1001.0), figures.copy(ambientLight = -1.0), figures.copy(temperature = 51.0), figures.copy(timeLimit = 0),
+            figures.copy(title = " "), figures.copy(title = "x".repeat(101)), figures.copy(title = "a\nb"),
+            figures.copy(task = "a\tb"), figures.copy(task = "x".repeat(1001)), figures.copy(width = 19.0), figures.copy(height = 1001.0),
+            figures.copy(ambientLight = -1.0), figures.copy(temperature = 51.0), figures.copy(timeLimit = 0),
             figures.copy(realism = 1.1), figures.copy(seed = -1), figures.copy(width = Double.NaN),
         )
         for (wanted in impossible) {
@@ -38,6 +39,14 @@ class ChangingTest {
             assertTrue(refused.refusal != null, "$wanted is taken")
             assertEquals(sheet.world, refused.world)
         }
+    }
+
+    @Test
+    fun `what is to be done may be told in several lines`() {
+        val sheet = emptySheet()
+        val told = sheet.after(Edit.ChangeSheet(sheet.world.figures.copy(task = "Drive to the flag.\nThen stop.")))
+        assertEquals(null, told.refusal)
+        assertEquals("Drive to the flag.\nThen stop.", told.world.task)
     }
 
     @Test
