@@ -228,13 +228,13 @@ class Workshop(
         document.lookAgain()
     }
 
-    /** Whoever runs the program wants to see the whole sheet. */
     private fun handleWorldEdit(event: WorldEditEvent) {
         // Help would lie over the palette.
         if (event == WorldEditEvent.EditorOpened && learning.state.page != null) learning.handle(LearningEvent.PageLeft)
         worldEdit.handle(event)
     }
 
+    /** Whoever runs the program wants to see the whole sheet. */
     private fun handleRun(event: RunEvent) {
         if (event == RunEvent.RunPressed) taskShown = false
         run.handle(event)
