@@ -12,6 +12,7 @@ import robotran.ui.workshop.Workshop
 import robotran.web.platform.WebPlatform
 import robotran.web.platform.askBeforeLosing
 import robotran.web.platform.onOutOfSight
+import robotran.web.window.PageFonts
 import robotran.web.window.PageWindow
 
 /** Puts the workshop into the page, and takes away the words that are shown while it loads once it is there. */
@@ -19,8 +20,9 @@ fun main() {
     val page = checkNotNull(document.body) { "The page has no body." }
     findResourcesInSite()
     val embedded = isEmbedded()
-    val platform = WebPlatform(WebSpeaker(), embedded)
-    PageWindow(page, hasHistory = !embedded) {
+    val fonts = PageFonts()
+    val platform = WebPlatform(WebSpeaker(), embedded, fonts)
+    PageWindow(page, fonts, hasHistory = !embedded) {
         RobotranStart(platform = platform, welcoming = !embedded, embedded = embedded, onOpened = { workshop ->
             openPageInterface(workshop)
             if (!embedded) keepWork(workshop)

@@ -2,6 +2,7 @@
 
 package robotran.web.platform
 
+import androidx.compose.ui.text.font.FontFamily
 import kotlinx.coroutines.await
 import robotran.projects.isLink
 import robotran.ui.platform.Arrival
@@ -15,6 +16,7 @@ import robotran.ui.platform.WallClock
 import robotran.ui.platform.WindowMemory
 import robotran.ui.platform.WorkStore
 import robotran.ui.sound.LoudSpeaker
+import robotran.web.window.PageFonts
 import kotlin.js.Promise
 
 /**
@@ -22,7 +24,7 @@ import kotlin.js.Promise
  *
  * @param embedded whether it is a part of another page, which keeps nothing and finds nothing that was kept.
  */
-internal class WebPlatform(override val speaker: LoudSpeaker, private val embedded: Boolean) : Platform {
+internal class WebPlatform(override val speaker: LoudSpeaker, private val embedded: Boolean, private val fonts: PageFonts) : Platform {
     override val store: WorkStore = if (embedded) MemoryStore() else WebStore()
     override val files: FileDesk = WebFileDesk
     override val sharing: Sharing = WebSharing
@@ -30,6 +32,7 @@ internal class WebPlatform(override val speaker: LoudSpeaker, private val embedd
     override val arrivals: Arrivals = Arrivals()
     override val window: WindowMemory = if (embedded) NoWindowMemory else WebWindowMemory
     override val pageAddress: String = pageAddress()
+    override val pictureFonts: FontFamily.Resolver? get() = fonts.withEmoji ?: super.pictureFonts
 
     init {
         prepareReadingOfFiles()

@@ -40,16 +40,19 @@ import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 import robotran.ui.parts.BackHandlers
 import robotran.ui.screen.LocalKeyboardHeight
+import robotran.ui.theme.LocalAddedFonts
+import robotran.ui.theme.WithAddedFonts
 
 /**
  * Compose in a canvas, with what its own window for browsers does not have: several fingers at once, input methods and dead keys, the clipboard, a
  * keyboard on the screen that covers nothing, and HTML beside the canvas for those who cannot see it.
  *
  * @param body what it fills, as far as no keyboard on the screen covers that and no notch or rounded corner cuts it off.
+ * @param fonts are told of all texts, and give what those need.
  * @param hasHistory whether Back of the browser closes what is open.
  */
 @OptIn(InternalComposeUiApi::class, ExperimentalComposeUiApi::class)
-internal class PageWindow(body: HTMLElement, hasHistory: Boolean, content: @Composable () -> Unit) {
+internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boolean, content: @Composable () -> Unit) {
     private val place = PagePlace(body)
     private val canvas = document.createElement("canvas") as HTMLCanvasElement
     private val layer = SkiaLayer()
@@ -69,7 +72,7 @@ internal class PageWindow(body: HTMLElement, hasHistory: Boolean, content: @Comp
         canvas.style.setProperty("display", "block")
         place.element.appendChild(canvas)
         input = PageTextInput(place.element, canvas) { density.density }
-        mirror = SemanticsMirror(place.element, canvas, input, { density.density }) { openLayers = it }
+        mirror = SemanticsMirror(place.element, canvas, input, fonts, { density.density }) { openLayers = it }
     }
 
     private val scene: ComposeScene = CanvasLayersComposeScene(
@@ -93,8 +96,8 @@ internal class PageWindow(body: HTMLElement, hasHistory: Boolean, content: @Comp
                 LocalSystemTheme provides theme,
                 LocalClipboardManager provides clipboard,
                 LocalKeyboardHeight provides keyboardHeight,
-                content = content,
-            )
+                LocalAddedFonts provides fonts.withEmoji,
+            ) { WithAddedFonts(content) }
             if (hasHistory) CloseByBack()
         }
         place.whenChanged(::fit)

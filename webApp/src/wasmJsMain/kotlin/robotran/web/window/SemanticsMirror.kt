@@ -23,6 +23,7 @@ internal class SemanticsMirror(
     place: HTMLElement,
     private val canvas: HTMLCanvasElement,
     private val input: PageTextInput,
+    private val fonts: PageFonts,
     private val density: () -> Float,
     private val tellOpen: (Int) -> Unit,
 ) : PlatformContext.SemanticsOwnerListener {
@@ -69,6 +70,7 @@ internal class SemanticsMirror(
         root.style.left = "${canvas.offsetLeft}px"
         root.style.top = "${canvas.offsetTop}px"
         val told = layers.keys.map { owner -> owner to describe(owner, density()) }
+        fonts.look(told.asSequence().flatMap { (_, all) -> all }.flatMap { sequenceOf(it.label, it.text) })
         val modal = told.map { (owner, _) -> isModal(owner) }
         tellOpen(modal.count { it })
         val top = modal.lastIndexOf(true).coerceAtLeast(0)

@@ -23,12 +23,12 @@ internal class BuiltApp(folder: File) {
         folder.resolve(RESOURCES).walk().filter { it.isFile }.sorted()
             .associate { it.relativeTo(folder).invariantSeparatorsPath to SiteFile.of(it) }
 
-    /** What the first picture cannot be drawn without; the compiler for Java, for one, can wait. */
+    /** What the first picture cannot be drawn without; the compiler for Java and the font with emoji, for example, can wait. */
     val neededFirst: List<SiteFile> =
         FIRST_MODULES.map { stem ->
             code.firstOrNull { it.name.startsWith("$stem.") && it.content.extension == "wasm" }
                 ?: throw GradleException("There is no $stem.wasm in $folder.")
-        } + resources.values.filter { it.content.extension == "ttf" }
+        } + resources.filterKeys { "/$FONTS/" in it }.values
 
     /** The licences of what is in the scripts, as webpack has gathered them. */
     val notices: List<File> = atTop.filter { it.name.endsWith(".LICENSE.txt") }
@@ -36,6 +36,9 @@ internal class BuiltApp(folder: File) {
     private companion object {
         const val MAIN = "robotran.js"
         const val RESOURCES = "composeResources"
+
+        /** The folder of the fonts that Compose fetches by itself, as soon as a text is set in them. */
+        const val FONTS = "font"
         val CODE = listOf("js", "wasm")
         val FIRST_MODULES = listOf("robotran", "skiko", "physics")
     }

@@ -29,7 +29,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import androidx.compose.ui.window.Dialog
+import robotran.ui.theme.AppDialog
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
@@ -44,7 +44,7 @@ internal fun DialogFrame(
     content: @Composable ColumnScope.() -> Unit,
 ) {
     val colours = LocalRobotranColours.current
-    Dialog(onDismissRequest = onClose) {
+    AppDialog(onDismissRequest = onClose) {
         Surface(
             Modifier.widthIn(max = 520.dp).testTag("document-dialog").semantics { paneTitle = title },
             RoundedCornerShape(20.dp),

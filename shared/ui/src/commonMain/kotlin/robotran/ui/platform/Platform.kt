@@ -1,5 +1,6 @@
 package robotran.ui.platform
 
+import androidx.compose.ui.text.font.FontFamily
 import robotran.ui.sound.LoudSpeaker
 import robotran.ui.sound.NoLoudSpeaker
 import kotlin.coroutines.CoroutineContext
@@ -35,6 +36,9 @@ interface Platform {
      * [Settings.site][robotran.ui.workshop.Settings.site].
      */
     val pageAddress: String get() = ""
+
+    /** What pictures of worlds that are saved are written with; null where there is nothing to write with away from the screen. */
+    val pictureFonts: FontFamily.Resolver? get() = robotran.ui.sheet.pictureFonts()
 
     /** Where long work is done, away from the thread of the screen where there is another. */
     val background: CoroutineContext get() = EmptyCoroutineContext

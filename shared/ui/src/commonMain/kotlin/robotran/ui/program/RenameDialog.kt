@@ -37,6 +37,7 @@ import robotran.ui.resources.editor_rename_cancel
 import robotran.ui.resources.editor_rename_done
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
+import robotran.ui.theme.WithAddedFonts
 import robotran.ui.theme.focusRing
 import robotran.ui.workshop.NameProblem
 import robotran.ui.workshop.ProgramsState
@@ -60,18 +61,20 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
             Column {
                 // A dialog is drawn by itself: the field is there only now.
                 LaunchedEffect(Unit) { focus.requestFocus() }
-                OutlinedTextField(
-                    typed,
-                    { typed = it },
-                    Modifier.fillMaxWidth().focusRequester(focus).testTag("rename-name"),
-                    label = { Text(stringResource(Res.string.editor_name)) },
-                    suffix = { Text(ending) },
-                    supportingText = { problem?.let { Text(stringResource(wordsFor(it))) } },
-                    isError = problem != null,
-                    singleLine = true,
-                    keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done, autoCorrectEnabled = false),
-                    keyboardActions = KeyboardActions(onDone = { take() }),
-                )
+                WithAddedFonts {
+                    OutlinedTextField(
+                        typed,
+                        { typed = it },
+                        Modifier.fillMaxWidth().focusRequester(focus).testTag("rename-name"),
+                        label = { Text(stringResource(Res.string.editor_name)) },
+                        suffix = { Text(ending) },
+                        supportingText = { problem?.let { Text(stringResource(wordsFor(it))) } },
+                        isError = problem != null,
+                        singleLine = true,
+                        keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done, autoCorrectEnabled = false),
+                        keyboardActions = KeyboardActions(onDone = { take() }),
+                    )
+                }
                 if (state.program.files.size > 1) {
                     DialogButton(stringResource(Res.string.editor_remove_class), "remove-class", true, onRemove)
                 }

@@ -27,7 +27,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import androidx.compose.ui.window.Dialog
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.rom.StepKind
@@ -50,6 +49,7 @@ import robotran.ui.resources.run_step_over_help
 import robotran.ui.resources.run_steps
 import robotran.ui.resources.run_to_line
 import robotran.ui.resources.run_to_line_help
+import robotran.ui.theme.AppDialog
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
@@ -68,7 +68,7 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
         onEvent(event)
         onClose()
     }
-    Dialog(onDismissRequest = onClose) {
+    AppDialog(onDismissRequest = onClose) {
         Column(
             Modifier
                 .testTag("run-panel")

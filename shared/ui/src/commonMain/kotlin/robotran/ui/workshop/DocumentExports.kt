@@ -67,7 +67,7 @@ internal class DocumentExports(
         val state = bench.session
         val bytes = when (kind) {
             FileKind.SVG -> worldPictureSvg(world, state).encodeToByteArray()
-            else -> worldPicturePng(world, state)
+            else -> worldPicturePng(world, state, bench.platform.pictureFonts)
         }
         save(title(), kind, bytes)
     }

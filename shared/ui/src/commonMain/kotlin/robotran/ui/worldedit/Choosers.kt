@@ -42,6 +42,7 @@ import androidx.compose.ui.unit.sp
 import robotran.ui.parts.Icon
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
+import robotran.ui.theme.WithAddedFonts
 import robotran.ui.theme.focusRing
 
 /** A sign over its word. */
@@ -151,7 +152,7 @@ internal fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: S
             DropdownMenu(open, { open = false }, containerColor = colours.pane) {
                 choices.forEachIndexed { place, (value, word) ->
                     DropdownMenuItem(
-                        text = { Text(word, color = colours.onPane, fontSize = 16.sp) },
+                        text = { WithAddedFonts { Text(word, color = colours.onPane, fontSize = 16.sp) } },
                         onClick = {
                             open = false
                             onChoose(value)
