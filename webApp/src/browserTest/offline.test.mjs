@@ -6,6 +6,7 @@ import { startBrowser } from './browser.mjs';
 import { openPage } from './page.mjs';
 import { serve } from './serve.mjs';
 import { anotherVersion } from './versions.mjs';
+import { press } from './words.mjs';
 
 const SIZE = { width: 1280, height: 800 };
 const JAVA = 'public class Nothing {\n    public static void main(String[] args) {\n    }\n}\n';
@@ -51,6 +52,7 @@ test('after the first visit the app opens, and compiles Java, without a network'
   await kept(page);
   const compilers = site.asked.filter((path) => /\/ecj\.\w+\.wasm$/.test(path));
   assert.equal(compilers.length, 1, 'the compiler is fetched when all else is there');
+  assert.equal(site.asked.filter((path) => /\/noto_emoji\.\w+\.ttf$/.test(path)).length, 1, 'so is the font with emoji');
   assert.ok(site.asked.every((path) => path.startsWith('/some/school/') || path === '/favicon.ico'), 'all lies in the folder');
 
   site.refuse = () => 503;
@@ -58,6 +60,10 @@ test('after the first visit the app opens, and compiles Java, without a network'
   await page.reload();
   await ready(page);
   await runJava(page);
+  const font = page.waitForResponse((response) => /\/noto_emoji\./.test(response.url()));
+  await press(page, 'program');
+  await page.keyboard.insertText('// 🚀\n');
+  assert.equal((await font).status(), 200);
   const other = await page.context().newPage();
   await other.goto(`${site.address}?from=home`);
   await ready(other);

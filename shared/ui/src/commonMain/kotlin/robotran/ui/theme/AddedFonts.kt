@@ -16,7 +16,8 @@ val LocalAddedFonts = staticCompositionLocalOf<FontFamily.Resolver?> { null }
  */
 @Composable
 fun WithAddedFonts(content: @Composable () -> Unit) {
-    CompositionLocalProvider(LocalFontFamilyResolver provides (LocalAddedFonts.current ?: LocalFontFamilyResolver.current), content = content)
+    val fonts = LocalAddedFonts.current ?: LocalFontFamilyResolver.current
+    CompositionLocalProvider(LocalFontFamilyResolver provides fonts, content = content)
 }
 
 /** A dialog that can show what somebody has written, in the fonts of [WithAddedFonts]. */
