@@ -5,12 +5,13 @@ import { clicked, pressed, typed } from './actions.mjs';
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 /**
- * `remote` is what a protocol does for it: `navigate(address)`, `reload()`, `call(text, argument)` of a function's text in the page, whose answer, a
- * string or a promise of one, it brings; `perform(actions)`, `capture()` of a PNG in base64, `close()`.
+ * `size` is that of the page, in CSS pixels. `remote` is what a protocol does for it: `navigate(address)`, `reload()`, `call(text, argument)` of a
+ * function's text in the page, whose answer, a string or a promise of one, it brings; `perform(actions)`, `capture()` of a PNG in base64, `close()`.
  */
 export class EnginePage {
-  constructor(remote) {
+  constructor(size, remote) {
     this.remote = remote;
+    this.viewportSize = () => size;
     this.mouse = { click: (x, y) => remote.perform(clicked(x, y)) };
     this.keyboard = { press: (keys) => remote.perform(pressed(keys)), type: (text) => remote.perform(typed(text)) };
   }

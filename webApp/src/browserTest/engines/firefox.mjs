@@ -39,7 +39,7 @@ export async function openFirefox(executable, { width, height }) {
     await send('session.new', { capabilities: {} });
     const { context } = await send('browsingContext.create', { type: 'tab' });
     await send('browsingContext.setViewport', { context, viewport: { width, height } });
-    return new EnginePage({
+    return new EnginePage({ width, height }, {
       navigate: (url) => send('browsingContext.navigate', { context, url, wait: 'complete' }),
       reload: () => send('browsingContext.reload', { context, wait: 'complete' }),
       perform: (actions) => send('input.performActions', { context, actions }),

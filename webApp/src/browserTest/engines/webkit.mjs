@@ -34,7 +34,7 @@ export async function openWebKit({ driver, binary }, { width, height }) {
     const options = { 'webkitgtk:browserOptions': { binary, args: ['--automation'] }, timeouts: { script: 120_000, pageLoad: 120_000 } };
     const { sessionId } = await send('POST', '/session', { capabilities: { alwaysMatch: options } });
     const session = `/session/${sessionId}`;
-    const page = new EnginePage({
+    const page = new EnginePage({ width, height }, {
       navigate: (url) => send('POST', `${session}/url`, { url }),
       reload: () => send('POST', `${session}/refresh`, {}),
       perform: (actions) => send('POST', `${session}/actions`, { actions }),
