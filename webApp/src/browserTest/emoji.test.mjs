@@ -35,6 +35,11 @@ function assertDrawn(pictures, where) {
 
 async function writeInstead(page, text) {
   await page.keyboard.press('Control+a');
+  // Text that comes without a key, as from a list of emoji, does not wait for what the key before it did.
+  await page.waitForFunction(() => {
+    const { value, selectionStart, selectionEnd } = document.activeElement;
+    return selectionStart === 0 && selectionEnd === value.length;
+  });
   await page.keyboard.insertText(text);
 }
 
