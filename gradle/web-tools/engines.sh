@@ -1,25 +1,21 @@
 #!/usr/bin/env bash
 # Prints where the other engines are that the page is tested in, as lines for an environment: FIREFOX=, WEBKIT= and WEBKIT_DRIVER=. What is missing is
-# installed from Debian's packages; where that cannot be, it is said in a sentence, and the tests leave that engine out.
+# installed from Debian's packages; where that cannot be, it is said in a sentence, and the tests of that engine are skipped.
 set -euo pipefail
-. "$(dirname "${BASH_SOURCE[0]}")/debian-packages.sh"
+here=$(dirname "${BASH_SOURCE[0]}")
+. "$here/debian-packages.sh"
 
 find_firefox() { command -v firefox-esr || command -v firefox; }
 find_webkit() { find /usr/lib /usr/libexec -path '*webkit2gtk-4*/MiniBrowser' -type f 2> /dev/null | sort | tail -n 1 | grep .; }
 find_driver() { command -v WebKitWebDriver; }
 
-missing=()
-command -v Xvfb > /dev/null || missing+=(xvfb)
-find_firefox > /dev/null || missing+=(firefox-esr)
-{ find_driver && find_webkit; } > /dev/null || missing+=(webkit2gtk-driver)
-if [ ${#missing[@]} -gt 0 ]; then
-  install_packages "${missing[*]}" "${missing[@]}" fonts-dejavu-core || true
-fi
-
-if ! command -v Xvfb > /dev/null; then
-  echo "The page is tested in Chromium alone: without Xvfb, which is not here and could not be installed, Firefox and WebKit have nothing to draw on." >&2
+if [ -z "$("$here/display.sh")" ]; then
+  echo "The page is tested in Chromium alone: Firefox and WebKit have nothing to draw on." >&2
   exit 0
 fi
+find_firefox > /dev/null || install_packages Firefox firefox-esr fonts-dejavu-core || true
+{ find_driver && find_webkit; } > /dev/null || install_packages WebKitGTK webkit2gtk-driver fonts-dejavu-core || true
+
 if firefox=$(find_firefox); then
   echo "FIREFOX=$firefox"
 else

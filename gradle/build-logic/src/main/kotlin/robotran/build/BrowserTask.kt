@@ -55,7 +55,7 @@ abstract class BrowserTask(private val processes: ExecOperations) : DefaultTask(
     }
 
     /** What [script] prints. */
-    protected fun linesOf(script: File): List<String> {
+    private fun linesOf(script: File): List<String> {
         val said = ByteArrayOutputStream()
         processes.exec {
             it.commandLine(script.path)

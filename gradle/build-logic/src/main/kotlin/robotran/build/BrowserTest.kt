@@ -2,12 +2,9 @@ package robotran.build
 
 import org.gradle.api.file.ConfigurableFileCollection
 import org.gradle.api.file.DirectoryProperty
-import org.gradle.api.file.RegularFileProperty
 import org.gradle.api.tasks.CacheableTask
 import org.gradle.api.tasks.InputDirectory
-import org.gradle.api.tasks.InputFile
 import org.gradle.api.tasks.InputFiles
-import org.gradle.api.tasks.Optional
 import org.gradle.api.tasks.OutputDirectory
 import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
@@ -30,11 +27,10 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val helpers: ConfigurableFileCollection
 
-        /** A script that prints where other browsers are than Chromium, as lines for the environment of the tests; none if they need no others. */
-        @get:InputFile
-        @get:Optional
+        /** A file that says where other browsers are than Chromium, as lines for the environment of the tests; none if they need no others. */
+        @get:InputFiles
         @get:PathSensitive(PathSensitivity.NONE)
-        abstract val engineFinder: RegularFileProperty
+        abstract val engines: ConfigurableFileCollection
 
         /** The programs that the page runs; in [expectedRuns] and, for Java, [expectedJavaRuns] the report and the ROM log that each must leave. */
         @get:InputFiles
@@ -68,9 +64,9 @@ abstract class BrowserTest
                 "--test", "--test-concurrency=1", "--test-reporter=spec", "--test-reporter-destination=stdout",
                 "--test-reporter=junit", "--test-reporter-destination=${results.file("TEST-browser.xml").get().asFile}",
             )
-            val engines = engineFinder.orNull?.let { linesOf(it.asFile) }.orEmpty()
+            val lines = engines.files.filter { it.exists() }.flatMap { it.readLines() }
             runNode(runner + tests.files.map { it.path }.sorted()) { exec ->
-                for (line in engines) exec.environment(line.substringBefore('='), line.substringAfter('='))
+                for (line in lines) exec.environment(line.substringBefore('='), line.substringAfter('='))
                 exec.environment("EXAMPLES", examples.files.joinToString(File.pathSeparator) { it.path })
                 exec.environment("EXPECTED_RUNS", expectedRuns.get().asFile.path)
                 exec.environment("EXPECTED_JAVA_RUNS", expectedJavaRuns.get().asFile.path)

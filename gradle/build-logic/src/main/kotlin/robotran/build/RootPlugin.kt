@@ -12,10 +12,11 @@ class RootPlugin : Plugin<Project> {
         WebTools.registerSetUp(project)
         WebTools.use(project)
         Chromium.registerSetUp(project)
+        FindPrograms.registerSetUp(project)
         project.tasks.register("setUp") { task ->
             task.group = "build setup"
             task.description = "Sets up everything that this machine lacks for the whole build."
-            task.dependsOn(WebTools.SET_UP_TASK, Chromium.SET_UP_TASK, Chromium.ENGINES_TASK)
+            task.dependsOn(WebTools.SET_UP_TASK, Chromium.SET_UP_TASK, FindPrograms.DISPLAY, FindPrograms.ENGINES)
         }
         CodeStyle.register(project)
         val moduleMap = registerModuleMapCheck(project)

@@ -77,8 +77,7 @@ class WebAppPlugin : Plugin<Project> {
     private fun addEngineTest(project: Project): TaskProvider<BrowserTest> =
         project.tasks.register("engineTest", BrowserTest::class.java) { task ->
             task.description = "Visits the built page in Chromium, Firefox and WebKit: it starts, runs programs, and needs no network then."
-            task.dependsOn(":${Chromium.ENGINES_TASK}")
-            task.engineFinder.set(project.rootProject.file(Chromium.ENGINES_SCRIPT))
+            task.engines.from(FindPrograms.found(project, FindPrograms.ENGINES))
             task.tests.from(project.fileTree("src/browserTest/engines") { it.include("*.test.mjs") })
             task.pictures.set(project.layout.buildDirectory.dir("engine-pictures"))
         }

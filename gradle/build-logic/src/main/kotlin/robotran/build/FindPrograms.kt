@@ -1,0 +1,79 @@
+package robotran.build
+
+import org.gradle.api.DefaultTask
+import org.gradle.api.Project
+import org.gradle.api.file.RegularFile
+import org.gradle.api.file.RegularFileProperty
+import org.gradle.api.provider.Provider
+import org.gradle.api.tasks.InputFile
+import org.gradle.api.tasks.OutputFile
+import org.gradle.api.tasks.PathSensitive
+import org.gradle.api.tasks.PathSensitivity
+import org.gradle.api.tasks.TaskAction
+import org.gradle.process.ExecOperations
+import org.gradle.work.DisableCachingByDefault
+import javax.inject.Inject
+
+/**
+ * Runs a script that prints where programs of this machine are, and installs those that are missing where it can. Tests that are skipped without them take
+ * [found] as an input, so that they run as soon as the programs are there.
+ */
+@DisableCachingByDefault(because = "It asks the machine")
+abstract class FindPrograms
+    @Inject
+    constructor(private val processes: ExecOperations) : DefaultTask() {
+        @get:InputFile
+        @get:PathSensitive(PathSensitivity.NONE)
+        abstract val script: RegularFileProperty
+
+        /** What the script has printed; empty if nothing is there. */
+        @get:OutputFile
+        abstract val found: RegularFileProperty
+
+        init {
+            // Programs come and go without the build.
+            outputs.upToDateWhen { false }
+        }
+
+        @TaskAction
+        fun find() {
+            found.get().asFile.outputStream().use { file ->
+                processes.exec {
+                    it.commandLine(script.get().asFile.path)
+                    it.standardOutput = file
+                }
+            }
+        }
+
+        companion object {
+            /** The task that gives tests a display that nobody sees. */
+            const val DISPLAY = "setUpDisplay"
+
+            /** The task that sees to it that the page can be tested in other engines than Chromium. */
+            const val ENGINES = "setUpEngines"
+
+            /** Registers [DISPLAY] and [ENGINES] in the root project. */
+            fun registerSetUp(root: Project) {
+                register(root, DISPLAY, "display.sh", "Installs Xvfb for the tests that open a window, if it is missing and can be.")
+                register(root, ENGINES, "engines.sh", "Installs Firefox and WebKitGTK for the browser tests, if they are missing and can be.")
+                // One apt at a time.
+                root.tasks.named(DISPLAY) { it.mustRunAfter(Chromium.SET_UP_TASK) }
+                root.tasks.named(ENGINES) { it.mustRunAfter(Chromium.SET_UP_TASK, DISPLAY) }
+            }
+
+            /** What [task], which is [DISPLAY] or [ENGINES], has found. */
+            fun found(project: Project, task: String): Provider<RegularFile> =
+                project.rootProject.tasks.named(task, FindPrograms::class.java).flatMap { it.found }
+
+            private fun register(root: Project, name: String, script: String, description: String) {
+                val isLinux = System.getProperty("os.name") == "Linux"
+                root.tasks.register(name, FindPrograms::class.java) { task ->
+                    task.group = "build setup"
+                    task.description = description
+                    task.script.set(root.file("gradle/web-tools/$script"))
+                    task.found.set(root.layout.buildDirectory.file("programs/$name"))
+                    task.onlyIf("elsewhere there are no packages of Debian") { isLinux }
+                }
+            }
+        }
+    }
