@@ -25,8 +25,12 @@ internal fun LearningPages(state: LearningState, onEvent: (LearningEvent) -> Uni
         LearningPage.EXAMPLES -> ExamplesPage(state.help.code, onEvent)
 
         LearningPage.HELP -> BoxWithConstraints(Modifier.fillMaxSize().padding(12.dp)) {
-            val most = maxHeight * PANEL_SHARE
-            Box(Modifier.align(Alignment.BottomStart)) { HelpPanel(state, onEvent, Modifier.widthIn(max = 520.dp).heightIn(max = most)) }
+            // It keeps to the program, so that Run stays free: beside the paper, under it, or on all of a phone.
+            val isBroad = maxWidth > BROAD
+            val isUnderPaper = isBroad && maxHeight > maxWidth
+            val width = if (isBroad && !isUnderPaper) (maxWidth * PANEL_SHARE_ACROSS).coerceIn(PANEL_WIDTHS) else maxWidth
+            val height = maxHeight * if (isUnderPaper) PANEL_SHARE_UPRIGHT else PANEL_SHARE
+            Box(Modifier.align(Alignment.BottomStart)) { HelpPanel(state, onEvent, Modifier.widthIn(max = width).heightIn(max = height)) }
         }
 
         LearningPage.TUTORIAL, null -> Unit
@@ -35,3 +39,7 @@ internal fun LearningPages(state: LearningState, onEvent: (LearningEvent) -> Uni
 
 /** The program above it stays to be seen. */
 private const val PANEL_SHARE = 0.72f
+private const val PANEL_SHARE_UPRIGHT = 0.3f
+private const val PANEL_SHARE_ACROSS = 0.3f
+private val PANEL_WIDTHS = 300.dp..520.dp
+private val BROAD = 520.dp

@@ -48,7 +48,7 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             }
             if (tutorial != null) HorizontalDivider(color = line)
             BoxWithConstraints(Modifier.weight(1f)) {
-                val most = maxHeight * MOST_DRAWER_SHARE
+                val most = maxHeight * if (isReading) MOST_DRAWER_SHARE_READING else MOST_DRAWER_SHARE
                 Column(Modifier.fillMaxSize()) {
                     Desk(state, onEvent, Modifier.weight(1f))
                     RunDrawer(state.run, onEvent, most = most)
@@ -70,4 +70,5 @@ private const val PROGRAM_SHARE = 0.37f
 private const val PROGRAM_SHARE_READING = 0.3f
 private const val PROGRAM_SHARE_LARGE = 0.24f
 private const val MOST_DRAWER_SHARE = 0.5f
+private const val MOST_DRAWER_SHARE_READING = 0.28f
 private const val MOST_MISTAKES = 3

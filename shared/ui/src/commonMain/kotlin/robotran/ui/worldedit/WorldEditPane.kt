@@ -40,6 +40,8 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.edit_world
 import robotran.ui.resources.worldedit_new_title
+import robotran.ui.screen.LocalKeyboardHeight
+import robotran.ui.screen.ScreenLayout
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorldEditState
@@ -73,18 +75,21 @@ internal fun WorldEditPane(state: WorldEditState, session: SessionState, onEvent
             HorizontalDivider(color = LocalRobotranColours.current.line)
             EditHints(state, making)
             val put = { focus.requestFocus() }
-            if (this@BoxWithConstraints.maxWidth >= WIDE + PANEL_WIDTH * (scale - 1)) {
+            val height = this@BoxWithConstraints.maxHeight
+            if (ScreenLayout.of(this@BoxWithConstraints.maxWidth, height + LocalKeyboardHeight.current, scale) == ScreenLayout.UPRIGHT) {
+                Under(making, view, newTitle, put, height, sheet)
+            } else if (this@BoxWithConstraints.maxWidth >= WIDE + PANEL_WIDTH * (scale - 1)) {
                 val columns = if (this@BoxWithConstraints.maxWidth >= TWO_COLUMNS * scale) 2 else 1
                 Beside(making, view, newTitle, put, panelWidth(scale), columns, sheet)
             } else {
-                Below(making, view, newTitle, put, this@BoxWithConstraints.maxHeight, sheet)
+                Below(making, view, newTitle, put, height, sheet)
             }
         }
         view.carried?.let { Carried(it - corner) }
     }
 }
 
-/** Tablet and laptop: palette, sheet, panel. */
+/** Tablet held across and laptop: palette, sheet, panel. */
 @Composable
 private fun Beside(
     making: Making,
@@ -107,6 +112,24 @@ private fun Beside(
             EditTabs(tab) { tab = it }
             EditPanel(making, tab, { tab = it }, newTitle)
         }
+    }
+}
+
+/** Tablet held upright: the palette beside the sheet, the panel under both. */
+@Composable
+private fun Under(making: Making, view: EditView, newTitle: String, onPut: () -> Unit, height: Dp, sheet: @Composable (Modifier) -> Unit) {
+    val colours = LocalRobotranColours.current
+    var tab by remember { mutableStateOf(EditTab.CHOSEN) }
+    FollowSelection(making, tab) { tab = it }
+    Column(Modifier.fillMaxSize()) {
+        Row(Modifier.weight(1f)) {
+            PaletteStrip(making, view, columns = 1, onPut, Modifier.fillMaxHeight().background(colours.pane))
+            VerticalDivider(color = colours.line)
+            sheet(Modifier.weight(1f))
+        }
+        HorizontalDivider(color = colours.line)
+        EditTabs(tab) { tab = it }
+        EditPanel(making, tab, { tab = it }, newTitle, Modifier.height(height * PANEL_SHARE_UPRIGHT))
     }
 }
 
@@ -156,4 +179,5 @@ private val WIDE = 800.dp
 private val WORDS_WIDTH = 900.dp
 private val TWO_COLUMNS = 1200.dp
 private const val PANEL_SHARE = 0.42f
+private const val PANEL_SHARE_UPRIGHT = 0.36f
 private val CARRIED = 44.dp

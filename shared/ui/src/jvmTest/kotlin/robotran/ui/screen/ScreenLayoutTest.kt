@@ -11,6 +11,7 @@ import androidx.compose.ui.test.assertTextEquals
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
+import robotran.ui.workshop.DrawerTab
 import robotran.ui.workshop.LearningEvent
 import robotran.ui.workshop.Pane
 import robotran.ui.workshop.ProgramEvent
@@ -112,6 +113,23 @@ class ScreenLayoutTest {
         workshop.handle(RunEvent.RunPressed)
         pass(500)
         for (tag in listOf("tutorial", "world", "program")) onNodeWithTag(tag).assertIsDisplayed()
+        workshop.handle(RunEvent.DrawerChosen(DrawerTab.LOG))
+        pass(500)
+        assertTrue(bounds("world").height > 120f, "${bounds("world")}")
+        workshop.handle(LearningEvent.WordChosen(null))
+        pass(500)
+        assertTrue(bounds("help").top >= bounds("timeline").bottom, "${bounds("help")} over ${bounds("timeline")}")
+    }
+
+    @Test
+    fun `help on words leaves Run free`() {
+        for ((width, height) in listOf(1366 to 768, 1180 to 820, 1024 to 768, 1440 to 900)) {
+            onScreen(width, height) { workshop ->
+                workshop.handle(LearningEvent.WordChosen(null))
+                pass(500)
+                assertTrue(bounds("help").right <= bounds("run").left, "$width x $height: ${bounds("help")} over ${bounds("run")}")
+            }
+        }
     }
 
     @Test

@@ -69,6 +69,8 @@ internal class EditorTest(val screen: ComposeUiTest, val workshop: Workshop) {
         return SheetCamera.FITTING.transform(world.paper, window)
     }
 
+    fun boundsOf(tag: String): Rect = screen.onNodeWithTag(tag).fetchSemanticsNode().boundsInRoot
+
     fun tapAt(x: Double, y: Double) {
         val place = place(x, y)
         screen.onNodeWithTag("edit-sheet").performTouchInput {
