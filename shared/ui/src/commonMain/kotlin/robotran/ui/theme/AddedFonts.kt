@@ -23,4 +23,4 @@ fun WithAddedFonts(content: @Composable () -> Unit) {
 /** A dialog that can show what somebody has written, in the fonts of [WithAddedFonts]. */
 @Composable
 internal fun AppDialog(onDismissRequest: () -> Unit, content: @Composable () -> Unit) =
-    Dialog(onDismissRequest) { WithAddedFonts(content) }
+    Dialog(onDismissRequest = onDismissRequest) { WithAddedFonts(content) }
