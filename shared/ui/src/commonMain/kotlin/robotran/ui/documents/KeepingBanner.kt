@@ -1,15 +1,23 @@
 package robotran.ui.documents
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
@@ -17,41 +25,65 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_my_work
 import robotran.ui.resources.documents_save_as
 import robotran.ui.resources.documents_trouble_failed
 import robotran.ui.resources.documents_trouble_full
 import robotran.ui.resources.documents_trouble_long
+import robotran.ui.resources.notice_close
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.DocumentEvent
 import robotran.ui.workshop.DocumentState
 import robotran.ui.workshop.KeepingTrouble
 
-/** Says for as long as it lasts that the work is not being kept, and what can be done; nothing while all is well. */
+/**
+ * Says that the work is not being kept, and what can be done; nothing while all is well. It lies over the foot of what there is to be seen, which does not
+ * move, until it is put away: then the menu with the work still has a sign, and brings it back.
+ */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun KeepingBanner(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modifier: Modifier = Modifier) {
-    val trouble = state.trouble ?: return
+    val trouble = state.trouble?.takeIf { state.warningShown } ?: return
     val colours = LocalRobotranColours.current
-    FlowRow(
-        modifier.fillMaxWidth().background(colours.mistakePane).padding(horizontal = 16.dp, vertical = 4.dp).testTag("keeping-trouble"),
-        Arrangement.spacedBy(8.dp),
-        Arrangement.Center,
+    val scroll = rememberScrollState()
+    Row(
+        modifier
+            .widthIn(max = MOST_WIDTH)
+            .fillMaxWidth()
+            .background(colours.mistakePane, SHAPE)
+            .border(1.dp, colours.line, SHAPE)
+            // What lies under it is not touched through it.
+            .pointerInput(Unit) { }
+            .testTag("keeping-trouble"),
     ) {
-        Text(
-            "⚠ ${wordsFor(trouble)}",
-            Modifier.align(Alignment.CenterVertically).padding(vertical = 8.dp).semantics { liveRegion = LiveRegionMode.Assertive },
-            color = colours.onPane,
-            fontSize = 16.sp,
-            lineHeight = 22.sp,
-        )
-        if (trouble != KeepingTrouble.TooLong) {
-            OtherButton(stringResource(Res.string.documents_save_as), "trouble-save-as") { onEvent(DocumentEvent.SaveAsWanted) }
+        FlowRow(
+            Modifier
+                .weight(1f)
+                .scrollHint(scroll, Orientation.Vertical, colours.mistakePane, colours.onPane)
+                .verticalScroll(scroll)
+                .padding(start = 16.dp, top = 4.dp, bottom = 4.dp),
+            Arrangement.spacedBy(8.dp),
+            Arrangement.Center,
+        ) {
+            Text(
+                "⚠ ${wordsFor(trouble)}",
+                Modifier.align(Alignment.CenterVertically).padding(vertical = 8.dp).semantics { liveRegion = LiveRegionMode.Assertive },
+                color = colours.onPane,
+                fontSize = 16.sp,
+                lineHeight = 22.sp,
+            )
+            if (trouble != KeepingTrouble.TooLong) {
+                OtherButton(stringResource(Res.string.documents_save_as), "trouble-save-as") { onEvent(DocumentEvent.SaveAsWanted) }
+            }
+            if (trouble == KeepingTrouble.Full) {
+                OtherButton(stringResource(Res.string.documents_my_work), "trouble-my-work") { onEvent(DocumentEvent.WorksWanted) }
+            }
         }
-        if (trouble == KeepingTrouble.Full) {
-            OtherButton(stringResource(Res.string.documents_my_work), "trouble-my-work") { onEvent(DocumentEvent.WorksWanted) }
-        }
+        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "trouble-close", { onEvent(DocumentEvent.WarningShown(false)) })
     }
 }
 
@@ -61,3 +93,6 @@ private fun wordsFor(trouble: KeepingTrouble): String = when (trouble) {
     KeepingTrouble.TooLong -> stringResource(Res.string.documents_trouble_long)
     is KeepingTrouble.Failed -> stringResource(Res.string.documents_trouble_failed, trouble.reason)
 }
+
+private val SHAPE = RoundedCornerShape(12.dp)
+private val MOST_WIDTH = 560.dp

@@ -10,9 +10,7 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
@@ -33,24 +31,13 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.platform.FileKind
+import robotran.ui.learning.SmallIcon
+import robotran.ui.parts.AppMenu
+import robotran.ui.parts.Icon
 import robotran.ui.resources.Res
-import robotran.ui.resources.documents_drawing
-import robotran.ui.resources.documents_kit
 import robotran.ui.resources.documents_menu
-import robotran.ui.resources.documents_my_work
-import robotran.ui.resources.documents_new
-import robotran.ui.resources.documents_open
-import robotran.ui.resources.documents_open_link
-import robotran.ui.resources.documents_picture
-import robotran.ui.resources.documents_program_file
-import robotran.ui.resources.documents_rename
-import robotran.ui.resources.documents_replay
-import robotran.ui.resources.documents_save
-import robotran.ui.resources.documents_save_as
-import robotran.ui.resources.documents_share
+import robotran.ui.resources.documents_not_kept
 import robotran.ui.resources.documents_unsaved
 import robotran.ui.resources.documents_untitled
 import robotran.ui.theme.LocalRobotranColours
@@ -61,7 +48,7 @@ import robotran.ui.workshop.DocumentState
 
 /**
  * The name of the work, which opens the menu with all that can be done with it as a whole. A dot before the name says that not everything is in its
- * file yet.
+ * file yet, a warning sign that it is not being kept.
  */
 @Composable
 internal fun WorkMenu(
@@ -72,52 +59,54 @@ internal fun WorkMenu(
     var open by remember { mutableStateOf(false) }
     Box(modifier) {
         WorkName(state) { open = true }
-        DropdownMenu(
+        AppMenu(
             expanded = open,
             onDismissRequest = { open = false },
             modifier = Modifier.widthIn(min = 240.dp).testTag("work-menu-items"),
-            containerColor = LocalRobotranColours.current.pane,
         ) {
             WorkMenuItems(state, onEvent, { open = false })
         }
     }
 }
 
-/** All that can be done with the work as a whole, to be put into a menu; [close] closes that. */
+/** The same as a line of a menu, which [onClick] is to turn into a list of what can be done with the work. */
 @Composable
-internal fun WorkMenuItems(
-    state: DocumentState,
-    onEvent: (DocumentEvent) -> Unit,
-    close: () -> Unit,
-) {
-    val choose = { event: DocumentEvent ->
-        close()
-        onEvent(event)
-    }
-    WorkMenuItem(Res.string.documents_new, "new") { choose(DocumentEvent.NewWanted) }
-    WorkMenuItem(Res.string.documents_my_work, "my-work") { choose(DocumentEvent.WorksWanted) }
-    WorkMenuItem(Res.string.documents_open, "open") { choose(DocumentEvent.OpenWanted) }
-    WorkMenuItem(Res.string.documents_open_link, "open-link") { choose(DocumentEvent.LinkPastingWanted) }
-    HorizontalDivider(color = LocalRobotranColours.current.line)
-    WorkMenuItem(Res.string.documents_rename, "rename") { choose(DocumentEvent.RenameWanted) }
-    if (state.fileName != null) WorkMenuItem(Res.string.documents_save, "save") { choose(DocumentEvent.SaveWanted) }
-    WorkMenuItem(Res.string.documents_save_as, "save-as") { choose(DocumentEvent.SaveAsWanted) }
-    WorkMenuItem(Res.string.documents_share, "share-link") { choose(DocumentEvent.LinkWanted) }
-    HorizontalDivider(color = LocalRobotranColours.current.line)
-    WorkMenuItem(Res.string.documents_picture, "picture") { choose(DocumentEvent.PictureWanted(FileKind.PNG)) }
-    WorkMenuItem(Res.string.documents_drawing, "drawing") { choose(DocumentEvent.PictureWanted(FileKind.SVG)) }
-    WorkMenuItem(Res.string.documents_replay, "replay") { choose(DocumentEvent.ReplayWanted) }
-    WorkMenuItem(Res.string.documents_program_file, "program-file") { choose(DocumentEvent.ProgramFileWanted) }
-    WorkMenuItem(Res.string.documents_kit, "kit") { choose(DocumentEvent.KitWanted) }
+internal fun WorkMenuEntry(state: DocumentState, onClick: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    val words = stringResource(Res.string.documents_menu, state.name.ifEmpty { stringResource(Res.string.documents_untitled) })
+    val condition = conditionOf(state)
+    DropdownMenuItem(
+        text = {
+            Text(
+                listOfNotNull(signOf(state), words).joinToString(" "),
+                color = colours.onPane,
+                fontSize = 16.sp,
+                maxLines = 1,
+                overflow = TextOverflow.Ellipsis,
+            )
+        },
+        onClick = onClick,
+        modifier = Modifier.heightIn(min = Measures.TARGET).testTag("work-menu").semantics {
+            contentDescription = words
+            if (condition != null) stateDescription = condition
+        },
+        trailingIcon = { SmallIcon(MORE_ICON, colours.quiet) },
+    )
 }
 
+/** What is wrong with how the work is kept, in a sign before its name; null if nothing is. */
+private fun signOf(state: DocumentState): String? = when {
+    state.trouble != null -> "⚠"
+    state.fileName != null && !state.saved -> "●"
+    else -> null
+}
+
+/** The same in words. */
 @Composable
-private fun WorkMenuItem(words: StringResource, tag: String, onClick: () -> Unit) {
-    DropdownMenuItem(
-        text = { Text(stringResource(words), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
-        onClick = onClick,
-        modifier = Modifier.heightIn(min = Measures.TARGET).testTag("work-$tag"),
-    )
+internal fun conditionOf(state: DocumentState): String? = when {
+    state.trouble != null -> stringResource(Res.string.documents_not_kept)
+    state.fileName != null && !state.saved -> stringResource(Res.string.documents_unsaved)
+    else -> null
 }
 
 @Composable
@@ -125,8 +114,7 @@ private fun WorkName(state: DocumentState, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     val name = state.name.ifEmpty { stringResource(Res.string.documents_untitled) }
     val words = stringResource(Res.string.documents_menu, name)
-    val unsaved = stringResource(Res.string.documents_unsaved)
-    val isUnsaved = state.fileName != null && !state.saved
+    val condition = conditionOf(state)
     Row(
         Modifier
             .testTag("work-menu")
@@ -136,13 +124,13 @@ private fun WorkName(state: DocumentState, onClick: () -> Unit) {
             .clickable(role = Role.DropdownList, onClick = onClick)
             .semantics(mergeDescendants = true) {
                 contentDescription = words
-                if (isUnsaved) stateDescription = unsaved
+                if (condition != null) stateDescription = condition
             }
             .padding(horizontal = 12.dp),
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        if (isUnsaved) Text("●", color = colours.onPane, fontSize = 12.sp)
+        signOf(state)?.let { Text(it, color = colours.onPane, fontSize = 12.sp) }
         Text(
             name,
             Modifier.weight(1f, fill = false),
@@ -160,3 +148,5 @@ private fun WorkName(state: DocumentState, onClick: () -> Unit) {
         }
     }
 }
+
+private val MORE_ICON = Icon.strokes("M9 5L16 12L9 19")

@@ -1,8 +1,10 @@
 package robotran.ui.drawer
 
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -22,10 +24,13 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.broughtIntoSight
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_drawer_close
 import robotran.ui.resources.run_drawer_one
@@ -67,32 +72,44 @@ internal fun BesideTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: 
 
 @Composable
 private fun TabRow(open: DrawerTab?, tag: String, onTab: (DrawerTab) -> Unit, modifier: Modifier, buttons: @Composable () -> Unit) {
-    Row(modifier.fillMaxWidth().padding(horizontal = 8.dp), verticalAlignment = Alignment.CenterVertically) {
-        Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()), Arrangement.spacedBy(4.dp)) {
-            for (tab in DrawerTab.entries) TabName(tab, tag, tab == open) { onTab(tab) }
+    val colours = LocalRobotranColours.current
+    val scroll = rememberScrollState()
+    BoxWithConstraints(modifier.fillMaxWidth().padding(horizontal = 8.dp)) {
+        val isSlim = maxWidth < SLIM
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            Row(
+                Modifier
+                    .weight(1f)
+                    .testTag("$tag-names")
+                    .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+                    .horizontalScroll(scroll),
+                Arrangement.spacedBy(if (isSlim) 0.dp else 4.dp),
+            ) {
+                for (tab in DrawerTab.entries) TabName(tab, tag, tab == open, if (isSlim) 6.dp else 12.dp) { onTab(tab) }
+            }
+            buttons()
         }
-        buttons()
     }
 }
 
 @Composable
-private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, onClick: () -> Unit) {
+private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, inset: Dp, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     Box(
         Modifier
             .testTag("$tag-${tab.name.lowercase()}")
+            .broughtIntoSight(selected)
             .focusRing(8.dp)
             .clip(RoundedCornerShape(8.dp))
             .selectable(selected, role = Role.Tab, onClick = onClick)
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(Measures.TARGET, Measures.TARGET)
             .drawBehind {
                 if (!selected) return@drawBehind
                 val height = 4.dp.toPx()
-                val inset = 12.dp.toPx()
-                val bar = Size(size.width - 2 * inset, height)
-                drawRoundRect(RobotranColours.YELLOW, Offset(inset, size.height - height), bar, CornerRadius(height / 2))
+                val bar = Size(size.width - 2 * inset.toPx(), height)
+                drawRoundRect(RobotranColours.YELLOW, Offset(inset.toPx(), size.height - height), bar, CornerRadius(height / 2))
             }
-            .padding(horizontal = 12.dp),
+            .padding(horizontal = inset),
         Alignment.Center,
     ) {
         Text(
@@ -104,6 +121,9 @@ private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, onClick: () 
         )
     }
 }
+
+/** Under this width the names stand closer. */
+private val SLIM = 480.dp
 
 /** What the tab is called. */
 internal val DrawerTab.word: StringResource

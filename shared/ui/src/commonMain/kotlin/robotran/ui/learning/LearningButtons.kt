@@ -1,8 +1,10 @@
 package robotran.ui.learning
 
 import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.PaddingValues
 import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Button
 import androidx.compose.material3.ButtonDefaults
@@ -10,6 +12,7 @@ import androidx.compose.material3.OutlinedButton
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.onClick
@@ -54,6 +57,10 @@ internal fun QuietButton(text: String, tag: String, onClick: () -> Unit, enabled
     colors = ButtonDefaults.textButtonColors(contentColor = LocalRobotranColours.current.onPane),
     contentPadding = PADDING,
 ) { Words(text) }
+
+/** Room for a button that says [text], to be measured. */
+@Composable
+internal fun ButtonSize(text: String) = Box(Modifier.large().padding(PADDING), Alignment.Center) { Words(text) }
 
 @Composable
 private fun Words(text: String) = Text(text, fontSize = 16.sp, fontWeight = FontWeight.Medium, textAlign = TextAlign.Center)

@@ -3,6 +3,7 @@ package robotran.ui.learning
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -12,7 +13,6 @@ import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -31,13 +31,18 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.learning.Tutorial
+import robotran.ui.parts.AppMenu
+import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
+import robotran.ui.resources.learning_close
 import robotran.ui.resources.learning_fold
+import robotran.ui.resources.learning_return
 import robotran.ui.resources.learning_step_named_done
 import robotran.ui.resources.learning_step_of
 import robotran.ui.resources.learning_steps_done
@@ -47,12 +52,17 @@ import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.ui.workshop.LearningEvent
 import robotran.ui.workshop.LearningState
+import robotran.ui.workshop.TutorialState
 
-/** Which step it is and which are done, with the list of all steps behind it; all that is to be seen of a tutorial that is folded away. */
+/**
+ * Which step it is and which are done, with the list of all steps behind it; all that is to be seen of a tutorial that is folded away. While something else
+ * than the step is on the desk, that is the way back to it, which can be put away.
+ */
 @Composable
 internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifier: Modifier = Modifier) {
     val tutorial = state.tutorial ?: return
     val colours = LocalRobotranColours.current
+    if (tutorial.isFolded && !tutorial.isOnDesk) return ReturnStrip(state, tutorial, onEvent, modifier)
     var choosing by remember { mutableStateOf(false) }
     Row(modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp), verticalAlignment = Alignment.CenterVertically) {
         Box(Modifier.weight(1f)) {
@@ -82,10 +92,43 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
     }
 }
 
+/** Leads back to the step, with its program and its world; what is on the desk is kept. */
+@Composable
+private fun ReturnStrip(state: LearningState, tutorial: TutorialState, onEvent: (LearningEvent) -> Unit, modifier: Modifier) {
+    val colours = LocalRobotranColours.current
+    Row(modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp), verticalAlignment = Alignment.CenterVertically) {
+        Row(
+            Modifier
+                .weight(1f)
+                .testTag("tutorial-return")
+                .defaultMinSize(minHeight = Measures.TARGET)
+                .focusRing()
+                .clickable(role = Role.Button) {
+                    onEvent(LearningEvent.StepTried)
+                    onEvent(LearningEvent.TutorialFolded(false))
+                }
+                .padding(horizontal = 12.dp),
+            Arrangement.spacedBy(12.dp),
+            Alignment.CenterVertically,
+        ) {
+            SmallIcon(Icon.BACK, colours.onPane)
+            Text(
+                "${stringResource(Res.string.learning_return)}: ${tutorial.current.text(state.language).title}",
+                color = colours.onPane,
+                fontSize = 16.sp,
+                fontWeight = FontWeight.Medium,
+                maxLines = 1,
+                overflow = TextOverflow.Ellipsis,
+            )
+        }
+        IconTouch(Icon.CLOSE, stringResource(Res.string.learning_close), "leave-tutorial", { onEvent(LearningEvent.TutorialLeft) })
+    }
+}
+
 @Composable
 private fun StepList(state: LearningState, shown: Boolean, onClose: () -> Unit, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    DropdownMenu(shown, onClose, containerColor = colours.pane) {
+    AppMenu(shown, onClose) {
         Tutorial.steps.forEachIndexed { place, step ->
             val done = step.name in state.stepsDone
             val title = step.text(state.language).title

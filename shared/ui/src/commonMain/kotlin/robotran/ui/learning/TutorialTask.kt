@@ -23,6 +23,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.broughtIntoSight
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_back_to_mine
 import robotran.ui.resources.learning_hint
@@ -64,17 +65,18 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
             Text(stringResource(title), color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
         }
         MarkedText(text.task)
-        if (tutorial.hintShown) MarkedText(text.hint, Modifier.testTag("hint"), colours.quiet)
+        // Over what they bring, so that they stay where they are.
+        Helps(tutorial, onEvent)
+        if (tutorial.hintShown) MarkedText(text.hint, Modifier.testTag("hint").broughtIntoSight(true), colours.quiet)
         if (tutorial.solutionShown) {
             Text(
                 stringResource(Res.string.learning_solution_note),
-                Modifier.testTag("solution-note").semantics { liveRegion = LiveRegionMode.Polite },
+                Modifier.testTag("solution-note").broughtIntoSight(true).semantics { liveRegion = LiveRegionMode.Polite },
                 color = colours.quiet,
                 fontSize = 16.sp,
                 lineHeight = 24.sp,
             )
         }
-        Helps(tutorial, onEvent)
     }
 }
 

@@ -21,6 +21,9 @@ internal class Icon(private val drawn: DrawScope.(Color) -> Unit) {
         private val LINE = Stroke(2f, cap = StrokeCap.Round, join = StrokeJoin.Round)
 
         val MENU = strokes("M4 7H20", "M4 12H20", "M4 17H20")
+
+        /** Three dots: what is done more seldom. */
+        val MORE = Icon { colour -> for (x in listOf(5f, 12f, 19f)) drawCircle(colour, 2f, Offset(x, 12f)) }
         val CLOSE = strokes("M6 6L18 18", "M18 6L6 18")
         val BACK = strokes("M11 5L4 12L11 19", "M4 12H20")
         val BOOK = strokes("M4 5L12 7L20 5V18L12 20L4 18V5", "M12 7V20")

@@ -14,7 +14,10 @@ import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.Modifier
@@ -22,6 +25,7 @@ import androidx.compose.ui.focus.FocusDirection
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusProperties
 import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.focus.onFocusChanged
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.key.key
@@ -53,7 +57,9 @@ import robotran.ui.theme.Measures
 internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp = 720.dp, content: @Composable ColumnScope.() -> Unit) {
     val colours = LocalRobotranColours.current
     val focus = remember { FocusRequester() }
-    LaunchedEffect(Unit) { focus.requestFocus() }
+    var hasFocus by remember { mutableStateOf(false) }
+    // Also when what had it goes, as all texts do when another language is chosen: without it no key would reach the page.
+    LaunchedEffect(hasFocus) { if (!hasFocus) focus.requestFocus() }
     Column(
         Modifier
             .fillMaxSize()
@@ -67,6 +73,7 @@ internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp
             }
             .pointerInput(Unit) { }
             .focusProperties { exit = { direction -> if (direction in TAB) FocusRequester.Cancel else FocusRequester.Default } }
+            .onFocusChanged { hasFocus = it.hasFocus }
             .focusRequester(focus)
             .focusable(),
     ) {

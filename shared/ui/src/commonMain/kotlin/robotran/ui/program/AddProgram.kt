@@ -4,7 +4,6 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
@@ -19,6 +18,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.AppMenu
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_add
 import robotran.ui.resources.program_examples
@@ -26,6 +26,7 @@ import robotran.ui.resources.program_new_class
 import robotran.ui.resources.program_new_java
 import robotran.ui.resources.program_new_robolang
 import robotran.ui.resources.program_no_room
+import robotran.ui.resources.program_reopen_named
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.workshop.LearningEvent
@@ -45,15 +46,17 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
     }
     Box {
         RoundButton(Plus, stringResource(Res.string.program_add), "add-program") { open = true }
-        DropdownMenu(
+        AppMenu(
             expanded = open,
             onDismissRequest = { open = false },
             modifier = Modifier.widthIn(min = 300.dp),
-            containerColor = LocalRobotranColours.current.pane,
         ) {
             if (state.hasRoom) NewPrograms(choose) else Note(stringResource(Res.string.program_no_room))
             if (state.program.language == ProgramLanguage.JAVA) {
                 Choice(stringResource(Res.string.program_new_class), "new-class") { choose(ProgramEvent.ClassAdded) }
+            }
+            state.closed?.takeIf { state.canReopen }?.let { closed ->
+                Choice(stringResource(Res.string.program_reopen_named, closed), "reopen-closed") { choose(ProgramEvent.ProgramReopened) }
             }
             if (state.hasRoom) {
                 HorizontalDivider(color = LocalRobotranColours.current.line)

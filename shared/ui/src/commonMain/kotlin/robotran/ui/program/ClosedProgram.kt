@@ -1,10 +1,12 @@
 package robotran.ui.program
 
-import androidx.compose.foundation.background
+import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
@@ -18,36 +20,45 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
+import robotran.ui.resources.notice_close
 import robotran.ui.resources.program_closed
 import robotran.ui.resources.program_reopen
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
+import robotran.ui.workshop.ProgramEvent
 
-/** Says that the program or class called [name] was closed, and brings it back if there is [room] for it. */
+/**
+ * Says that the program or class called [name] was closed, and brings it back if there is [room] for it. It lies over the foot of the program, which does not
+ * move, until it is put away; the menu behind the plus brings the program back after that, too.
+ */
 @Composable
-internal fun ClosedProgram(name: String, room: Boolean, onReopen: () -> Unit) {
+internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    Row(
-        Modifier
-            .fillMaxWidth()
-            .background(colours.desk)
-            .padding(horizontal = 16.dp)
-            .defaultMinSize(minHeight = Measures.TARGET)
-            .testTag("closed-program"),
-        verticalAlignment = Alignment.CenterVertically,
-    ) {
-        Text(
-            stringResource(Res.string.program_closed, name),
-            Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
-            color = colours.onPane,
-            fontSize = 16.sp,
-        )
-        if (room) {
-            TextButton(onReopen, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("reopen-program").focusRing()) {
-                Text(stringResource(Res.string.program_reopen), color = colours.focus, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
+    Surface(Modifier.fillMaxWidth().padding(8.dp), RoundedCornerShape(12.dp), colours.desk, border = BorderStroke(1.dp, colours.line)) {
+        Row(
+            Modifier.defaultMinSize(minHeight = Measures.TARGET).padding(start = 16.dp).testTag("closed-program"),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
+            Text(
+                stringResource(Res.string.program_closed, name),
+                Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
+                color = colours.onPane,
+                fontSize = 16.sp,
+            )
+            if (room) {
+                TextButton(
+                    { onEvent(ProgramEvent.ProgramReopened) },
+                    Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("reopen-program").focusRing(),
+                ) {
+                    val words = stringResource(Res.string.program_reopen)
+                    Text(words, color = colours.focus, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
+                }
             }
+            IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "closed-program-close", { onEvent(ProgramEvent.ClosedRead) })
         }
     }
 }

@@ -8,7 +8,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
@@ -26,6 +25,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.AppMenu
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_breakpoint
@@ -76,7 +76,7 @@ private fun MoreTools(onCommand: (EditorCommand.Plain) -> Unit) {
     val command by rememberUpdatedState(onCommand)
     Box {
         RoundButton(Signs.MORE, stringResource(Res.string.editor_more), "editor-more", SIGN) { open = true }
-        DropdownMenu(open, { open = false }, Modifier.widthIn(min = 260.dp), containerColor = LocalRobotranColours.current.pane) {
+        AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
             // A menu that is still there keeps the keyboard from what the tool opens.
             DisposableEffect(Unit) {
                 onDispose {

@@ -53,6 +53,8 @@ internal fun MistakeStrip(
     val colours = LocalRobotranColours.current
     val (here, elsewhere) = mistakes.partition { it.file == file && it.range != null }
     Column(modifier.fillMaxWidth().background(colours.mistakePane).testTag("mistakes").padding(start = 16.dp, end = 8.dp)) {
+        for (mistake in elsewhere.take(most)) Elsewhere(mistake, program, onFix)
+        // Lowest, so that the button stays where it is while others come and go.
         if (here.isNotEmpty()) {
             Row(Modifier.fillMaxWidth().defaultMinSize(minHeight = Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
                 val count = mistakes.size
@@ -69,7 +71,6 @@ internal fun MistakeStrip(
                 }
             }
         }
-        for (mistake in elsewhere.take(most)) Elsewhere(mistake, program, onFix)
     }
 }
 

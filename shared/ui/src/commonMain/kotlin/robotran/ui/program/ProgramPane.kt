@@ -17,7 +17,6 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.runtime.setValue
-import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.unit.dp
@@ -67,12 +66,14 @@ internal fun ProgramPane(
             FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) }, { renaming = true })
         }
         Box(Modifier.weight(1f)) {
-            ShownFile(programs, state.settings, state.runningLine, state.failure, mostMistakes, onEvent, Modifier.fillMaxSize()) {
-                renaming = true
+            ShownFile(
+                programs, state.settings, state.runningLine, state.failure, mostMistakes, onEvent, Modifier.fillMaxSize(),
+                onRename = { renaming = true },
+            ) {
+                RemarkList(state.remarks, mostMistakes)
+                programs.closed?.takeIf { programs.closedShown }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
             }
-            RemarkList(state.remarks, mostMistakes, Modifier.align(Alignment.BottomCenter))
         }
-        programs.closed?.let { ClosedProgram(it, programs.canReopen) { onEvent(ProgramEvent.ProgramReopened) } }
     }
     if (renaming) {
         RenameDialog(
@@ -89,7 +90,11 @@ internal fun ProgramPane(
     }
 }
 
-/** The tools, the text and its translation; all that is only about the file that is shown. */
+/**
+ * The tools, the text and its translation; all that is only about the file that is shown.
+ *
+ * @param overFoot what lies over the end of the text, until it is read.
+ */
 @Composable
 private fun ShownFile(
     state: ProgramsState,
@@ -100,6 +105,7 @@ private fun ShownFile(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
     onRename: () -> Unit,
+    overFoot: @Composable () -> Unit,
 ) {
     val now by rememberUpdatedState(state to settings)
     val event by rememberUpdatedState(onEvent)
@@ -144,22 +150,24 @@ private fun ShownFile(
             state.translationShown && state.program.language == ProgramLanguage.ROBOLANG,
             Modifier.weight(1f),
             { part ->
-                CodeEditor(
-                    control = control,
-                    view = view,
-                    draft = state.draft,
-                    hint = stringResource(hintFor(state.program.language)),
-                    marks = marks,
-                    notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) },
-                    pointedOut = state.mistakePointedOut,
-                    codeSize = settings.codeSize,
-                    focus = focus,
-                    onCommand = { (it as? EditorCommand.Plain)?.let(actions::perform) },
-                    onBreakpoint = { onEvent(ProgramEvent.BreakpointToggled(it)) },
-                    onZoom = actions::zoom,
-                    onFix = actions::fix,
-                    modifier = part,
-                )
+                TextAndMistakes(state, mostMistakes, actions, overFoot, part) {
+                    CodeEditor(
+                        control = control,
+                        view = view,
+                        draft = state.draft,
+                        hint = stringResource(hintFor(state.program.language)),
+                        marks = marks,
+                        notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) },
+                        pointedOut = state.mistakePointedOut,
+                        codeSize = settings.codeSize,
+                        focus = focus,
+                        onCommand = { (it as? EditorCommand.Plain)?.let(actions::perform) },
+                        onBreakpoint = { onEvent(ProgramEvent.BreakpointToggled(it)) },
+                        onZoom = actions::zoom,
+                        onFix = actions::fix,
+                        modifier = Modifier.fillMaxSize(),
+                    )
+                }
             },
             { part ->
                 TranslationPane(
@@ -176,10 +184,6 @@ private fun ShownFile(
                 )
             },
         )
-        if (state.mistakes.isNotEmpty()) {
-            val pointedOut = state.mistakePointedOut
-            MistakeStrip(state.program, state.mistakes, state.file.name, mostMistakes, pointedOut, actions::goToNextNote, actions::fix)
-        }
         // Lowest, so that its keys stay where they are while mistakes come and go.
         if (control.hasFocus && control.isTouched) KeyRow(control)
     }

@@ -4,7 +4,6 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
@@ -24,7 +23,9 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.running.RunSpeed
+import robotran.ui.parts.AppMenu
 import robotran.ui.parts.RadioMark
+import robotran.ui.parts.SteadySize
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_speed
 import robotran.ui.resources.run_speed_double
@@ -39,7 +40,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
-/** Says how fast time passes, and lets it pass faster or more slowly. */
+/** Says how fast time passes, in a sign, and lets it pass faster or more slowly; as wide as it has to be for any speed. */
 @Composable
 internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier: Modifier = Modifier) {
     var open by remember { mutableStateOf(false) }
@@ -58,10 +59,12 @@ internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier
                 },
             shape = RoundedCornerShape(12.dp),
         ) {
-            Text(word, color = LocalRobotranColours.current.onPane, fontSize = 16.sp, maxLines = 1)
+            SteadySize(speed, RunSpeed.entries) {
+                Text(it.sign, color = LocalRobotranColours.current.onPane, fontSize = 16.sp, maxLines = 1)
+            }
             RunIconView(RunIcon.UP, Modifier.padding(start = 4.dp), 16.dp, LocalRobotranColours.current.onPane)
         }
-        DropdownMenu(open, { open = false }) {
+        AppMenu(open, { open = false }) {
             SpeedChoices(speed) {
                 open = false
                 onSpeed(it)
@@ -85,6 +88,19 @@ internal fun SpeedChoices(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit) {
         )
     }
 }
+
+/** The speed as players of films write it. */
+private val RunSpeed.sign: String
+    get() = when (this) {
+        RunSpeed.TENTH -> "1/10×"
+        RunSpeed.QUARTER -> "1/4×"
+        RunSpeed.HALF -> "1/2×"
+        RunSpeed.REAL_TIME -> "1×"
+        RunSpeed.DOUBLE -> "2×"
+        RunSpeed.FIVEFOLD -> "5×"
+        RunSpeed.TENFOLD -> "10×"
+        RunSpeed.FASTEST -> "»"
+    }
 
 /** The speed in a word or two. */
 internal val RunSpeed.word: StringResource

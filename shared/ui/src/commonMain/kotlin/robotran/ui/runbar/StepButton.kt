@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -21,6 +20,7 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.rom.StepKind
+import robotran.ui.parts.AppMenu
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_step
 import robotran.ui.resources.run_step_help
@@ -59,7 +59,7 @@ private fun StepMenu(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
     Box {
         QuietButton(RunIcon.DOWN, stringResource(Res.string.run_steps), "steps", { open = true })
-        DropdownMenu(open, { open = false }) {
+        AppMenu(open, { open = false }) {
             StepChoices(cursor) {
                 open = false
                 onEvent(it)

@@ -15,16 +15,20 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
+import robotran.ui.documents.KeepingBanner
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.world.TaskCard
 import robotran.ui.world.WorldPane
+import robotran.world.World
 
 /**
- * The paper, and over its upper edge what is to be done there and what the app has to say, each until it is read: so neither the paper nor anything else moves when it comes or goes.
+ * The paper, over its upper edge what is to be done there and what the app has to say, and over its foot that the work is not being kept, each until it is
+ * read: so neither the paper nor anything else moves when it comes or goes.
  *
  * @param withHint whether what the brick cannot say itself is told here.
  */
@@ -39,26 +43,31 @@ internal fun CoveredSheet(
     BoxWithConstraints(modifier) {
         WorldPane(state, onEvent)
         Said(state, onEvent, withHint, withNotice)
+        if (withNotice) {
+            val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
+            KeepingBanner(state.document, onEvent, over.heightIn(max = maxHeight / 2))
+        }
     }
 }
 
 @Composable
 private fun BoxWithConstraintsScope.Said(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, withHint: Boolean, withNotice: Boolean) {
     val most = maxHeight / 2
-    // The sheet's own buttons stay free.
-    val start = when {
-        maxWidth / maxHeight <= (state.world.paper.width / state.world.paper.height).toFloat() -> 0.dp
-        maxHeight < ONE_COLUMN_HEIGHT -> BUTTONS_WIDTH * 2
-        else -> BUTTONS_WIDTH
-    }
     Column(
-        Modifier.align(Alignment.TopEnd).padding(start = start).padding(8.dp).widthIn(max = MOST_WIDTH),
+        Modifier.align(Alignment.TopEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp).widthIn(max = MOST_WIDTH),
         Arrangement.spacedBy(8.dp),
     ) {
         if (withNotice) state.notice?.let { NoticeBar(it, onEvent) }
         if (state.taskShown && state.hasTask) TaskCard(state.world, onEvent, Modifier.heightIn(max = most))
         if (withHint) ClosableHint(state, Modifier.heightIn(max = most))
     }
+}
+
+/** How much is left to the sheet's own buttons, which stay free, where they stand beside the paper. */
+private fun BoxWithConstraintsScope.sheetButtonsWidth(world: World): Dp = when {
+    maxWidth / maxHeight <= (world.paper.width / world.paper.height).toFloat() -> 0.dp
+    maxHeight < ONE_COLUMN_HEIGHT -> BUTTONS_WIDTH * 2
+    else -> BUTTONS_WIDTH
 }
 
 /** Until it is closed; the next one comes again. */

@@ -4,7 +4,6 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
@@ -14,11 +13,19 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawWithContent
+import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.documents.WorkMenuEntry
 import robotran.ui.documents.WorkMenuItems
+import robotran.ui.documents.conditionOf
+import robotran.ui.learning.SmallIcon
+import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
@@ -34,6 +41,7 @@ import robotran.ui.resources.sound_switch_on
 import robotran.ui.resources.worlds
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
+import robotran.ui.workshop.DocumentState
 import robotran.ui.workshop.LearningEvent
 import robotran.ui.workshop.LearningPage
 import robotran.ui.workshop.SettingsEvent
@@ -41,43 +49,79 @@ import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorldEditEvent
 
-/** The button with three lines: what is done seldom, and [withWork] what is done with the work as a whole. */
+/** The button with three lines: what is done seldom, and [withWork] a list of its own of what is done with the work as a whole. */
 @Composable
 internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, withWork: Boolean = false) {
     var open by remember { mutableStateOf(false) }
+    var showsWork by remember { mutableStateOf(false) }
     val choose = { event: WorkshopEvent ->
         open = false
         onEvent(event)
     }
     Box {
-        IconTouch(Icon.MENU, stringResource(Res.string.menu), "menu", { open = true })
-        DropdownMenu(
-            expanded = open,
-            onDismissRequest = { open = false },
-            modifier = Modifier.widthIn(min = 260.dp),
-            containerColor = LocalRobotranColours.current.pane,
-        ) {
-            if (withWork) {
-                WorkMenuItems(state.document, onEvent, { open = false })
+        MenuButton(state.document, withWork) {
+            showsWork = false
+            open = true
+        }
+        AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp).testTag("menu-items"), page = showsWork) {
+            if (showsWork) {
+                // First, so that whoever touches twice comes back and does nothing to the work.
+                WayBack { showsWork = false }
                 MenuDivider()
+                WorkMenuItems(state.document, onEvent, { open = false })
+            } else {
+                if (withWork) {
+                    WorkMenuEntry(state.document) { showsWork = true }
+                    MenuDivider()
+                }
+                MainMenuItems(state, choose)
             }
-            MenuItem(stringResource(Res.string.learn), "menu-learn") { choose(LearningEvent.PageWanted(LearningPage.TUTORIAL)) }
-            MenuItem(stringResource(Res.string.worlds), "menu-worlds") { choose(LearningEvent.PageWanted(LearningPage.WORLDS)) }
-            MenuItem(stringResource(Res.string.learning_examples), "menu-examples") {
-                choose(LearningEvent.PageWanted(LearningPage.EXAMPLES))
-            }
-            MenuItem(stringResource(Res.string.learning_help), "menu-words") { choose(LearningEvent.PageWanted(LearningPage.HELP)) }
-            if (state.worldEdit == null) {
-                MenuItem(stringResource(Res.string.edit_world), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }
-            }
-            MenuItem(stringResource(Res.string.first_page), "menu-first-page") { choose(LearningEvent.PageWanted(LearningPage.FIRST_RUN)) }
-            MenuDivider()
-            val sound = if (state.soundOn) Res.string.sound_switch_off else Res.string.sound_switch_on
-            MenuItem(stringResource(sound), "menu-sound") { choose(SettingsEvent.SoundSwitched(!state.soundOn)) }
-            MenuItem(stringResource(Res.string.settings_title), "menu-settings") { choose(SettingsEvent.SettingsShown(true)) }
         }
     }
 }
+
+@Composable
+private fun MainMenuItems(state: WorkshopState, choose: (WorkshopEvent) -> Unit) {
+    MenuItem(stringResource(Res.string.learn), "menu-learn") { choose(LearningEvent.PageWanted(LearningPage.TUTORIAL)) }
+    MenuItem(stringResource(Res.string.worlds), "menu-worlds") { choose(LearningEvent.PageWanted(LearningPage.WORLDS)) }
+    MenuItem(stringResource(Res.string.learning_examples), "menu-examples") {
+        choose(LearningEvent.PageWanted(LearningPage.EXAMPLES))
+    }
+    MenuItem(stringResource(Res.string.learning_help), "menu-words") { choose(LearningEvent.PageWanted(LearningPage.HELP)) }
+    if (state.worldEdit == null) {
+        MenuItem(stringResource(Res.string.edit_world), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }
+    }
+    MenuItem(stringResource(Res.string.first_page), "menu-first-page") { choose(LearningEvent.PageWanted(LearningPage.FIRST_RUN)) }
+    MenuDivider()
+    val sound = if (state.soundOn) Res.string.sound_switch_off else Res.string.sound_switch_on
+    MenuItem(stringResource(sound), "menu-sound") { choose(SettingsEvent.SoundSwitched(!state.soundOn)) }
+    MenuItem(stringResource(Res.string.settings_title), "menu-settings") { choose(SettingsEvent.SettingsShown(true)) }
+}
+
+/** Marked where the menu has a list for the work and that is not being kept. */
+@Composable
+private fun MenuButton(document: DocumentState, withWork: Boolean, onClick: () -> Unit) {
+    val sign = LocalRobotranColours.current.mistake
+    val condition = conditionOf(document).takeIf { withWork && document.trouble != null }
+    val modifier = if (condition == null) {
+        Modifier
+    } else {
+        Modifier.semantics { stateDescription = condition }.drawWithContent {
+            drawContent()
+            drawCircle(sign, SIGN.toPx() / 2, Offset(size.width - SIGN.toPx(), SIGN.toPx()))
+        }
+    }
+    IconTouch(Icon.MENU, stringResource(Res.string.menu), "menu", onClick, modifier)
+}
+
+/** To the list that a part of the menu was opened from. */
+@Composable
+private fun WayBack(onClick: () -> Unit) = DropdownMenuItem(
+    text = { Text(stringResource(Res.string.menu), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
+    onClick = onClick,
+    modifier = Modifier.testTag("menu-back").heightIn(min = Measures.TARGET),
+    leadingIcon = { SmallIcon(Icon.BACK, LocalRobotranColours.current.onPane) },
+)
 
 /** One thing that can be done, large enough for a finger. */
 @Composable
@@ -89,3 +133,5 @@ internal fun MenuItem(text: String, tag: String, onClick: () -> Unit) = Dropdown
 
 @Composable
 internal fun MenuDivider() = HorizontalDivider(Modifier.padding(vertical = 4.dp), color = LocalRobotranColours.current.line)
+
+private val SIGN = 10.dp

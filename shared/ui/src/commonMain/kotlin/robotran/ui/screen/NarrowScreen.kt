@@ -10,6 +10,7 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.Spacer
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
@@ -23,6 +24,7 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.LEAST_BRICK_WIDTH
+import robotran.ui.documents.KeepingBanner
 import robotran.ui.drawer.DrawerPage
 import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.TaskAndGoals
@@ -87,7 +89,10 @@ private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
 
 @Composable
 private fun BoxScope.NoticeOver(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
-    state.notice?.let { NoticeBar(it, onEvent, Modifier.align(Alignment.BottomCenter).padding(8.dp)) }
+    Column(Modifier.align(Alignment.BottomCenter).padding(8.dp), Arrangement.spacedBy(8.dp), Alignment.CenterHorizontally) {
+        state.notice?.let { NoticeBar(it, onEvent) }
+        KeepingBanner(state.document, onEvent, Modifier.heightIn(max = MOST_BANNER_HEIGHT))
+    }
 }
 
 /** The brick's strip lies under the paper, or beside it if there is more room there. */
@@ -138,6 +143,9 @@ private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
 /** A keyboard on the screen takes half of it: more would push the program out of sight. */
 private const val MOST_MISTAKES = 2
 private val MARGIN = 16.dp
+
+/** More can be scrolled to. */
+private val MOST_BANNER_HEIGHT = 200.dp
 private val MOST_BRICK_WIDTH = 440.dp
 
 /** Room for four lines of what the brick has to say. */

@@ -3,7 +3,6 @@ package robotran.ui.screen
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
-import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
@@ -11,7 +10,6 @@ import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import robotran.ui.documents.DocumentDialogs
-import robotran.ui.documents.KeepingBanner
 import robotran.ui.documents.documentShortcut
 import robotran.ui.learning.LearningPages
 import robotran.ui.parts.BackGesture
@@ -39,16 +37,13 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         BackGesture(ofPanes.size) { ofPanes.firstOrNull()?.let(onEvent) }
         val isCovered = state.settingsShown || state.learning.page?.coversAll == true
         // Nobody is told of what nobody can see.
-        Column(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
-            KeepingBanner(state.document, onEvent)
-            Box(Modifier.weight(1f)) {
-                val edit = state.worldEdit
-                when {
-                    edit != null -> WorldEditPane(edit, state.session, onEvent)
-                    layout == ScreenLayout.WIDE -> WideScreen(state, onEvent)
-                    layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent)
-                    else -> NarrowScreen(state, onEvent)
-                }
+        Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
+            val edit = state.worldEdit
+            when {
+                edit != null -> WorldEditPane(edit, state, onEvent)
+                layout == ScreenLayout.WIDE -> WideScreen(state, onEvent)
+                layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent)
+                else -> NarrowScreen(state, onEvent)
             }
         }
         LearningPages(state.learning, onEvent)

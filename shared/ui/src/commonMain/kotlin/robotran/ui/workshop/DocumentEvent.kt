@@ -20,6 +20,9 @@ sealed interface DocumentEvent : WorkshopEvent {
     /** What is behind [link] is to be opened. */
     data class LinkOpened(val link: String) : DocumentEvent
 
+    /** That the work is not being kept is to be told, or no longer until something else is the reason. */
+    data class WarningShown(val shown: Boolean) : DocumentEvent
+
     /** All works are to be shown. */
     data object WorksWanted : OfWorks
 

@@ -56,6 +56,7 @@ class DocumentHolder(private val bench: Bench) {
             DocumentEvent.ProgramFileWanted -> launch { exports.saveProgram() }
             DocumentEvent.KitWanted -> launch { exports.saveKit() }
             is DocumentEvent.Answered -> launch { answer(event.answer) }
+            is DocumentEvent.WarningShown -> state = state.copy(warningShown = event.shown)
             DocumentEvent.DialogClosed -> closeDialog()
         }
     }
@@ -268,7 +269,7 @@ class DocumentHolder(private val bench: Bench) {
             Keeping.TooLong -> KeepingTrouble.TooLong
             is Keeping.Failed -> KeepingTrouble.Failed(keeping.reason)
         }
-        if (trouble != state.trouble) state = state.copy(trouble = trouble)
+        if (trouble != state.trouble) state = state.copy(trouble = trouble, warningShown = true)
     }
 
     private fun show(dialog: DocumentDialog?) {

@@ -12,6 +12,7 @@ import robotran.world.World
  * @property fileName the file it was opened from or saved to; null if there is none.
  * @property saved whether the file has all that is there; true as well while nothing was done yet.
  * @property trouble why the work is not being kept, null if it is.
+ * @property warningShown whether that is told; false once somebody has put it away.
  * @property dialog what is asked or shown, null if nothing.
  * @property hasShareSheet whether links can be handed to other apps.
  */
@@ -21,6 +22,7 @@ data class DocumentState(
     val fileName: String? = null,
     val saved: Boolean = true,
     val trouble: KeepingTrouble? = null,
+    val warningShown: Boolean = true,
     val dialog: DocumentDialog? = null,
     val hasShareSheet: Boolean = false,
 )

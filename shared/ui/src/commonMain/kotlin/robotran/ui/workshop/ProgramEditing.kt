@@ -44,6 +44,7 @@ internal class ProgramEditing(
             is ProgramEvent.FileClosed -> closeFile(robot, event.place)
             is ProgramEvent.ProgramClosed -> close(robot, event.slot)
             ProgramEvent.ProgramReopened -> reopen(robot)
+            ProgramEvent.ClosedRead -> robot.closedShown = false
             ProgramEvent.FindingWanted, ProgramEvent.FindingBegun -> Unit
             is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> mistakePointedOut = false
         }

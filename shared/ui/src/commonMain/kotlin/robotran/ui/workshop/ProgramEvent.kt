@@ -64,4 +64,7 @@ sealed interface ProgramEvent : WorkshopEvent {
 
     /** What went away last is wanted back. */
     data object ProgramReopened : ProgramEvent
+
+    /** That a program or a class was taken away has been read. */
+    data object ClosedRead : ProgramEvent
 }

@@ -196,6 +196,7 @@ class ProgramsHolder(
             canRedo = robot.memory.history.canRedo,
             breakpoints = robot.memory.breakpoints,
             closed = robot.closed?.name,
+            closedShown = robot.closedShown,
             canReopen = robot.canReopen,
             mistakes = entry.mistakes,
             notes = entry.notes,

@@ -19,6 +19,7 @@ import robotran.world.RobotPlace
  * @property draft the text of that file, and what is selected in it.
  * @property breakpoints the lines of that file, from 1, that the program is to stop before.
  * @property closed the name of the program, or the class of one, that was taken away last and is kept; null if nothing is.
+ * @property closedShown whether that is told; false once somebody has put it away.
  * @property canReopen whether there is room to bring it back.
  * @property mistakes what is wrong with the program shown, in its order; empty as long as it was not read.
  * @property notes what is told about its lines, mistakes and doubts; as long as it was not read, what was told before.
@@ -42,6 +43,7 @@ data class ProgramsState(
     val canRedo: Boolean,
     val breakpoints: Set<Int>,
     val closed: String?,
+    val closedShown: Boolean,
     val canReopen: Boolean,
     val mistakes: List<Mistake>,
     val notes: List<ProgramNote>,

@@ -27,6 +27,13 @@ internal class RobotPrograms(
     var shownProgram = kept.firstProgram.coerceIn(shelf.entries.indices)
     var shownFile = 0
     var closed: ClosedFile? = null
+        set(value) {
+            field = value
+            closedShown = value != null
+        }
+
+    /** Whether it is told what was taken away last. */
+    var closedShown = false
 
     val entry: ShelfEntry get() = shelf.entries[shownProgram]
     val memory: ProgramFileMemory get() = entry.memories[shownFile]
@@ -72,6 +79,7 @@ internal class RobotPrograms(
         val moved = RobotPrograms(place, kept.copy(name = place.name), reader, if (isOwn) emptyList() else shelf.programs)
         if (!isOwn) moved.remember(this) { it }
         moved.closed = closed
+        moved.closedShown = closedShown
         return moved
     }
 
@@ -80,6 +88,7 @@ internal class RobotPrograms(
         val again = RobotPrograms(place, kept, reader, shelf.programs)
         again.remember(this) { it.unread() }
         again.closed = closed.let { if (it is ClosedFile.Program) ClosedFile.Program(it.entry.unread()) else it }
+        again.closedShown = closedShown
         return again
     }
 

@@ -16,6 +16,9 @@ sealed interface WorldEditEvent : WorkshopEvent {
     /** The same, and the program runs in it at once. */
     data object TriedOut : WorldEditEvent
 
+    /** What has to be mended is not to be told any longer, until that is something else or it is asked for again. */
+    data object HintsClosed : WorldEditEvent
+
     /** The world is to be as it was before it was changed. */
     data object EditsDiscarded : WorldEditEvent
 }

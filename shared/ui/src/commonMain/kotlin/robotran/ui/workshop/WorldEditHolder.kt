@@ -20,6 +20,7 @@ class WorldEditHolder(private val bench: Bench) {
             is WorldEditEvent.Edited -> edit(event.edit)
             WorldEditEvent.EditorClosed -> close()
             WorldEditEvent.TriedOut -> if (close()) bench.perform(RunEvent.RunPressed)
+            WorldEditEvent.HintsClosed -> state = state?.copy(hintsShown = false)
             WorldEditEvent.EditsDiscarded -> discard()
         }
     }
@@ -35,7 +36,12 @@ class WorldEditHolder(private val bench: Bench) {
     private fun edit(edit: Edit) {
         val now = state ?: return
         val editing = now.editing.after(edit)
-        state = now.copy(editing = editing, mendFirst = now.mendFirst && editing.troubles.isNotEmpty())
+        val hasNews = editing.refusal != null || editing.troubles != now.editing.troubles
+        state = now.copy(
+            editing = editing,
+            mendFirst = now.mendFirst && editing.troubles.isNotEmpty(),
+            hintsShown = now.hintsShown || hasNews,
+        )
         val canBeKept = editing.gesture == null && editing.troubles.isEmpty()
         if (canBeKept && editing.world != bench.project.world) bench.keepWorld(editing.world)
     }
@@ -47,7 +53,7 @@ class WorldEditHolder(private val bench: Bench) {
         val trouble = editing.troubles.firstOrNull()
         if (trouble != null) {
             val shown = trouble.thing?.let { editing.after(Edit.Choose(it)) } ?: editing
-            state = now.copy(editing = shown, mendFirst = true)
+            state = now.copy(editing = shown, mendFirst = true, hintsShown = true)
             return false
         }
         latest = editing

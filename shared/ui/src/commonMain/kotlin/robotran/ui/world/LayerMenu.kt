@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -25,6 +24,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.AppMenu
 import robotran.ui.resources.Res
 import robotran.ui.resources.sheet_layer_goals
 import robotran.ui.resources.sheet_layer_grid
@@ -41,7 +41,7 @@ internal fun LayerMenu(shown: Set<SheetLayer>, onSwitch: (SheetLayer, Boolean) -
     var open by remember { mutableStateOf(false) }
     Box {
         SheetButton(SheetIcons.LAYERS, stringResource(Res.string.sheet_show), "sheet-show") { open = true }
-        DropdownMenu(open, { open = false }) {
+        AppMenu(open, { open = false }) {
             for (layer in SheetLayer.entries) {
                 val on = layer in shown
                 DropdownMenuItem(

@@ -4,7 +4,6 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.Slider
 import androidx.compose.material3.SliderDefaults
 import androidx.compose.material3.Text
@@ -22,6 +21,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.AppMenu
 import robotran.ui.resources.Res
 import robotran.ui.resources.sheet_celsius
 import robotran.ui.resources.sheet_light
@@ -55,7 +55,7 @@ internal fun SurroundingsMenu(world: World, surroundings: Surroundings, inputs: 
     var open by remember { mutableStateOf(false) }
     Box {
         SheetButton(SheetIcons.SURROUNDINGS, stringResource(Res.string.sheet_surroundings), "sheet-surroundings") { open = true }
-        DropdownMenu(open, { open = false }) {
+        AppMenu(open, { open = false }) {
             Column(Modifier.width(PANEL_WIDTH).padding(horizontal = 16.dp, vertical = 8.dp)) {
                 if (noticesLight(world)) {
                     SurroundingsSlider(

@@ -18,7 +18,6 @@ import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -39,6 +38,7 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
@@ -149,7 +149,7 @@ internal fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: S
                 Text(shown, Modifier.weight(1f, fill = false), colours.onPane, 15.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
                 Canvas(Modifier.size(18.dp)) { with(EditIcons.DOWN) { draw(colours.onPane) } }
             }
-            DropdownMenu(open, { open = false }, containerColor = colours.pane) {
+            AppMenu(open, { open = false }) {
                 choices.forEachIndexed { place, (value, word) ->
                     DropdownMenuItem(
                         text = { WithAddedFonts { Text(word, color = colours.onPane, fontSize = 16.sp) } },

@@ -2,9 +2,7 @@ package robotran.ui.worldedit
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.horizontalScroll
-import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
-import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -14,7 +12,6 @@ import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Button
 import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.DropdownMenu
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
@@ -25,9 +22,7 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.alpha
 import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.disabled
-import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
@@ -35,6 +30,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
@@ -44,12 +40,10 @@ import robotran.ui.resources.worldedit_discard
 import robotran.ui.resources.worldedit_done
 import robotran.ui.resources.worldedit_grid
 import robotran.ui.resources.worldedit_grid_off
-import robotran.ui.resources.worldedit_mend_first
 import robotran.ui.resources.worldedit_more_menu
 import robotran.ui.resources.worldedit_paste
 import robotran.ui.resources.worldedit_redo
 import robotran.ui.resources.worldedit_several
-import robotran.ui.resources.worldedit_show_trouble
 import robotran.ui.resources.worldedit_snap_angle
 import robotran.ui.resources.worldedit_snap_others
 import robotran.ui.resources.worldedit_try
@@ -66,7 +60,6 @@ import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 import robotran.ui.workshop.WorldEditEvent
-import robotran.ui.workshop.WorldEditState
 import robotran.worldediting.Edit
 import robotran.worldediting.Snapping
 import robotran.worldediting.written
@@ -129,10 +122,10 @@ private fun EditMenu(making: Making, view: EditView, withWords: Boolean) {
     val snapping = making.editing.snapping
     Box {
         IconTouch(
-            EditIcons.MORE, stringResource(Res.string.worldedit_more_menu), "edit-menu", { open = true },
+            Icon.MORE, stringResource(Res.string.worldedit_more_menu), "edit-menu", { open = true },
             label = stringResource(Res.string.worldedit_more_menu).takeIf { withWords },
         )
-        DropdownMenu(open, { open = false }, Modifier.widthIn(min = 260.dp), containerColor = LocalRobotranColours.current.pane) {
+        AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
             MenuItem(stringResource(Res.string.worldedit_choose_all), "menu-all") { choose { making.make(Edit.ChooseAll) } }
             MenuItem(stringResource(Res.string.worldedit_copy), "menu-copy") { choose { making.make(Edit.Copy) } }
             MenuItem(stringResource(Res.string.worldedit_paste), "menu-paste") {
@@ -172,34 +165,6 @@ private fun EditMenu(making: Making, view: EditView, withWords: Boolean) {
 
 private fun checked(words: String, on: Boolean) = if (on) "✓ $words" else "   $words"
 
-/** Under the bar: why something was not done, or what has to be mended. */
-@Composable
-internal fun EditHints(state: WorldEditState, making: Making) {
-    val colours = LocalRobotranColours.current
-    val editing = state.editing
-    val sentences = listOfNotNull(
-        editing.refusal?.let { refusalInWords(it) },
-        stringResource(Res.string.worldedit_mend_first).takeIf { state.mendFirst },
-    ) + editing.troubles.take(MOST_TROUBLES).map { troubleInWords(editing.world, it) }
-    if (sentences.isEmpty()) return
-    Column(
-        Modifier
-            .fillMaxWidth()
-            .testTag("edit-hints")
-            .semantics { liveRegion = LiveRegionMode.Polite }
-            .background(colours.mistakePane)
-            .padding(horizontal = 16.dp, vertical = 8.dp),
-        Arrangement.spacedBy(4.dp),
-    ) {
-        for (sentence in sentences) Text(sentence, color = colours.onPane, fontSize = 15.sp)
-        val thing = editing.troubles.firstOrNull()?.thing
-        if (thing != null && thing !in editing.selection) {
-            WordButton(stringResource(Res.string.worldedit_show_trouble), "show-trouble", { making.make(Edit.Choose(thing)) })
-        }
-    }
-}
-
 private val GRIDS = listOf(1.0, 0.5, 0.0)
 private const val ZOOM = 1.5
 private const val FAINT = 0.38f
-private const val MOST_TROUBLES = 2

@@ -45,7 +45,6 @@ internal object EditIcons {
         )
     }
     val CORNERS = Icon.strokes("M5 19L5 7L14 4L20 12L15 19H5")
-    val MORE = Icon { colour -> for (x in listOf(5f, 12f, 19f)) drawCircle(colour, 2f, Offset(x, 12f)) }
     val UP = Icon.strokes("M6 15L12 9L18 15")
     val DOWN = Icon.strokes("M6 9L12 15L18 9")
     val IN = Icon.strokes("M4 12H16", "M11 7L16 12L11 17", "M20 5V19")

@@ -10,7 +10,9 @@ import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.offset
+import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.shape.CircleShape
@@ -22,6 +24,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.geometry.Offset
@@ -37,6 +40,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.documents.KeepingBanner
 import robotran.ui.resources.Res
 import robotran.ui.resources.edit_world
 import robotran.ui.resources.worldedit_new_title
@@ -44,15 +48,20 @@ import robotran.ui.screen.LocalKeyboardHeight
 import robotran.ui.screen.ScreenLayout
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorldEditState
-import robotran.world.SessionState
 import robotran.worldediting.Thing
 import robotran.worldediting.ThingKind
 import kotlin.math.roundToInt
 
 /** Where the world is built, in place of the workshop: the palette, the sheet and what there is to say of the things on it. */
 @Composable
-internal fun WorldEditPane(state: WorldEditState, session: SessionState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun WorldEditPane(
+    state: WorldEditState,
+    workshop: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
     val making = Making(state.editing, onEvent)
     val view = remember { EditView() }
     val focus = remember { FocusRequester() }
@@ -69,11 +78,17 @@ internal fun WorldEditPane(state: WorldEditState, session: SessionState, onEvent
             .background(LocalRobotranColours.current.desk),
     ) {
         val scale = LocalDensity.current.fontScale
-        val sheet: @Composable (Modifier) -> Unit = { EditSheet(making, view, session, focus, it) }
+        val sheet: @Composable (Modifier) -> Unit = {
+            BoxWithConstraints(it) {
+                EditSheet(making, view, workshop.session, focus)
+                val over = Modifier.padding(8.dp).heightIn(max = maxHeight / 2)
+                EditHints(state, making, Modifier.align(Alignment.TopCenter).then(over))
+                KeepingBanner(workshop.document, onEvent, Modifier.align(Alignment.BottomCenter).then(over))
+            }
+        }
         Column(Modifier.fillMaxSize()) {
             EditBar(making, view, withWords = this@BoxWithConstraints.maxWidth >= WORDS_WIDTH * scale)
             HorizontalDivider(color = LocalRobotranColours.current.line)
-            EditHints(state, making)
             val put = { focus.requestFocus() }
             val height = this@BoxWithConstraints.maxHeight
             if (ScreenLayout.of(this@BoxWithConstraints.maxWidth, height + LocalKeyboardHeight.current, scale) == ScreenLayout.UPRIGHT) {

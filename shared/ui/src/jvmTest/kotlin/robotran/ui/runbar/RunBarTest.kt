@@ -14,7 +14,6 @@ import androidx.compose.ui.test.assertTextEquals
 import androidx.compose.ui.test.click
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
-import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performSemanticsAction
@@ -22,10 +21,13 @@ import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
 import robotran.running.RunSpeed
+import robotran.ui.screen.assertUnmoved
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.onPhone
+import robotran.ui.screen.onScreen
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.placesByTag
 import robotran.ui.workshop.Pace
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.RunEvent
@@ -85,6 +87,22 @@ class RunBarTest {
         onNodeWithTag("speed-fivefold").performClick()
         pass(300)
         assertEquals(RunSpeed.FIVEFOLD, workshop.state.run.speed)
+    }
+
+    @Test
+    fun `no speed moves what stands in the bar`() {
+        for ((width, height) in listOf(1180 to 820, 820 to 1180, 1366 to 768, 1600 to 900)) {
+            onScreen(width, height) { workshop ->
+                pass(300)
+                val before = placesByTag()
+                for (speed in RunSpeed.entries) {
+                    workshop.handle(RunEvent.SpeedChosen(speed))
+                    pass(300)
+                    val tags = listOf("run", "pause", "step", "stop", "speed", "run-more", "sound")
+                    assertUnmoved(before, tags, "$width x $height at $speed")
+                }
+            }
+        }
     }
 
     @Test

@@ -1,0 +1,166 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.layout.SubcomposeLayout
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.unit.Constraints
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.learning.Tutorial
+import robotran.ui.parts.AppMenu
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.resources.Res
+import robotran.ui.resources.learning_begin_again
+import robotran.ui.resources.learning_close
+import robotran.ui.resources.learning_leave
+import robotran.ui.resources.learning_next
+import robotran.ui.resources.learning_previous
+import robotran.ui.resources.learning_run_step
+import robotran.ui.resources.learning_step_more
+import robotran.ui.resources.learning_try_step
+import robotran.ui.resources.learning_try_step_help
+import robotran.ui.resources.learning_try_worlds
+import robotran.ui.screen.MenuItem
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningPage
+import robotran.ui.workshop.RunEvent
+import robotran.ui.workshop.TutorialState
+import robotran.ui.workshop.WorkshopEvent
+
+/**
+ * All that can be done with a step, under its text: try it or run it, begin it again, leave the tutorial, go on. Where all of it would be higher than [most],
+ * what is done seldom is in a menu.
+ *
+ * @param isBroad whether there may be room for all beside each other.
+ */
+@Composable
+internal fun TutorialFoot(tutorial: TutorialState, done: Boolean, isBroad: Boolean, most: Dp, onEvent: (WorkshopEvent) -> Unit) {
+    SubcomposeLayout(Modifier.fillMaxWidth()) { constraints ->
+        val room = Constraints.fixedWidth(constraints.maxWidth)
+        val likeAll = subcompose(FootPart.LIKE_ALL) { LikeAll(tutorial, isBroad) }.single().measure(room)
+        val isSlim = likeAll.height > most.roundToPx()
+        val foot = subcompose(FootPart.FOOT) { Buttons(tutorial, done, isBroad, isSlim, onEvent) }.single().measure(room)
+        layout(foot.width, foot.height) { foot.place(0, 0) }
+    }
+}
+
+private enum class FootPart { LIKE_ALL, FOOT }
+
+/** Only words, as large as all buttons, to be measured and not to be seen. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun LikeAll(tutorial: TutorialState, isBroad: Boolean) = Box(Modifier.clearAndSetSemantics { }) {
+    val own = listOfNotNull(tutorial.first, Res.string.learning_begin_again.takeIf { tutorial.isOnDesk }, tutorial.last)
+    val way = listOf(Res.string.learning_previous, tutorial.onward)
+    Column(Modifier.padding(8.dp), Arrangement.spacedBy(8.dp)) {
+        for (row in if (isBroad) listOf(own + way) else listOf(own, way)) {
+            FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
+                for (words in row) ButtonSize(stringResource(words))
+            }
+        }
+    }
+}
+
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun Buttons(tutorial: TutorialState, done: Boolean, isBroad: Boolean, isSlim: Boolean, onEvent: (WorkshopEvent) -> Unit) {
+    if (isBroad || isSlim) {
+        FlowRow(Modifier.fillMaxWidth().padding(8.dp), Arrangement.SpaceBetween, Arrangement.spacedBy(8.dp)) {
+            Previous(tutorial, onEvent)
+            First(tutorial, onEvent)
+            if (isSlim) StepMenu(tutorial, onEvent) else Others(tutorial, onEvent)
+            Next(tutorial, done, onEvent)
+        }
+    } else {
+        Column(Modifier.padding(8.dp), Arrangement.spacedBy(8.dp)) {
+            FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
+                First(tutorial, onEvent)
+                Others(tutorial, onEvent)
+            }
+            FlowRow(Modifier.fillMaxWidth(), Arrangement.SpaceBetween, Arrangement.spacedBy(8.dp)) {
+                Previous(tutorial, onEvent)
+                Next(tutorial, done, onEvent)
+            }
+        }
+    }
+}
+
+/** Run, once the step's program is there. */
+@Composable
+private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
+    val words = stringResource(tutorial.first)
+    if (tutorial.isOnDesk) {
+        SecondButton(words, "run-step", { onEvent(RunEvent.RunPressed) })
+    } else {
+        PrimaryButton(words, "try-step", { onEvent(LearningEvent.StepTried) }, help = stringResource(Res.string.learning_try_step_help))
+    }
+}
+
+/** The ways back. */
+@Composable
+private fun Others(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
+    if (tutorial.isOnDesk) {
+        QuietButton(stringResource(Res.string.learning_begin_again), "begin-again", { onEvent(LearningEvent.StepBegunAgain) })
+    }
+    QuietButton(stringResource(tutorial.last), "leave-tutorial", { onEvent(LearningEvent.TutorialLeft) })
+}
+
+/** The same where there is no room for them. */
+@Composable
+private fun StepMenu(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
+    var open by remember { mutableStateOf(false) }
+    val choose = { event: LearningEvent ->
+        open = false
+        onEvent(event)
+    }
+    Box {
+        IconTouch(Icon.MORE, stringResource(Res.string.learning_step_more), "step-more", { open = true })
+        AppMenu(open, { open = false }) {
+            if (tutorial.isOnDesk) {
+                MenuItem(stringResource(Res.string.learning_begin_again), "begin-again") { choose(LearningEvent.StepBegunAgain) }
+            }
+            MenuItem(stringResource(tutorial.last), "leave-tutorial") { choose(LearningEvent.TutorialLeft) }
+        }
+    }
+}
+
+@Composable
+private fun Previous(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) = QuietButton(
+    stringResource(Res.string.learning_previous),
+    "previous-step",
+    { onEvent(LearningEvent.StepChosen(tutorial.step - 1)) },
+    enabled = tutorial.step > 0,
+)
+
+/** After the last step, to the worlds. */
+@Composable
+private fun Next(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEvent) -> Unit) {
+    val words = stringResource(tutorial.onward)
+    val next = {
+        onEvent(if (tutorial.isAtEnd) LearningEvent.PageWanted(LearningPage.WORLDS) else LearningEvent.StepChosen(tutorial.step + 1))
+    }
+    if (done) PrimaryButton(words, "next-step", next) else SecondButton(words, "next-step", next)
+}
+
+private val TutorialState.isAtEnd: Boolean get() = step == Tutorial.steps.lastIndex
+
+private val TutorialState.first: StringResource get() = if (isOnDesk) Res.string.learning_run_step else Res.string.learning_try_step
+
+private val TutorialState.last: StringResource get() = if (isOnDesk) Res.string.learning_leave else Res.string.learning_close
+
+private val TutorialState.onward: StringResource get() = if (isAtEnd) Res.string.learning_try_worlds else Res.string.learning_next

@@ -1,0 +1,35 @@
+package robotran.ui.parts
+
+import androidx.compose.foundation.gestures.Orientation
+import androidx.compose.foundation.layout.ColumnScope
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.material3.DropdownMenu
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.key
+import androidx.compose.ui.Modifier
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.WithAddedFonts
+
+/**
+ * A menu that drops from what opens it. Where it is too long for the screen it scrolls, and shows that there is more.
+ *
+ * @param page what of several lists is shown in it: each begins at its first item.
+ */
+@Composable
+internal fun AppMenu(
+    expanded: Boolean,
+    onDismissRequest: () -> Unit,
+    modifier: Modifier = Modifier,
+    page: Any = Unit,
+    content: @Composable ColumnScope.() -> Unit,
+) {
+    val colours = LocalRobotranColours.current
+    val scroll = key(page) { rememberScrollState() }
+    DropdownMenu(
+        expanded,
+        onDismissRequest,
+        modifier.scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane),
+        scrollState = scroll,
+        containerColor = colours.pane,
+    ) { WithAddedFonts { content() } }
+}

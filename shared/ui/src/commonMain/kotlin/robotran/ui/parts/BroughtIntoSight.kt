@@ -1,0 +1,32 @@
+package robotran.ui.parts
+
+import androidx.compose.foundation.ExperimentalFoundationApi
+import androidx.compose.foundation.relocation.BringIntoViewRequester
+import androidx.compose.foundation.relocation.bringIntoViewRequester
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.runtime.withFrameNanos
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.composed
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.layout.onSizeChanged
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.unit.IntSize
+
+/** Scrolls what this stands in as little as it takes to see it beyond the edge's [scrollHint], when it becomes [wanted]. */
+@OptIn(ExperimentalFoundationApi::class)
+internal fun Modifier.broughtIntoSight(wanted: Boolean): Modifier = composed {
+    val requester = remember { BringIntoViewRequester() }
+    var size by remember { mutableStateOf(IntSize.Zero) }
+    val margin = with(LocalDensity.current) { SCROLL_HINT_DEPTH.toPx() }
+    LaunchedEffect(wanted) {
+        if (!wanted) return@LaunchedEffect
+        // Only now does it lie where it is to lie.
+        withFrameNanos { }
+        requester.bringIntoView(Rect(-margin, -margin, size.width + margin, size.height + margin))
+    }
+    onSizeChanged { size = it }.bringIntoViewRequester(requester)
+}

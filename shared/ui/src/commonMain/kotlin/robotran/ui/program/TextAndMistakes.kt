@@ -1,0 +1,31 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import robotran.ui.workshop.ProgramsState
+
+/** The text, and under it what is wrong: where that comes and goes only the text, from which nothing is pushed away, becomes shorter. */
+@Composable
+internal fun TextAndMistakes(
+    state: ProgramsState,
+    mostMistakes: Int,
+    actions: PaneActions,
+    overFoot: @Composable () -> Unit,
+    modifier: Modifier,
+    text: @Composable () -> Unit,
+) {
+    Column(modifier) {
+        Box(Modifier.weight(1f).fillMaxWidth()) {
+            text()
+            Column(Modifier.align(Alignment.BottomCenter)) { overFoot() }
+        }
+        if (state.mistakes.isNotEmpty()) {
+            val pointedOut = state.mistakePointedOut
+            MistakeStrip(state.program, state.mistakes, state.file.name, mostMistakes, pointedOut, actions::goToNextNote, actions::fix)
+        }
+    }
+}

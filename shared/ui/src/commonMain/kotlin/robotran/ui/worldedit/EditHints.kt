@@ -1,0 +1,78 @@
+package robotran.ui.worldedit
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.gestures.Orientation
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.parts.scrollHint
+import robotran.ui.resources.Res
+import robotran.ui.resources.notice_close
+import robotran.ui.resources.worldedit_mend_first
+import robotran.ui.resources.worldedit_show_trouble
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.workshop.WorldEditEvent
+import robotran.ui.workshop.WorldEditState
+import robotran.worldediting.Edit
+
+/** Why something was not done, or what has to be mended. It lies over the sheet, which does not move, until it is put away or there is something else. */
+@Composable
+internal fun EditHints(state: WorldEditState, making: Making, modifier: Modifier = Modifier) {
+    val colours = LocalRobotranColours.current
+    val editing = state.editing
+    val sentences = listOfNotNull(
+        editing.refusal?.let { refusalInWords(it) },
+        stringResource(Res.string.worldedit_mend_first).takeIf { state.mendFirst },
+    ) + editing.troubles.take(MOST_TROUBLES).map { troubleInWords(editing.world, it) }
+    if (sentences.isEmpty() || !state.hintsShown) return
+    val scroll = rememberScrollState()
+    Row(
+        modifier
+            .widthIn(max = MOST_WIDTH)
+            .background(colours.mistakePane, SHAPE)
+            .border(1.dp, colours.line, SHAPE)
+            // What lies under it is not touched through it.
+            .pointerInput(Unit) { },
+    ) {
+        Column(
+            Modifier
+                .weight(1f, fill = false)
+                .testTag("edit-hints")
+                .semantics { liveRegion = LiveRegionMode.Polite }
+                .scrollHint(scroll, Orientation.Vertical, colours.mistakePane, colours.onPane)
+                .verticalScroll(scroll)
+                .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
+            Arrangement.spacedBy(4.dp),
+        ) {
+            for (sentence in sentences) Text(sentence, color = colours.onPane, fontSize = 15.sp)
+            val thing = editing.troubles.firstOrNull()?.thing
+            if (thing != null && thing !in editing.selection) {
+                WordButton(stringResource(Res.string.worldedit_show_trouble), "show-trouble", { making.make(Edit.Choose(thing)) })
+            }
+        }
+        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "edit-hints-close", { making.perform(WorldEditEvent.HintsClosed) })
+    }
+}
+
+private val SHAPE = RoundedCornerShape(12.dp)
+private val MOST_WIDTH = 560.dp
+private const val MOST_TROUBLES = 2

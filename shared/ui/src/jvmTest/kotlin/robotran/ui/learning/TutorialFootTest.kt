@@ -1,0 +1,125 @@
+package robotran.ui.learning
+
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performClick
+import robotran.language.Language
+import robotran.learning.Tutorial
+import robotran.ui.screen.assertUnmoved
+import robotran.ui.screen.assertWhole
+import robotran.ui.screen.isThere
+import robotran.ui.screen.onScreen
+import robotran.ui.screen.pass
+import robotran.ui.screen.placesByTag
+import robotran.ui.screen.saysThereIsMore
+import robotran.ui.workshop.LearningEvent
+import robotran.ui.workshop.LearningPage
+import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.Settings
+import robotran.ui.workshop.SettingsEvent
+import robotran.ui.workshop.Workshop
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
+
+@OptIn(ExperimentalTestApi::class)
+class TutorialFootTest {
+    @Test
+    fun `with hint and solution open, everything that can be done with a step stays in sight`() {
+        for ((width, height) in SIZES) {
+            for (language in Language.entries) {
+                for (scale in listOf(1f, 2f)) {
+                    onStep(width, height, Settings(language = language, textScale = scale)) { workshop ->
+                        val told = "$width x $height in $language at $scale"
+                        workshop.handle(LearningEvent.HintWanted(true))
+                        workshop.handle(LearningEvent.SolutionWanted(true))
+                        pass(600)
+                        val others = if (isThere("step-more")) listOf("step-more") else listOf("begin-again", "leave-tutorial")
+                        for (tag in listOf("run-step", "previous-step", "next-step") + others) assertWhole(tag, told)
+                        if (scale == 1f) assertTrue(placesByTag().getValue("tutorial-text").height >= 120f, "$told: no room for the text")
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `the text shows that there is more of it`() {
+        for ((width, height) in SIZES) {
+            onStep(width, height, Settings(textScale = 2f)) {
+                assertTrue(saysThereIsMore("tutorial-text"), "$width x $height")
+            }
+        }
+    }
+
+    @Test
+    fun `on a phone and a tablet all buttons are there, and where there is little room a menu has the seldom ones`() {
+        for ((width, height) in listOf(412 to 915, 1280 to 800, 820 to 1180)) {
+            onStep(width, height) { assertFalse(isThere("step-more"), "$width x $height") }
+        }
+        onStep(1024, 768) { workshop ->
+            workshop.handle(ProgramEvent.ProgramEdited("beep"))
+            press("step-more")
+            press("begin-again")
+            assertEquals(Tutorial.steps[0].program.text, workshop.state.programText)
+            press("step-more")
+            press("leave-tutorial")
+            assertNull(workshop.state.learning.tutorial)
+        }
+    }
+
+    @Test
+    fun `a hint comes under its button, which stays for whoever touches twice`() = onStep(1366, 900) { workshop ->
+        val before = placesByTag()
+        press("hint-wanted")
+        assertTrue(workshop.state.learning.tutorial?.hintShown == true)
+        assertWhole("hint", "the hint")
+        assertUnmoved(before, listOf("hint-wanted", "solution-wanted", "run-step"), "with the hint")
+    }
+
+    @Test
+    fun `over another world a folded tutorial is a way back to its step, and can be put away`() {
+        for ((width, height) in SIZES) {
+            onStep(width, height) { workshop ->
+                val told = "$width x $height"
+                workshop.handle(ProgramEvent.ProgramEdited("forward 11\n"))
+                workshop.handle(LearningEvent.TutorialLeft)
+                workshop.handle(LearningEvent.WorldChosen("maze"))
+                workshop.handle(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+                workshop.handle(LearningEvent.TutorialFolded(true))
+                pass(500)
+                assertFalse(isThere("step-dots"), "$told: the steps of another world are told")
+                press("tutorial-return")
+                assertTrue(workshop.state.learning.tutorial.let { it?.isOnDesk == true && !it.isFolded }, told)
+                assertEquals("forward 11\n", workshop.state.programText, told)
+                workshop.handle(LearningEvent.TutorialLeft)
+                workshop.handle(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+                workshop.handle(LearningEvent.TutorialFolded(true))
+                pass(500)
+                press("leave-tutorial")
+                assertNull(workshop.state.learning.tutorial, told)
+                assertFalse(isThere("tutorial-return"), told)
+            }
+        }
+    }
+
+    private fun onStep(width: Int, height: Int, settings: Settings = Settings(), check: ComposeUiTest.(Workshop) -> Unit) =
+        onScreen(width, height) { workshop ->
+            workshop.handle(SettingsEvent.SettingsChanged(settings.copy(lessMotion = true)))
+            workshop.handle(LearningEvent.TutorialBegun)
+            pass(500)
+            check(workshop)
+        }
+
+    private fun ComposeUiTest.press(tag: String) {
+        onNodeWithTag(tag).performClick()
+        pass(600)
+    }
+
+    private companion object {
+        val SIZES = listOf(412 to 915, 820 to 1180, 1024 to 768, 1280 to 800, 1366 to 768)
+    }
+}

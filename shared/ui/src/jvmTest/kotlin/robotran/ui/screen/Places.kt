@@ -1,0 +1,68 @@
+package robotran.ui.screen
+
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.toPixelMap
+import androidx.compose.ui.semantics.SemanticsActions
+import androidx.compose.ui.semantics.SemanticsProperties
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.SemanticsMatcher
+import androidx.compose.ui.test.captureToImage
+import androidx.compose.ui.test.onAllNodesWithTag
+import androidx.compose.ui.test.onNodeWithTag
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** Where all is that has a tag of its own. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.placesByTag(): Map<String, Rect> =
+    onAllNodes(SemanticsMatcher.keyIsDefined(SemanticsProperties.TestTag)).fetchSemanticsNodes()
+        .groupBy { it.config[SemanticsProperties.TestTag] }
+        .filterValues { it.size == 1 }
+        .mapValues { (_, nodes) -> nodes.single().boundsInRoot }
+
+/** Fails if any of [tags] is somewhere else than [before], when all of them had a place. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.assertUnmoved(before: Map<String, Rect>, tags: Collection<String>, told: String) {
+    val now = placesByTag()
+    assertEquals(tags.associateWith { checkNotNull(before[it]) { "$told: there was no $it" } }, tags.associateWith { now[it] }, told)
+}
+
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.isThere(tag: String): Boolean = onAllNodesWithTag(tag).fetchSemanticsNodes().isNotEmpty()
+
+/** Fails unless all of [tag] is in sight. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.assertWhole(tag: String, told: String) {
+    val node = onNodeWithTag(tag).fetchSemanticsNode()
+    assertEquals(node.size.width.toFloat(), node.boundsInRoot.width, 0.5f, "$told: $tag is cut at ${node.boundsInRoot}")
+    assertEquals(node.size.height.toFloat(), node.boundsInRoot.height, 0.5f, "$told: $tag is cut at ${node.boundsInRoot}")
+}
+
+/** Whether anything is drawn on the ground in the middle of the lower or, if [isRight], of the right edge of [tag], where an arrow says that there is more. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.saysThereIsMore(tag: String, isRight: Boolean = false): Boolean {
+    val image = onNodeWithTag(tag).captureToImage().toPixelMap()
+    val across = (if (isRight) image.height else image.width) / 2
+    val end = if (isRight) image.width else image.height
+
+    fun at(fromEdge: Int, side: Int): Color =
+        if (isRight) image[end - 1 - fromEdge, across + side] else image[across + side, end - 1 - fromEdge]
+    val ground = at(1, 0)
+    assertTrue(end > 2 * EDGE, "$tag is only $end long")
+    return (0..<EDGE).any { depth -> (-EDGE..EDGE).any { at(depth, it) != ground } }
+}
+
+/** Scrolls what [tag] scrolls to its end, or to its beginning; a clock that stands still keeps no test waiting. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.scroll(tag: String, toEnd: Boolean) {
+    val far = if (toEnd) FAR else -FAR
+    onNodeWithTag(tag).fetchSemanticsNode().config[SemanticsActions.ScrollBy].action?.invoke(far, far)
+    pass(800)
+}
+
+private const val FAR = 10_000f
+
+/** What an arrow takes of the edge, and less than what is left free there. */
+private const val EDGE = 8

@@ -1,0 +1,54 @@
+package robotran.ui.screen
+
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.click
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onRoot
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performMouseInput
+import androidx.compose.ui.test.pressKey
+import robotran.language.Language
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
+
+@OptIn(ExperimentalTestApi::class)
+class SettingsPageTest {
+    @Test
+    fun `Escape closes the settings after a language was chosen with a finger`() = onPhone { workshop ->
+        openSettings()
+        onNodeWithTag("language-2").performClick()
+        pass(600)
+        assertEquals(Language.entries[1], workshop.state.settings.language)
+        escape()
+        assertFalse(workshop.state.settingsShown)
+    }
+
+    @Test
+    fun `Escape closes the settings after languages and colours were chosen with a mouse`() = onTablet { workshop ->
+        openSettings()
+        for (choice in listOf("language-2", "theme-1", "language-3", "language-0")) {
+            onNodeWithTag(choice).performMouseInput { click() }
+            pass(600)
+        }
+        assertTrue(workshop.state.settingsShown)
+        escape()
+        assertFalse(workshop.state.settingsShown)
+    }
+
+    private fun ComposeUiTest.openSettings() {
+        for (tag in listOf("menu", "menu-settings")) {
+            onNodeWithTag(tag).performClick()
+            pass(600)
+        }
+    }
+
+    private fun ComposeUiTest.escape() {
+        onRoot().performKeyInput { pressKey(Key.Escape) }
+        pass(300)
+    }
+}
