@@ -90,14 +90,14 @@ internal fun WorldEditPane(
             EditBar(making, view, withWords = this@BoxWithConstraints.maxWidth >= WORDS_WIDTH * scale)
             HorizontalDivider(color = LocalRobotranColours.current.line)
             val put = { focus.requestFocus() }
+            val width = this@BoxWithConstraints.maxWidth
             val height = this@BoxWithConstraints.maxHeight
-            if (ScreenLayout.of(this@BoxWithConstraints.maxWidth, height + LocalKeyboardHeight.current, scale) == ScreenLayout.UPRIGHT) {
-                Under(making, view, newTitle, put, height, sheet)
-            } else if (this@BoxWithConstraints.maxWidth >= WIDE + PANEL_WIDTH * (scale - 1)) {
-                val columns = if (this@BoxWithConstraints.maxWidth >= TWO_COLUMNS * scale) 2 else 1
-                Beside(making, view, newTitle, put, panelWidth(scale), columns, sheet)
-            } else {
-                Below(making, view, newTitle, put, height, sheet)
+            val columns = if (width >= TWO_COLUMNS * scale) 2 else 1
+            val isUpright = ScreenLayout.of(width, height + LocalKeyboardHeight.current, scale) == ScreenLayout.UPRIGHT
+            when {
+                isUpright && width < TWO_COLUMNS -> Under(making, view, newTitle, put, height, sheet)
+                width >= WIDE + PANEL_WIDTH * (scale - 1) -> Beside(making, view, newTitle, put, panelWidth(scale), columns, sheet)
+                else -> Below(making, view, newTitle, put, height, sheet)
             }
         }
         view.carried?.let { Carried(it - corner) }
