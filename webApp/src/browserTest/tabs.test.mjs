@@ -4,12 +4,21 @@ import { test } from 'node:test';
 import { isKept } from './kept.mjs';
 import { isReady, photograph } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
-import { choose, says, words, writeProgram } from './words.mjs';
+import { choose, press, says, words, writeProgram } from './words.mjs';
 
 const reload = async (page) => {
   await page.reload();
   await isReady(page);
 };
+
+/** From now on nothing is written into the page's database, and nobody hears of it. */
+function neverWrites() {
+  const begin = IDBDatabase.prototype.transaction;
+  IDBDatabase.prototype.transaction = function transaction(names, mode, options) {
+    if (mode !== 'readwrite') return begin.call(this, names, mode, options);
+    return { objectStore: () => ({ put: () => ({}), delete: () => ({}) }), commit: () => undefined };
+  };
+}
 
 test('each of two tabs comes back with its own work, under a name of its own', () => onPage(TABLET, async ({ page, troubles }) => {
   await writeProgram(page, 'forward 21');
@@ -56,6 +65,40 @@ test('a reload right after a key loses nothing and says nothing', () => onPage(T
     assert.equal(await words(page, 'notice-text').count(), 0);
   }
   assert.deepEqual(troubles, []);
+}));
+
+test('a tab that is closed right after a key loses nothing, whether it has kept anything yet or not, and however slow the disk is', () => onPage(TABLET, async ({ page, site }) => {
+  const another = async () => {
+    const next = await page.context().newPage();
+    await next.goto(site.address);
+    await isReady(next);
+    return next;
+  };
+  // The very first key of all.
+  await press(page, 'program');
+  await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.type('7');
+  await page.close({ runBeforeUnload: true });
+  let next = await another();
+  await says(next, 'program', /^7/);
+  await says(next, 'work-menu', /My first work(?! 2)/);
+  for (const number of [41, 42, 43]) {
+    await writeProgram(next, `forward ${number}`);
+    await isKept(next, `forward ${number}`);
+    // A database that will never be done.
+    if (number > 41) await next.evaluate(neverWrites);
+    await next.keyboard.type('7');
+    // Also as a browser that ends closes its tabs, which asks nobody.
+    await next.close({ runBeforeUnload: number !== 43 });
+    next = await another();
+    await says(next, 'program', new RegExp(`^forward ${number}7$`));
+    assert.equal(await words(next, 'notice-text').count(), 0, 'nothing has crashed');
+  }
+  await choose(next, 'work-menu', 'work-my-work');
+  await next.waitForFunction(() => document.querySelectorAll('[data-tag^="work-w"]').length > 0);
+  assert.equal(await next.locator('#robotran-words [data-tag^="work-w"]').count(), 1, 'all of it is one work');
+  assert.deepEqual(await next.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith('robotran-left-'))), []);
 }));
 
 test('a tab that has crashed says so when its work comes back', () => onPage(TABLET, async ({ page, site }) => {

@@ -45,12 +45,33 @@ class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
         val reading = shelf.read(id)
         if (reading is WorkReading.Unusable) return null
         val kept = reading as? WorkReading.Found
-        val newer = left?.let { WorkText.open(id, it) as? WorkCopy.Whole }?.takeIf { it.entry.keptAt > (kept?.work?.keptAt ?: 0) }
+        val newer = left?.let { WorkText.open(id, it) as? WorkCopy.Whole }?.takeIf { it.isNewerThan(kept) }
         val found = newer?.read() as? WorkReading.Found ?: kept ?: return null
         val wasRunning = store.read(nameOf(id))?.startsWith(RUNNING) ?: false
         val wasCutShort = kept?.wasTorn == true || (wasRunning && !hasEnded)
         return ComingBack(found.work, claim, wasCutShort, isKept = found === kept)
     }
+
+    /**
+     * Keeps [left], what a window that is gone has left elsewhere of the work [id], see [leftText], unless what is kept is newer; the work, which must be
+     * claimed, comes back like any other then.
+     *
+     * @return whether all that can be used of it is kept now; otherwise it must stay where it is.
+     */
+    suspend fun keepLeft(id: String, left: String): Boolean {
+        val reading = shelf.read(id)
+        if (reading is WorkReading.Unusable) return false
+        val copy = WorkText.open(id, left) ?: return true
+        if (copy !is WorkCopy.Whole) return false
+        if (!copy.isNewerThan(reading as? WorkReading.Found)) return true
+        val work = (copy.read() as? WorkReading.Found)?.work ?: return false
+        if (reading is WorkReading.Found) return shelf.keep(work) == Keeping.Kept
+        val name = if (work.file == null) freeWorkName(work.name, shelf.works().map { it.name }) else work.name
+        return shelf.keep(work.copy(name = name)) == Keeping.Kept && closed(id, work.keptAt, comesBack = true) == StoreResult.Done
+    }
+
+    /** Of two at the same time, what was left is that of a page that could not keep it any more. */
+    private fun WorkCopy.Whole.isNewerThan(kept: WorkReading.Found?): Boolean = kept == null || entry.keptAt >= kept.work.keptAt
 
     private suspend fun orphans(): List<Open> =
         store.names().filter { it.startsWith(PREFIX) }.mapNotNull { name ->

@@ -75,4 +75,35 @@ class OpenWorksTest {
         assertEquals("one", open.takeBack()?.work?.id)
         assertEquals(setOf("work-one.a", "work-broken.a", "open-one", "open-broken"), store.names().toSet())
     }
+
+    @Test
+    fun `what a window has left of a work that was never kept comes back under a name of its own`() = runTest {
+        shelf.keep(workOf("beep", id = "other"))
+        assertTrue(open.keepLeft("one", leftText(workOf("forward 7"))))
+        val back = assertNotNull(open.takeBack())
+        assertFalse(back.wasCutShort)
+        assertEquals("one" to "Maze 2", back.work.id to back.work.name)
+        assertEquals(projectOf("forward 7"), back.work.project)
+    }
+
+    @Test
+    fun `of what was left and what was kept the newer one counts`() = runTest {
+        shelf.keep(workOf("forward 1", keptAt = 2_000))
+        assertTrue(open.keepLeft("one", leftText(workOf("forward 2", keptAt = 1_999))))
+        assertEquals(projectOf("forward 1"), store.work().work.project)
+        assertTrue(open.keepLeft("one", leftText(workOf("forward 3", keptAt = 2_000))))
+        assertEquals(projectOf("forward 3"), store.work().work.project)
+        assertTrue(open.keepLeft("one", leftText(workOf("forward 4", keptAt = 9_000)).dropLast(3)), "what is torn is of no use")
+        assertEquals(projectOf("forward 3"), store.work().work.project)
+    }
+
+    @Test
+    fun `what was left stays where it is as long as it cannot be kept`() = runTest {
+        val full = object : WorkStore by store {
+            override suspend fun write(name: String, text: String): StoreResult = StoreResult.Full
+        }
+        assertFalse(OpenWorks(full, WorkShelf(full)).keepLeft("one", leftText(workOf("forward 1"))))
+        val newer = leftText(workOf("forward 1")).replaceFirst("robotran-work 1", "robotran-work 2").substringBeforeLast("end ")
+        assertFalse(open.keepLeft("one", "${newer}end ${FileStamp.of(newer).text}\n"), "of a newer Robotran")
+    }
 }

@@ -23,6 +23,8 @@ internal object WebWindowMemory : WindowMemory {
     override fun leave(id: String, text: String?) = keepLeft(id, text)
 
     override fun left(id: String): String? = leftOf(id)
+
+    override fun leftIds(): List<String> = idsOfLeft().split('\n').filter { it.isNotEmpty() }
 }
 
 /** Out of sight a page may be ended without a word, and nothing is lost by it then. Storage may be forbidden. */
@@ -62,6 +64,15 @@ private fun keepLeft(id: String, text: String?): Unit = js(
 
 private fun leftOf(id: String): String? =
     js("(() => { try { return localStorage.getItem('robotran-left-' + id); } catch { return null; } })()")
+
+private fun idsOfLeft(): String = js(
+    """(() => {
+        const start = 'robotran-left-';
+        try {
+            return Object.keys(localStorage).filter((key) => key.startsWith(start)).map((key) => key.slice(start.length)).join('\n');
+        } catch { return ''; }
+    })()""",
+)
 
 private fun takeEnd(id: String): Boolean = js(
     """(() => {

@@ -1,31 +1,49 @@
 package robotran.ui.learning
 
 import androidx.compose.ui.graphics.ImageBitmap
+import kotlinx.coroutines.CancellationException
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.rom.RcxProgram
 import robotran.ui.exampleTexts
+import robotran.ui.lejosExampleTexts
 import robotran.ui.sheet.PictureRoom
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
 import robotran.ui.workshop.PENBOT_CALIBRATION
 import robotran.world.BuiltInWorlds
 
-/** Small pictures of what the examples draw. A Java program shows what its twin in Robolang draws, since compiling it takes longer than looking at it. */
-internal object ExamplePictures {
+/**
+ * Small pictures of what the examples draw. A Java program shows what its twin in Robolang draws, since compiling it takes longer than looking at it; one
+ * that has none is compiled.
+ */
+internal object ExamplePictures : CardPictures<String> {
     private val pictures = SheetPictures()
     private val reader = ProgramReader(PENBOT_CALIBRATION)
 
-    /** The picture of the example [name] if it has been drawn, see [SheetPictures.ready]. */
-    fun ready(name: String, colours: SheetColours, room: PictureRoom): ImageBitmap? = pictures.ready(twinOf(name).orEmpty(), colours, room)
+    override fun ready(subject: String, colours: SheetColours, room: PictureRoom): ImageBitmap? =
+        pictures.ready(twinOf(subject) ?: subject, colours, room)
 
-    /** The picture of the example [name], drawn if it was not; of an empty sheet for one that has no twin. */
-    suspend fun of(name: String, colours: SheetColours, room: PictureRoom): ImageBitmap {
-        val twin = twinOf(name) ?: return pictures.of("", BuiltInWorlds.plain, colours, room)
-        return pictures.of(twin, BuiltInWorlds.plain, colours, room) {
-            val read = reader.readNow(ProgramSource.Robolang(twin, exampleTexts.getValue(twin)))
-            (read as? ProgramResult.Ready)?.program
+    /** The picture of the example called [subject]: of the sheet as it is before it has run if the compiler cannot be loaded. */
+    override suspend fun of(subject: String, colours: SheetColours, room: PictureRoom): ImageBitmap {
+        val name = twinOf(subject) ?: subject
+        return pictures.of(name, BuiltInWorlds.plain, colours, room) { programOf(name) }
+    }
+
+    private suspend fun programOf(name: String): RcxProgram? {
+        val source = exampleTexts[name]?.let { ProgramSource.Robolang(name, it) }
+            ?: lejosExampleTexts[name]?.let { ProgramSource.Java(name, listOf(SourceFile(name, it))) }
+            ?: return null
+        val read = try {
+            reader.read(source)
+        } catch (cancelled: CancellationException) {
+            throw cancelled
+        } catch (_: Throwable) {
+            return null
         }
+        return (read as? ProgramResult.Ready)?.program
     }
 
     /** The example in Robolang that does the same as the example [name]: `wall-bouncer.robo` for `WallBouncer.java`. */

@@ -7,13 +7,12 @@ import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
 
 /** Small pictures of the gallery's worlds. */
-internal object WorldPictures {
+internal object WorldPictures : CardPictures<GalleryWorld> {
     private val pictures = SheetPictures()
 
-    /** See [SheetPictures.ready]. */
-    fun ready(world: GalleryWorld, colours: SheetColours, room: PictureRoom): ImageBitmap? = pictures.ready(world.name, colours, room)
+    override fun ready(subject: GalleryWorld, colours: SheetColours, room: PictureRoom): ImageBitmap? =
+        pictures.ready(subject.name, colours, room)
 
-    /** See [SheetPictures.of]. */
-    suspend fun of(world: GalleryWorld, colours: SheetColours, room: PictureRoom): ImageBitmap =
-        pictures.of(world.name, world.plainWorld, colours, room)
+    override suspend fun of(subject: GalleryWorld, colours: SheetColours, room: PictureRoom): ImageBitmap =
+        pictures.of(subject.name, subject.plainWorld, colours, room)
 }

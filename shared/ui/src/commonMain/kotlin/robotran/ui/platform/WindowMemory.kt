@@ -13,6 +13,9 @@ interface WindowMemory {
 
     /** What was left of the work [id], null if nothing was. */
     fun left(id: String): String?
+
+    /** The ids of all works of which something was left, by this window or another one. */
+    fun leftIds(): List<String>
 }
 
 /** Where every window is new. */
@@ -26,4 +29,6 @@ object NoWindowMemory : WindowMemory {
     override fun leave(id: String, text: String?) = Unit
 
     override fun left(id: String): String? = null
+
+    override fun leftIds(): List<String> = emptyList()
 }

@@ -37,14 +37,14 @@ internal class SheetPictures {
         world: World,
         colours: SheetColours,
         room: PictureRoom,
-        program: () -> RcxProgram? = { null },
+        program: suspend () -> RcxProgram? = { null },
     ): ImageBitmap = drawing.withLock {
         if (colours != this.colours || drawn.size >= MOST) drawn.clear()
         this.colours = colours
         drawn.getOrPut(key to room.pixels) { draw(world, program, colours, room) }
     }
 
-    private suspend fun draw(world: World, program: () -> RcxProgram?, colours: SheetColours, room: PictureRoom): ImageBitmap {
+    private suspend fun draw(world: World, program: suspend () -> RcxProgram?, colours: SheetColours, room: PictureRoom): ImageBitmap {
         yield()
         val engine = physics ?: loadPhysicsEngine().also { physics = it }
         val width = room.widthFor(world.paper)

@@ -35,7 +35,12 @@ internal class DocumentKeeper(private val bench: Bench) {
     private var savedProject: Project? = null
     private var isMarkedOpen = false
     private var isOnlyChosen = false
-    private var hasLeft = false
+
+    /** What the work that has no id yet is to be called by, as far as is known. */
+    private var idToCome: String? = null
+
+    /** By what id something of the work was left with the window, null if nothing was. */
+    private var leftId: String? = null
 
     var name = ""
     var file: WorkFile? = null
@@ -91,7 +96,7 @@ internal class DocumentKeeper(private val bench: Bench) {
         keptFile = work.file
         keptName = work.name
         keptProject = project
-        hasLeft = project == null
+        leftId = work.id.takeIf { project == null }
         savedProject = if (work.saved) project ?: bench.project else null
         openWorks.opened(work.id, bench.platform.clock.now)
         isMarkedOpen = true
@@ -120,10 +125,15 @@ internal class DocumentKeeper(private val bench: Bench) {
 
     /** Leaves what is not kept yet with the window, which may be gone before it is. */
     fun leaveUnkept() {
-        val id = id
-        if (id == null || isKept) return
-        bench.platform.window.leave(id, leftText(KeptWork(id, name, bench.platform.clock.now, bench.project, file, isSaved)))
-        hasLeft = true
+        if (isKept) return
+        val now = bench.platform.clock.now
+        val leaving = id ?: idToCome ?: idOf(now)
+        if (id == null) {
+            idToCome = leaving
+            bench.platform.window.workId = leaving
+        }
+        bench.platform.window.leave(leaving, leftText(KeptWork(leaving, name, now, bench.project, file, isSaved)))
+        leftId = leaving
     }
 
     /** Keeps the work if it has changed and that is due; null if there was nothing to do. */
@@ -143,8 +153,8 @@ internal class DocumentKeeper(private val bench: Bench) {
             keptProject = work.project
             keptName = work.name
             keptFile = work.file
-            if (hasLeft) bench.platform.window.leave(work.id, null)
-            hasLeft = false
+            leftId?.let { bench.platform.window.leave(it, null) }
+            leftId = null
             if (!isMarkedOpen) openWorks.opened(work.id, now)
             isMarkedOpen = true
         }
@@ -167,6 +177,8 @@ internal class DocumentKeeper(private val bench: Bench) {
         workClaim = null
         releaseFile()
         id = null
+        idToCome = null
+        leftId = null
         isMarkedOpen = false
         isOnlyChosen = false
         before = null
@@ -190,11 +202,14 @@ internal class DocumentKeeper(private val bench: Bench) {
 
     /** An id that no window has, made from the time. */
     private suspend fun newId(now: Long): String {
-        var number = now.coerceAtLeast(0)
+        var number = now
         val taken = shelf.ids()
         while (true) {
-            val new = "w${number.toString(radix = 36)}"
+            // Should the window go meanwhile, it is left under the id that it is about to have.
+            val new = idToCome ?: idOf(number)
+            idToCome = new
             val claim = if (new in taken) null else shelf.claim(new)
+            idToCome = null
             if (claim != null) {
                 workClaim = claim
                 id = new
@@ -203,4 +218,6 @@ internal class DocumentKeeper(private val bench: Bench) {
             number++
         }
     }
+
+    private fun idOf(number: Long) = "w${number.coerceAtLeast(0).toString(radix = 36)}"
 }

@@ -14,16 +14,23 @@ import robotran.rom.Brick
  *
  * @param shown the robot's programs.
  * @param sayTooLong tells that a program would become longer than it can be.
+ * @param sayFixGone tells that a fix does not fit the program any more.
  * @param bringToFront shows the pane with the programs.
  */
 internal class ProgramEditing(
     private val shown: () -> RobotPrograms,
     private val sayTooLong: () -> Unit,
+    sayFixGone: () -> Unit,
     private val bringToFront: () -> Unit,
 ) {
     /** Whether somebody wanted to run a program with mistakes since it was last edited. */
     var mistakePointedOut = false
         private set
+
+    /** Whether something is to be done as soon as the program was read. */
+    val waitsForReading: Boolean get() = fixes.waitsForReading
+
+    private val fixes = MistakeFixes(sayFixGone) { robot, text -> write(robot, robot.memory.draft.changedTo(text), EditKind.OTHER) }
 
     fun handle(event: ProgramEvent) {
         val robot = shown()
@@ -34,7 +41,7 @@ internal class ProgramEditing(
             ProgramEvent.Redone -> robot.memory.redone()?.let { remember(robot, it) }
             ProgramEvent.Formatted -> format(robot)
             is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
-            is ProgramEvent.FixApplied -> applyFix(robot, event)
+            is ProgramEvent.FixApplied -> fixes.apply(robot, event.mistake)
             is ProgramEvent.ProgramChosen -> if (event.slot in robot.shelf.entries.indices) choose(robot, event.slot)
             is ProgramEvent.FileChosen -> if (event.place in robot.entry.memories.indices) robot.shownFile = event.place
             is ProgramEvent.ProgramAdded -> add(robot, ShelfEntry(event.program.withPlainLineEnds()))
@@ -46,7 +53,7 @@ internal class ProgramEditing(
             ProgramEvent.ProgramReopened -> reopen(robot)
             ProgramEvent.ClosedRead -> robot.closedShown = false
             ProgramEvent.FindingWanted, ProgramEvent.FindingBegun -> Unit
-            is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> mistakePointedOut = false
+            is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> forgetWhatWas()
         }
     }
 
@@ -70,7 +77,7 @@ internal class ProgramEditing(
         val plain = draft.text.withPlainLineEnds()
         val written = if (plain == draft.text) draft else Draft(plain, draft.selection)
         val within = written.copy(selection = written.selection.within(written.text.length))
-        if (within.text != robot.memory.draft.text) mistakePointedOut = false
+        if (within.text != robot.memory.draft.text) forgetWhatWas()
         remember(robot, robot.memory.written(within, kind))
     }
 
@@ -90,19 +97,18 @@ internal class ProgramEditing(
         write(robot, laidOut.withCaret(laidOut.lines.offset(minOf(line, laidOut.lines.count - 1), column)), EditKind.OTHER)
     }
 
-    private fun applyFix(robot: RobotPrograms, event: ProgramEvent.FixApplied) {
-        val fix = event.mistake.fix ?: return
-        if (robot.entry.result == null || robot.entry.notes.none { it.mistake == event.mistake }) return
-        val file = robot.entry.program.files.indexOfFirst { it.name == event.mistake.file }
-        if (file < 0) return
-        robot.shownFile = file
-        write(robot, robot.memory.draft.changedTo(robot.memory.draft.text.mendedBy(fix)), EditKind.OTHER)
+    /** The programs were read, or cannot be: does what waited for it. */
+    fun programsRead() = fixes.programsRead(shown())
+
+    private fun forgetWhatWas() {
+        mistakePointedOut = false
+        fixes.forget()
     }
 
     private fun choose(robot: RobotPrograms, slot: Int) {
         robot.shownProgram = slot
         robot.shownFile = 0
-        mistakePointedOut = false
+        forgetWhatWas()
     }
 
     private fun add(robot: RobotPrograms, entry: ShelfEntry) {

@@ -10,6 +10,7 @@ import robotran.projects.Project
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
 import robotran.ui.resources.Res
+import robotran.ui.resources.program_fix_gone
 import robotran.ui.resources.program_too_long
 import robotran.world.Breakpoint
 import robotran.world.RobotLoad
@@ -38,7 +39,7 @@ class ProgramsHolder(
         { robots.sumOf { it.shelf.unreadCharacters } },
         ::showReading,
     )
-    private val editing = ProgramEditing({ shown }, ::sayTooLong) { bench.show(Pane.PROGRAM) }
+    private val editing = ProgramEditing({ shown }, ::sayTooLong, ::sayFixGone) { bench.show(Pane.PROGRAM) }
     private var reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
 
     var state: ProgramsState by mutableStateOf(stateNow())
@@ -50,6 +51,7 @@ class ProgramsHolder(
         if (event == ProgramEvent.FindingWanted || event == ProgramEvent.FindingBegun) return want(event == ProgramEvent.FindingWanted)
         editing.handle(event)
         readingLoop.programsChanged()
+        if (editing.waitsForReading) readingLoop.hurry()
         refresh()
     }
 
@@ -165,6 +167,8 @@ class ProgramsHolder(
         bench.say(Notice(Res.string.program_too_long, limits.map { it / THOUSAND }, bad = true))
     }
 
+    private fun sayFixGone() = bench.say(Notice(Res.string.program_fix_gone))
+
     private fun want(finding: Boolean) {
         findingWanted = finding
         if (finding) bench.show(Pane.PROGRAM)
@@ -173,8 +177,11 @@ class ProgramsHolder(
 
     private fun showReading(reading: ProgramReading) {
         this.reading = reading
+        if (reading == ProgramReading.DONE || reading == ProgramReading.NO_COMPILER) editing.programsRead()
         refresh()
         onRead(reading)
+        // What waited for it may have changed a program.
+        if (reading == ProgramReading.DONE) readingLoop.programsChanged()
     }
 
     private fun refresh() {

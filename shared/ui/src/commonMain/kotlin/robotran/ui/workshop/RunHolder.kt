@@ -84,7 +84,6 @@ class RunHolder(
     /** Something about the programs was changed. */
     fun programsChanged() {
         whenRead = null
-        rest.disturb()
         show()
     }
 
@@ -95,7 +94,6 @@ class RunHolder(
             if (state.untouched) beginAfresh(run.slotOnBrick)
             whenRead?.also { whenRead = null }?.invoke()
         }
-        rest.disturb()
         show()
     }
 
@@ -103,7 +101,7 @@ class RunHolder(
     fun frame(nanoseconds: Long) {
         if (!state.awake) return player.rest()
         player.frame(nanoseconds)
-        rest.passed(player.state)
+        lookForRest()
         run.hearWhatIsNew()
         show()
         if (!state.awake) player.rest()
@@ -112,7 +110,7 @@ class RunHolder(
     /** Lets [milliseconds] of virtual time pass at once, too quickly to be heard. */
     fun advance(milliseconds: Int) {
         player.pass(milliseconds)
-        rest.passed(player.state)
+        lookForRest()
         run.skipSound()
         show()
     }
@@ -129,7 +127,6 @@ class RunHolder(
     /** Tells the run in [language], also what has happened in it so far. */
     fun speak(language: Language) {
         run.speak(language)
-        rest.disturb()
         show()
     }
 
@@ -255,6 +252,7 @@ class RunHolder(
 
     private fun beginAfresh(firstSlots: List<Int>, world: World = run.world, inputs: List<RecordedInput> = emptyList()) {
         run.beginAfresh(firstSlots, world, inputs)
+        rest.disturb()
         state = state.copy(watched = player.watched)
         drawer.beginAfresh()
         show()
@@ -276,6 +274,11 @@ class RunHolder(
             drawer = drawer.fill(state.drawer, player),
             awake = isAwake(),
         )
+    }
+
+    /** On the way to another time nothing is to be learnt: what is shown meanwhile may be of shortly before. */
+    private fun lookForRest() {
+        if (player.motion !is Motion.Seeking) rest.passed(player.state)
     }
 
     private fun isAwake(): Boolean = when (player.motion) {

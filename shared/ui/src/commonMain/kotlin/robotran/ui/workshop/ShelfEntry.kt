@@ -53,9 +53,13 @@ internal class ShelfEntry private constructor(
         val edit = editBetween(before.draft, memory.draft)
             ?: return ShelfEntry(program, remembered, result, notes, earlierTranslation, lazyTranslation)
         val file = program.files[place].name
-        val moved = notes.mapNotNull { it.movedWith(edit, file, before.draft.lines) }
+        val moved = notes.mapNotNull { it.movedWith(edit, file, before.draft.lines, memory.draft.lines) }
         return ShelfEntry(program.withText(place, memory.draft.text), remembered, null, moved, lastTranslation)
     }
+
+    /** This program without [note], which somebody has seen to. */
+    fun without(note: ProgramNote): ShelfEntry =
+        ShelfEntry(program, memories, result, notes - note, earlierTranslation, lazyTranslation)
 
     /** This program with other [files], each with what is remembered of it. */
     fun withFiles(files: List<Pair<ProgramFile, ProgramFileMemory>>): ShelfEntry =

@@ -20,6 +20,7 @@ internal class WorkComingBack(private val bench: Bench, private val keeper: Docu
      */
     suspend fun take(isBroughtSomething: Boolean): ComingBack? {
         val own = bench.platform.window.workId
+        for (id in bench.platform.window.leftIds()) if (id != own) keepLeft(id)
         return when {
             own != null -> takeOwn(own)
             isBroughtSomething || !bench.platform.goesOn -> null
@@ -61,6 +62,14 @@ internal class WorkComingBack(private val bench: Bench, private val keeper: Docu
         if (back == null) claim.release()
         if (back?.isKept == true && left != null) bench.platform.window.leave(id, null)
         return back
+    }
+
+    /** Keeps what a window that is gone has left of the work [id], but could not keep any more. */
+    private suspend fun keepLeft(id: String) {
+        val left = bench.platform.window.left(id) ?: return
+        val claim = claim(id) ?: return
+        if (keeper.openWorks.keepLeft(id, left)) bench.platform.window.leave(id, null)
+        claim.release()
     }
 
     /** A page that goes lets go of its work a little later than the next one comes. */

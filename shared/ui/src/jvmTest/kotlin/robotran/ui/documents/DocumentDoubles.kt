@@ -91,20 +91,24 @@ internal class Machine {
     }
 }
 
-/** The memory of one tab. */
-internal class TabMemory(override var workId: String? = null) : WindowMemory {
+/**
+ * The memory of one tab.
+ *
+ * @param texts what tabs have left, which all tabs of a browser share.
+ */
+internal class TabMemory(override var workId: String? = null, private val texts: MutableMap<String, String> = mutableMapOf()) : WindowMemory {
     /** Whether the page that is loaded next comes after one that has ended as it should. */
     var hasEnded = true
 
     override fun hasEnded(id: String): Boolean = hasEnded
-
-    private val texts = mutableMapOf<String, String>()
 
     override fun leave(id: String, text: String?) {
         if (text == null) texts.remove(id) else texts[id] = text
     }
 
     override fun left(id: String): String? = texts[id]
+
+    override fun leftIds(): List<String> = texts.keys.toList()
 }
 
 /** Writes [text], and lets a moment pass in which nobody types. */

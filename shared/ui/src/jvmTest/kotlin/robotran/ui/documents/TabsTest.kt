@@ -7,6 +7,7 @@ import robotran.ui.resources.documents_back
 import robotran.ui.resources.documents_own_elsewhere
 import robotran.ui.workshop.DocumentEvent
 import robotran.ui.workshop.ProgramEvent
+import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.WorkshopEvent
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -105,6 +106,57 @@ class TabsTest {
         second.write("forward 13")
         second.close()
         assertEquals("forward 13", machine.tab(memory).state.programText)
+    }
+
+    @Test
+    fun `the first letters of a tab that is gone before any was kept come back, in the next tab or after a reload`() {
+        for (isReload in listOf(false, true)) {
+            val machine = Machine()
+            val left = mutableMapOf<String, String>()
+            val memory = TabMemory(texts = left)
+            machine.tab(memory).also { machine.goAfter(it, "forward 7") }
+            val next = machine.tab(if (isReload) memory else TabMemory(texts = left))
+            assertEquals("forward 7", next.state.programText)
+            assertNull(next.state.notice)
+            next.keep()
+            assertEquals(emptyMap(), left)
+            assertEquals(1, next.works().size)
+        }
+    }
+
+    @Test
+    fun `two tabs that are gone before they could keep their last letters lose none of them`() {
+        val left = mutableMapOf<String, String>()
+        val tabs = listOf("forward 1", "forward 2").map { text -> machine.tab(TabMemory(texts = left)).also { it.write(text) } }
+        tabs.forEachIndexed { number, tab -> machine.goAfter(tab, "forward 1$number") }
+        val next = machine.tab(TabMemory(texts = left))
+        assertEquals(emptyMap(), left)
+        val texts = next.works().map { work ->
+            next.handle(DocumentEvent.WorkOpened(work.entry.id))
+            next.state.programText
+        }
+        assertEquals(setOf("forward 10", "forward 11"), texts.toSet())
+    }
+
+    @Test
+    fun `a tab that was only out of sight leaves nothing behind once it has kept all`() {
+        val left = mutableMapOf<String, String>()
+        val tab = machine.tab(TabMemory(texts = left))
+        tab.handle(ProgramEvent.ProgramEdited("forward 7"))
+        runBlocking { tab.restDocument() }
+        assertEquals(emptyMap(), left)
+        assertEquals(1, tab.works().size)
+    }
+
+    /** Types [text] into [tab], which goes so soon that nothing can be kept any more. */
+    private fun Machine.goAfter(tab: Workshop, text: String) {
+        clock.now += 1_000
+        store.full = true
+        tab.handle(ProgramEvent.ProgramEdited(text))
+        runBlocking { tab.restDocument() }
+        tab.close()
+        store.full = false
+        clock.now += 1_000
     }
 
     @Test

@@ -5,8 +5,10 @@ import androidx.compose.ui.graphics.toPixelMap
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import kotlinx.coroutines.runBlocking
+import robotran.language.Language
 import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.onTablet
@@ -18,7 +20,10 @@ import robotran.ui.workshop.LearningEvent
 import robotran.ui.workshop.LearningPage
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ProgramLanguage
+import robotran.ui.workshop.PupilProgram
+import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.examples
+import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull
@@ -65,14 +70,42 @@ class ExamplesPageTest {
     }
 
     @Test
-    fun `pictures show what the examples draw, those in Java as their twins in Robolang`() = runBlocking {
+    fun `pictures show what the examples draw, those in Java as their twins in Robolang or, without one, as they are`() = runBlocking {
         val square = ExamplePictures.of("square.robo", SheetColours.LIGHT, ROOM)
         val other = ExamplePictures.of("tree.robo", SheetColours.LIGHT, ROOM)
         assertTrue(square.pixels() != other.pixels())
         assertEquals(square.pixels(), ExamplePictures.of("Square.java", SheetColours.LIGHT, ROOM).pixels())
         val empty = ExamplePictures.of("none.java", SheetColours.LIGHT, ROOM).pixels()
-        val twins = ProgramLanguage.JAVA.examples.keys.filter { ExamplePictures.of(it, SheetColours.LIGHT, ROOM).pixels() != empty }
-        assertTrue("Spiral.java" in twins && "WallBouncer.java" in twins, "$twins")
+        val shown = ProgramLanguage.JAVA.examples.keys.filter { ExamplePictures.of(it, SheetColours.LIGHT, ROOM).pixels() != empty }
+        for (name in listOf("Spiral.java", "WallBouncer.java", "FirstDrive.java", "Patrol.java", "Shapes.java", "TwoThings.java")) {
+            assertTrue(name in shown, "$name of $shown")
+        }
+    }
+
+    @Test
+    fun `every example says what it does in every language, in English as its note does`() {
+        val tables = listOf("values", "values-es", "values-de").map { folder ->
+            val text = File("src/commonMain/composeResources/$folder/example_strings.xml").readText()
+            Regex("<string name=\"(.*?)\">(.*?)</string>").findAll(text).associate { it.groupValues[1] to it.groupValues[2] }
+        }
+        val used = ProgramLanguage.entries.flatMap { language ->
+            language.examples.map { (name, text) ->
+                val key = aboutExample(language, name).key
+                val note = text.lineSequence().takeWhile { it.startsWith("//") }.joinToString(" ") { it.removePrefix("//").trim() }
+                assertEquals(note.substringBefore(". ").removeSuffix("."), tables.first()[key], name)
+                key
+            }
+        }
+        assertEquals(used.toSet(), tables.first().keys)
+        assertEquals(listOf(used.toSet(), used.toSet()), tables.drop(1).map { it.keys })
+    }
+
+    @Test
+    fun `the page speaks the language that is chosen`() = onTablet { workshop ->
+        workshop.handle(SettingsEvent.SettingsChanged(workshop.settings.copy(language = Language.GERMAN)))
+        workshop.handle(LearningEvent.PageWanted(LearningPage.EXAMPLES))
+        pass(300)
+        onNodeWithText("Zählt von zehn rückwärts und hebt ab").assertExists()
     }
 
     @Test
@@ -84,7 +117,14 @@ class ExamplesPageTest {
             photograph(workshop, width, height).keepAs("examples-$name")
             workshop.close()
         }
+        val workshop = runBlocking { openWorkshop(listOf(newJava())) }
+        workshop.handle(LearningEvent.PageWanted(LearningPage.EXAMPLES))
+        runBlocking { for (example in ProgramLanguage.JAVA.examples.keys) ExamplePictures.of(example, SheetColours.LIGHT, ROOM) }
+        photograph(workshop, 1280, 1600).keepAs("examples-java")
+        workshop.close()
     }
+
+    private fun newJava() = PupilProgram("Square.java", ProgramLanguage.JAVA.examples.getValue("Square.java"))
 
     private fun ImageBitmap.pixels(): List<Int> = toPixelMap().buffer.toList()
 

@@ -1,15 +1,17 @@
 package robotran.ui.workshop
 
-import kotlinx.coroutines.runBlocking
-import robotran.rom.BrickButton
-import robotran.ui.lejosExampleTexts
-import robotran.ui.openWorkshop
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
+import kotlinx.coroutines.runBlocking
+import robotran.rom.BrickButton
+import robotran.ui.lejosExampleTexts
+import robotran.ui.openWorkshop
+import robotran.ui.resources.Res
+import robotran.ui.resources.program_fix_gone
 
 class WorkshopJavaTest {
     private val firstDrive = PupilProgram("FirstDrive.java", lejosExampleTexts.getValue("FirstDrive.java"))
@@ -77,6 +79,49 @@ class WorkshopJavaTest {
         workshop.readPrograms()
         assertEquals(emptyList(), workshop.state.mistakes)
         assertContains(workshop.state.programText, "Motor.A.forward();")
+    }
+
+    @Test
+    fun `a fix that is pressed before the program was read again is made where its text is now`() =
+        workshop(mainOf("Motor.A.forward()")) { workshop ->
+            workshop.readPrograms()
+            workshop.handle(ProgramEvent.ProgramEdited("// first\n" + workshop.state.programText.replace("Motor.A", "  Motor.A")))
+            workshop.handle(ProgramEvent.FixApplied(workshop.state.programs.notes.single().mistake))
+            assertContains(workshop.state.programText, "  Motor.A.forward();\n")
+            assertContains(workshop.state.programText, "// first\n")
+            assertEquals(emptyList(), workshop.state.programs.notes)
+            workshop.readPrograms()
+            assertEquals(WorkshopStatus.Ready, workshop.state.status)
+        }
+
+    @Test
+    fun `a fix of a text that was changed since is made once the program was read, which is at once`() =
+        workshop(mainOf("Motor.A.forward()")) { workshop ->
+            workshop.readPrograms()
+            workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText.replace("forward()", "backward()")))
+            val changed = workshop.state.programText
+            workshop.handle(ProgramEvent.FixApplied(workshop.state.programs.notes.single().mistake))
+            assertEquals(changed, workshop.state.programText)
+            assertEquals(ProgramReading.COMPILING, workshop.state.programs.reading)
+            workshop.readPrograms()
+            assertContains(workshop.state.programText, "Motor.A.backward();")
+            workshop.readPrograms()
+            assertEquals(WorkshopStatus.Ready, workshop.state.status)
+        }
+
+    @Test
+    fun `a fix that does not fit any more is not made, and that is said`() = workshop(mainOf("Motor.A.forward()")) { workshop ->
+        workshop.readPrograms()
+        val mistake = workshop.state.mistakes.single()
+        workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText.replace("forward()", "forward();")))
+        val mended = workshop.state.programText
+        workshop.handle(ProgramEvent.FixApplied(mistake))
+        workshop.readPrograms()
+        assertEquals(mended, workshop.state.programText)
+        assertEquals(Res.string.program_fix_gone, workshop.state.notice?.text)
+        workshop.handle(WorkshopEvent.NoticeDismissed)
+        workshop.handle(ProgramEvent.FixApplied(mistake))
+        assertEquals(mended to Res.string.program_fix_gone, workshop.state.programText to workshop.state.notice?.text)
     }
 
     @Test

@@ -3,15 +3,19 @@ package robotran.ui.workshop
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.projects.Project
+import robotran.rom.BrickButton
 import robotran.ui.openWorkshop
 import robotran.world.BuiltInWorlds
 import robotran.world.Goal
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 class WorkshopLanguageTest {
     private val workshop = runBlocking { openWorkshop() }
+    private var now = 0L
 
     @AfterTest
     fun close() = workshop.close()
@@ -54,5 +58,31 @@ class WorkshopLanguageTest {
         workshop.advance(20_000)
         workshop.handle(ProgramEvent.ProgramEdited("show 1 / 0"))
         assertEquals("Nada se puede dividir entre 0.", mistake)
+    }
+
+    @Test
+    fun `the clock of a run that is over stays where it was in another language, and while somebody writes`() {
+        speak(Language.ENGLISH)
+        workshop.handle(ProgramEvent.ProgramEdited("forward 1\nbeep"))
+        workshop.handle(RunEvent.RunPressed)
+        frames()
+        assertFalse(workshop.state.awake)
+        val time = workshop.state.run.time
+        speak(Language.GERMAN)
+        frames()
+        assertEquals(time, workshop.state.run.time)
+        assertEquals(time, workshop.state.session.milliseconds)
+        assertFalse(workshop.state.awake)
+        workshop.handle(ProgramEvent.ProgramEdited("forward 2"))
+        frames()
+        assertEquals(time, workshop.state.run.time)
+        workshop.handle(RunEvent.ButtonPressed(BrickButton.VIEW))
+        frames()
+        assertTrue(workshop.state.run.time > time)
+    }
+
+    private fun frames() = repeat(300) {
+        now += 16_666_667
+        workshop.frame(now)
     }
 }

@@ -1,0 +1,23 @@
+package robotran.ui.learning
+
+import org.jetbrains.compose.resources.ExperimentalResourceApi
+import org.jetbrains.compose.resources.StringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.allStringResources
+import robotran.ui.workshop.ProgramLanguage
+
+/**
+ * What the example [name] does, in a sentence: of `wall-bouncer.robo` and `WallBouncer.java` it is `example_wall_bouncer`, unless the one in Java has
+ * a sentence of its own, whose name ends in `_java`.
+ */
+@OptIn(ExperimentalResourceApi::class)
+internal fun aboutExample(language: ProgramLanguage, name: String): StringResource {
+    val stem = name.removeSuffix(language.extension)
+    val words = when (language) {
+        ProgramLanguage.ROBOLANG -> stem.replace('-', '_')
+        ProgramLanguage.JAVA -> stem.mapIndexed { place, letter -> if (place > 0 && letter.isUpperCase()) "_$letter" else "$letter" }.joinToString("")
+    }
+    val key = "example_${words.lowercase()}"
+    val own = if (language == ProgramLanguage.JAVA) Res.allStringResources["${key}_java"] else null
+    return own ?: Res.allStringResources.getValue(key)
+}

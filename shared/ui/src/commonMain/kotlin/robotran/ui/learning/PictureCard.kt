@@ -1,0 +1,93 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.Image
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ColumnScope
+import androidx.compose.foundation.layout.aspectRatio
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Surface
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.produceState
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.layout.ContentScale
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import robotran.ui.sheet.PictureRoom
+import robotran.ui.sheet.SheetColours
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+
+/** Where the pictures of cards come from. */
+internal interface CardPictures<T> {
+    /** The picture of [subject] if it has been drawn. */
+    fun ready(subject: T, colours: SheetColours, room: PictureRoom): ImageBitmap?
+
+    /** The picture of [subject], drawn if it was not. */
+    suspend fun of(subject: T, colours: SheetColours, room: PictureRoom): ImageBitmap
+}
+
+/**
+ * A card of a gallery, to be pressed: a picture of [subject] and, below it, [words], which say what is to be seen, so that the picture needs none.
+ *
+ * @param aspect how many times as wide as high the picture is.
+ * @param padding around the words; half of it around the picture.
+ */
+@Composable
+internal fun <T : Any> PictureCard(
+    subject: T,
+    pictures: CardPictures<T>,
+    tag: String,
+    aspect: Float,
+    padding: Dp,
+    onClick: () -> Unit,
+    words: @Composable ColumnScope.() -> Unit,
+) {
+    val colours = LocalRobotranColours.current
+    Surface(
+        Modifier
+            .fillMaxWidth()
+            .testTag(tag)
+            .focusRing(CORNER)
+            .clip(RoundedCornerShape(CORNER))
+            .clickable(role = Role.Button, onClick = onClick),
+        shape = RoundedCornerShape(CORNER),
+        color = colours.pane,
+        border = BorderStroke(1.dp, colours.line),
+    ) {
+        Column {
+            CardPicture(subject, pictures, Modifier.fillMaxWidth().aspectRatio(aspect).background(colours.desk).padding(padding / 2))
+            Column(Modifier.padding(padding), Arrangement.spacedBy(6.dp), content = words)
+        }
+    }
+}
+
+@Composable
+private fun <T : Any> CardPicture(subject: T, pictures: CardPictures<T>, modifier: Modifier) {
+    val colours = LocalRobotranColours.current
+    val sheetColours = remember(colours) { SheetColours.of(colours) }
+    BoxWithConstraints(modifier, Alignment.Center) {
+        val room = PictureRoom.of(constraints.maxWidth, constraints.maxHeight, LocalDensity.current.density)
+        val picture by produceState(pictures.ready(subject, sheetColours, room), subject, sheetColours, room) {
+            value = pictures.of(subject, sheetColours, room)
+        }
+        picture?.let { Image(it, contentDescription = null, Modifier.fillMaxSize(), contentScale = ContentScale.Fit) }
+    }
+}
+
+private val CORNER = 12.dp
