@@ -21,7 +21,7 @@ class DesktopPlugin : Plugin<Project> {
             // The tests run the tree's own examples and test programs and hold them against its recorded runs.
             test.systemProperty("robotran.tree", project.rootDir.path)
             // What opens a window is skipped without one.
-            test.inputs.files(FindPrograms.found(project, FindPrograms.DISPLAY)).withPathSensitivity(PathSensitivity.NONE).withPropertyName("display")
+            test.inputs.files(FindPrograms.found(project, FindPrograms.DISPLAY)).withPathSensitivity(PathSensitivity.NONE)
             (listOf("examples", "worlds", TEST_PROGRAMS) + RECORDED_RUNS).forEach {
                 test.inputs.dir(project.rootProject.file(it)).withPathSensitivity(PathSensitivity.RELATIVE)
             }

@@ -55,7 +55,7 @@ abstract class FindPrograms
             /** Registers [DISPLAY] and [ENGINES] in the root project. */
             fun registerSetUp(root: Project) {
                 register(root, DISPLAY, "display.sh", "Installs Xvfb for the tests that open a window, if it is missing and can be.")
-                register(root, ENGINES, "engines.sh", "Installs Firefox and WebKitGTK for the browser tests, if they are missing and can be.")
+                register(root, ENGINES, "engines.sh", "Installs Firefox and WebKitGTK for the browser tests, if missing and possible.")
                 // One apt at a time.
                 root.tasks.named(DISPLAY) { it.mustRunAfter(Chromium.SET_UP_TASK) }
                 root.tasks.named(ENGINES) { it.mustRunAfter(Chromium.SET_UP_TASK, DISPLAY) }

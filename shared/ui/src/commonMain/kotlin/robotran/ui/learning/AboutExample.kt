@@ -15,9 +15,11 @@ internal fun aboutExample(language: ProgramLanguage, name: String): StringResour
     val stem = name.removeSuffix(language.extension)
     val words = when (language) {
         ProgramLanguage.ROBOLANG -> stem.replace('-', '_')
-        ProgramLanguage.JAVA -> stem.mapIndexed { place, letter -> if (place > 0 && letter.isUpperCase()) "_$letter" else "$letter" }.joinToString("")
+        ProgramLanguage.JAVA -> stem.replace(CAPITAL_INSIDE) { "_${it.value}" }
     }
     val key = "example_${words.lowercase()}"
     val own = if (language == ProgramLanguage.JAVA) Res.allStringResources["${key}_java"] else null
     return own ?: Res.allStringResources.getValue(key)
 }
+
+private val CAPITAL_INSIDE = Regex("\\B[A-Z]")

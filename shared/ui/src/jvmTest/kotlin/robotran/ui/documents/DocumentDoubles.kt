@@ -96,7 +96,10 @@ internal class Machine {
  *
  * @param texts what tabs have left, which all tabs of a browser share.
  */
-internal class TabMemory(override var workId: String? = null, private val texts: MutableMap<String, String> = mutableMapOf()) : WindowMemory {
+internal class TabMemory(
+    override var workId: String? = null,
+    private val texts: MutableMap<String, String> = mutableMapOf(),
+) : WindowMemory {
     /** Whether the page that is loaded next comes after one that has ended as it should. */
     var hasEnded = true
 

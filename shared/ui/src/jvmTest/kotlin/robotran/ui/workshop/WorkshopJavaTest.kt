@@ -1,17 +1,17 @@
 package robotran.ui.workshop
 
-import kotlin.test.Test
-import kotlin.test.assertContains
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertNull
-import kotlin.test.assertTrue
 import kotlinx.coroutines.runBlocking
 import robotran.rom.BrickButton
 import robotran.ui.lejosExampleTexts
 import robotran.ui.openWorkshop
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_fix_gone
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
 
 class WorkshopJavaTest {
     private val firstDrive = PupilProgram("FirstDrive.java", lejosExampleTexts.getValue("FirstDrive.java"))
@@ -98,13 +98,13 @@ class WorkshopJavaTest {
     fun `a fix of a text that was changed since is made once the program was read, which is at once`() =
         workshop(mainOf("Motor.A.forward()")) { workshop ->
             workshop.readPrograms()
-            workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText.replace("forward()", "backward()")))
+            workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText.replace("forward()", "forward() // go")))
             val changed = workshop.state.programText
             workshop.handle(ProgramEvent.FixApplied(workshop.state.programs.notes.single().mistake))
             assertEquals(changed, workshop.state.programText)
             assertEquals(ProgramReading.COMPILING, workshop.state.programs.reading)
             workshop.readPrograms()
-            assertContains(workshop.state.programText, "Motor.A.backward();")
+            assertContains(workshop.state.programText, "Motor.A.forward(); // go")
             workshop.readPrograms()
             assertEquals(WorkshopStatus.Ready, workshop.state.status)
         }
