@@ -1,6 +1,7 @@
 package robotran.ui.learning
 
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
@@ -12,16 +13,19 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.draw.drawWithContent
 import androidx.compose.ui.geometry.CornerRadius
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.resources.Res
@@ -84,10 +88,20 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
 @Composable
 private fun Helps(tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
-        val hint = if (tutorial.hintShown) Res.string.learning_hint_hide else Res.string.learning_hint
-        SecondButton(stringResource(hint), "hint-wanted", { onEvent(LearningEvent.HintWanted(!tutorial.hintShown)) })
-        val solution = if (tutorial.solutionShown) Res.string.learning_back_to_mine else Res.string.learning_show_me
-        SecondButton(stringResource(solution), "solution-wanted", { onEvent(LearningEvent.SolutionWanted(!tutorial.solutionShown)) })
+        Help(tutorial.hintShown, Res.string.learning_hint, Res.string.learning_hint_hide, "hint-wanted") { onEvent(LearningEvent.HintWanted(it)) }
+        Help(tutorial.solutionShown, Res.string.learning_show_me, Res.string.learning_back_to_mine, "solution-wanted") {
+            onEvent(LearningEvent.SolutionWanted(it))
+        }
+    }
+}
+
+/** A button that shows something or puts it away, as wide for the one as for the other. */
+@Composable
+private fun Help(isShown: Boolean, show: StringResource, hide: StringResource, tag: String, onWanted: (Boolean) -> Unit) {
+    val words = listOf(stringResource(show), stringResource(hide))
+    Box {
+        for (word in words) Box(Modifier.drawWithContent { }.clearAndSetSemantics { }) { ButtonSize(word) }
+        SecondButton(words[if (isShown) 1 else 0], tag, { onWanted(!isShown) }, Modifier.matchParentSize())
     }
 }
 

@@ -72,7 +72,7 @@ class TutorialFootTest {
     }
 
     @Test
-    fun `a hint comes under its button, which stays for whoever touches twice`() = onStep(1366, 900) { workshop ->
+    fun `a hint comes under its button, which stays for whoever touches twice where there is room`() = onStep(1366, 1080) { workshop ->
         val before = placesByTag()
         press("hint-wanted")
         assertTrue(workshop.state.learning.tutorial?.hintShown == true)
