@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
-import { appears, choose, disappears, isSaid, placeOf, press, says } from './words.mjs';
+import { appears, choose, disappears, placeOf, press, says } from './words.mjs';
 
 test('an example is found in the menu and opened', () => onPage(TABLET, async ({ page, troubles }) => {
   await choose(page, 'menu', 'menu-examples');
@@ -35,13 +35,13 @@ test('behind the plus, who works in Java finds the examples in Java first', () =
   }));
 
 test('the examples say in German and Spanish what they do', () => onPage(TABLET, async ({ page, troubles }) => {
-  for (const [place, about] of [[3, /Zeichnet ein Quadrat/], [2, /Dibuja un cuadrado/]]) {
+  for (const [place, about] of [[3, /Zeichnet eine gestrichelte Linie/], [2, /Dibuja una línea/]]) {
     await choose(page, 'menu', 'menu-settings');
     await press(page, `language-${place}`);
     await press(page, 'settings-close');
     await disappears(page, 'settings-close');
     await choose(page, 'menu', 'menu-examples');
-    await isSaid(page, about);
+    await says(page, 'example-dashed-line.robo', about);
     await page.waitForTimeout(2_000);
     await photograph(page, `examples-language-${place}`);
     await page.goBack();

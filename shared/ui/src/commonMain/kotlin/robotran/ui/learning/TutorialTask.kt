@@ -88,7 +88,9 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
 @Composable
 private fun Helps(tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
-        Help(tutorial.hintShown, Res.string.learning_hint, Res.string.learning_hint_hide, "hint-wanted") { onEvent(LearningEvent.HintWanted(it)) }
+        Help(tutorial.hintShown, Res.string.learning_hint, Res.string.learning_hint_hide, "hint-wanted") {
+            onEvent(LearningEvent.HintWanted(it))
+        }
         Help(tutorial.solutionShown, Res.string.learning_show_me, Res.string.learning_back_to_mine, "solution-wanted") {
             onEvent(LearningEvent.SolutionWanted(it))
         }

@@ -45,7 +45,7 @@ internal fun CoveredSheet(
         Said(state, onEvent, withHint, withNotice)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
-            KeepingBanner(state.document, onEvent, over.heightIn(max = maxHeight / 2))
+            KeepingBanner(state.document, onEvent, over)
         }
     }
 }

@@ -59,6 +59,11 @@ class EditPictures {
     }
 
     private companion object {
-        val SCREENS = listOf(Triple("phone", 411, 891), Triple("tablet", 1280, 800), Triple("upright", 820, 1180), Triple("laptop", 1440, 900))
+        val SCREENS = listOf(
+            Triple("phone", 411, 891),
+            Triple("tablet", 1280, 800),
+            Triple("upright", 820, 1180),
+            Triple("laptop", 1440, 900),
+        )
     }
 }
