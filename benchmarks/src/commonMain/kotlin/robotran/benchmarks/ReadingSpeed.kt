@@ -1,10 +1,10 @@
 package robotran.benchmarks
 
-import robotran.robolang.Calibration
-import robotran.robolang.RobolangLimits
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
+import robotran.robolang.robot.Calibration
+import robotran.robolang.syntax.RobolangLimits
 
 /** Any will do: nothing here depends on it. */
 internal val ANY_CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)

@@ -1,6 +1,6 @@
 package robotran.benchmarks
 
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
 import robotran.rom.RcxProgram
 import robotran.world.BuiltInWorlds
 import robotran.world.Penbot

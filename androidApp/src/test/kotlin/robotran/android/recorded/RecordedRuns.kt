@@ -9,7 +9,7 @@ import robotran.projects.RobotLoads
 import robotran.projects.lightFacingOf
 import robotran.projects.readProject
 import robotran.projects.readRobotLoads
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
 import robotran.rom.toLogText
 import robotran.world.BuiltInWorlds
 import robotran.world.Penbot

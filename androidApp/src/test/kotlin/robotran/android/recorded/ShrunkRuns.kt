@@ -5,7 +5,7 @@ import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
 import robotran.world.Penbot
 import java.io.File
 import kotlin.system.exitProcess

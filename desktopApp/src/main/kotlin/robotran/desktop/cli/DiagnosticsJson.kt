@@ -6,8 +6,8 @@ import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import robotran.programs.Mistake
-import robotran.robolang.Diagnostic
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.diagnostic.SourceRange
 
 /**
  * What `robotran check --json` says: a list with one object a file, `file` and either `diagnostics`, only warnings for a program that can

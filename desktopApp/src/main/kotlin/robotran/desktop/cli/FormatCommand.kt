@@ -12,9 +12,9 @@ import robotran.desktop.ExitCode
 import robotran.desktop.files.TextFile
 import robotran.desktop.files.writeFile
 import robotran.desktop.messages.CommandMessages
-import robotran.robolang.RobolangMessages
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
+import robotran.robolang.messages.RobolangMessages
 
 /** `robotran format FILE..`: lays programs out, in place; with `--check` it only tells which are not. */
 internal class FormatCommand(

@@ -5,10 +5,10 @@ import robotran.desktop.files.TextFile
 import robotran.desktop.files.readTextFile
 import robotran.desktop.messages.CommandMessages
 import robotran.language.Language
-import robotran.robolang.Diagnostic
-import robotran.robolang.RobolangMessages
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.readRobolang
 import robotran.ui.workshop.PENBOT_CALIBRATION
 import kotlin.io.path.Path

@@ -8,7 +8,7 @@ import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.projects.ProgramLanguage
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
 import robotran.rom.RcxProgram
 import robotran.rom.RunState
 import robotran.world.BuiltInWorlds

@@ -8,7 +8,7 @@ import robotran.projects.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
 import robotran.world.Penbot
 import robotran.world.Session
 import robotran.world.grade.Grade

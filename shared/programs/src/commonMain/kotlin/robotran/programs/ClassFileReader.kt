@@ -1,6 +1,6 @@
 package robotran.programs
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 import robotran.tinyvm.Refusal
 import robotran.tinyvm.TinyVmMessages
 import robotran.tinyvm.TinyVmResult

@@ -5,8 +5,8 @@ import robotran.java.JavaCompiler
 import robotran.java.JavaDiagnostic
 import robotran.java.JavaRange
 import robotran.java.JavaSource
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
 import robotran.tinyvm.Refusal
 
 /** Compiles and links leJOS programs. */

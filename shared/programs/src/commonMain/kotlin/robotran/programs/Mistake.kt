@@ -1,7 +1,7 @@
 package robotran.programs
 
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
 
 /**
  * A mistake in a program of either language, or something doubtful, told so that a beginner can mend it.

@@ -4,8 +4,8 @@ import robotran.java.JavaCompiler
 import robotran.java.JavaMessages
 import robotran.java.loadJavaCompiler
 import robotran.language.Language
-import robotran.robolang.Calibration
-import robotran.robolang.RobolangMessages
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.robot.Calibration
 import robotran.tinyvm.TinyVmMessages
 
 /**

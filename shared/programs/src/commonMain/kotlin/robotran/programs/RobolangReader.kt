@@ -1,10 +1,10 @@
 package robotran.programs
 
-import robotran.robolang.Calibration
-import robotran.robolang.Diagnostic
-import robotran.robolang.RobolangMessages
 import robotran.robolang.RobolangResult
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.readRobolang
+import robotran.robolang.robot.Calibration
 
 /** Reads programs in Robolang. */
 internal class RobolangReader(

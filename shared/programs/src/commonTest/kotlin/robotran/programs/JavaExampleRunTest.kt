@@ -1,7 +1,7 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
 import robotran.rom.toLogText
 import robotran.world.BuiltInWorlds
 import robotran.world.Penbot

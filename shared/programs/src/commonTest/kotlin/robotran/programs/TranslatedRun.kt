@@ -1,9 +1,9 @@
 package robotran.programs
 
-import robotran.robolang.Calibration
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
+import robotran.robolang.robot.Calibration
 import robotran.robolang.translate.translateRobolang
 import robotran.rom.Brick
 import robotran.rom.BrickButton

@@ -6,7 +6,7 @@ import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
 import robotran.rom.RcxProgram
 import robotran.world.BuiltInWorlds
 import robotran.world.Goal

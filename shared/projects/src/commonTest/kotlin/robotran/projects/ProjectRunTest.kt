@@ -2,7 +2,7 @@ package robotran.projects
 
 import kotlinx.coroutines.test.runTest
 import robotran.programs.ProgramReader
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
 import robotran.world.Penbot
 import robotran.world.Session
 import robotran.world.physics.loadPhysicsEngine

@@ -3,7 +3,7 @@ package robotran.projects
 import kotlinx.coroutines.test.runTest
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramSource
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
 import robotran.world.BuiltInWorlds
 import robotran.world.LightFacing
 import robotran.world.Penbot

@@ -1,7 +1,14 @@
 package robotran.robolang
 
 import robotran.robolang.check.Checker
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.messages.EnglishMessages
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.robot.Calibration
 import robotran.robolang.syntax.Parser
+import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.scan
 
 /**

@@ -1,6 +1,8 @@
 package robotran.robolang
 
 import robotran.robolang.check.CheckedProgram
+import robotran.robolang.messages.RunMessages
+import robotran.robolang.robot.Calibration
 import robotran.robolang.run.RobolangRun
 import robotran.robolang.run.lower
 import robotran.robolang.syntax.Facing

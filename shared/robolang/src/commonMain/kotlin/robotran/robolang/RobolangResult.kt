@@ -1,5 +1,7 @@
 package robotran.robolang
 
+import robotran.robolang.diagnostic.Diagnostic
+
 /** What came of reading a Robolang source. */
 sealed interface RobolangResult {
     /** Nothing is wrong: [program] can be loaded into a brick. [warnings] are what is doubtful, in the order of the source. */

@@ -1,6 +1,8 @@
 package robotran.robolang
 
 import robotran.robolang.check.BuiltIn
+import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.messages.EnglishMessages
 import robotran.robolang.syntax.Token
 import robotran.robolang.syntax.TokenKind
 import robotran.robolang.syntax.lowercaseKeyword

@@ -1,5 +1,10 @@
 package robotran.robolang
 
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.messages.EnglishMessages
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.syntax.RobolangLimits
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -1,5 +1,7 @@
 package robotran.robolang
 
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.messages.EnglishRunMessages
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.syntax.Keyword
 import kotlin.test.Test

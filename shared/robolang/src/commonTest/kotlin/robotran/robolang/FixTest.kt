@@ -1,5 +1,6 @@
 package robotran.robolang
 
+import robotran.robolang.diagnostic.SourceFix
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull

@@ -1,6 +1,9 @@
 package robotran.robolang
 
 import robotran.language.Language
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.robot.Calibration
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

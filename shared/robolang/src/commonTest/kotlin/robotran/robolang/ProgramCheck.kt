@@ -1,5 +1,6 @@
 package robotran.robolang
 
+import robotran.robolang.diagnostic.Diagnostic
 import robotran.rom.RomAddress
 import robotran.rom.RomCall
 import robotran.rom.RomCode

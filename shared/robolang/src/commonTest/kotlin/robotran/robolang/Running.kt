@@ -1,5 +1,7 @@
 package robotran.robolang
 
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.robot.Calibration
 import robotran.rom.ProgramFailure
 import robotran.rom.ProgramStatus
 import robotran.rom.RcxProgram

@@ -1,5 +1,7 @@
 package robotran.robolang
 
+import robotran.robolang.syntax.RobolangLimits
+
 /** Programs half as long as they may be, of the kinds that take a reader the longest. */
 internal fun longestPrograms(): List<String> {
     val half = RobolangLimits.SOURCE_CHARACTERS / 2

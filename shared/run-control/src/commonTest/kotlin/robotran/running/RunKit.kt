@@ -1,8 +1,8 @@
 package robotran.running
 
-import robotran.robolang.Calibration
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
+import robotran.robolang.robot.Calibration
 import robotran.rom.BrickButton
 import robotran.rom.RcxProgram
 import robotran.rom.RunState

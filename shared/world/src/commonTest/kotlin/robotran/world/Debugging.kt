@@ -1,8 +1,8 @@
 package robotran.world
 
-import robotran.robolang.Calibration
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
+import robotran.robolang.robot.Calibration
 import robotran.rom.BrickButton
 import robotran.rom.RunState
 import robotran.rom.StepKind

@@ -1,9 +1,9 @@
 package robotran.world
 
 import kotlinx.coroutines.test.runTest
-import robotran.robolang.Calibration
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
+import robotran.robolang.robot.Calibration
 import robotran.rom.BrickButton
 import robotran.rom.CallFrame
 import robotran.rom.StepKind

@@ -4,7 +4,7 @@ import robotran.java.JavaMessages
 import robotran.json.JsonMessages
 import robotran.language.Language
 import robotran.projects.ProjectMessages
-import robotran.robolang.RobolangMessages
+import robotran.robolang.messages.RobolangMessages
 import robotran.rom.BrickMessages
 import robotran.tinyvm.TinyVmMessages
 import robotran.world.explain.InfluenceMessages

@@ -1,9 +1,9 @@
 package robotran.robolang.check
 
-import robotran.robolang.Calibration
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.robot.Calibration
 import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.shortened
 

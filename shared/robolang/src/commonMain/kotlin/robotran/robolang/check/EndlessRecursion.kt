@@ -1,6 +1,6 @@
 package robotran.robolang.check
 
-import robotran.robolang.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name

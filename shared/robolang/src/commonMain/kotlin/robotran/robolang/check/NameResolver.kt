@@ -1,12 +1,12 @@
 package robotran.robolang.check
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.RobolangLimits
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
+import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.bodies

@@ -1,7 +1,7 @@
 package robotran.robolang.check
 
-import robotran.robolang.Calibration
-import robotran.robolang.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.robot.Calibration
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement

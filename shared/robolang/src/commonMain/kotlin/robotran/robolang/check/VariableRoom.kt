@@ -1,8 +1,8 @@
 package robotran.robolang.check
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.RobolangLimits
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 

@@ -1,6 +1,6 @@
 package robotran.robolang.format
 
-import robotran.robolang.Diagnostic
+import robotran.robolang.diagnostic.Diagnostic
 
 /** What came of formatting a Robolang source. */
 sealed interface FormatResult {

@@ -1,12 +1,12 @@
 package robotran.robolang.format
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.EnglishMessages
-import robotran.robolang.Mistakes
-import robotran.robolang.RobolangLimits
-import robotran.robolang.RobolangMessages
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.messages.EnglishMessages
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.Parser
+import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.scan
 
 /**

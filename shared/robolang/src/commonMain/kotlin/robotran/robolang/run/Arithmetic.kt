@@ -1,7 +1,7 @@
 package robotran.robolang.run
 
-import robotran.robolang.RunMessages
 import robotran.robolang.check.ValueType
+import robotran.robolang.messages.RunMessages
 
 /** The arithmetic of one type of number, on the 32 bits that the stack holds of it. Both are Java's. */
 internal sealed interface Arithmetic {

@@ -1,6 +1,7 @@
 package robotran.robolang.run
 
 import robotran.robolang.check.ValueType
+import robotran.robolang.robot.Durations
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.MoveDirection

@@ -1,6 +1,6 @@
 package robotran.robolang.run
 
-import robotran.robolang.RunMessages
+import robotran.robolang.messages.RunMessages
 
 /**
  * All lists that a run has made. As on the brick, whose memory nobody clears up, none ever goes away. Number 0 is an empty one:

@@ -1,7 +1,7 @@
 package robotran.robolang.run
 
-import robotran.robolang.Calibration
-import robotran.robolang.RunMessages
+import robotran.robolang.messages.RunMessages
+import robotran.robolang.robot.Calibration
 import robotran.rom.CallFrame
 import robotran.rom.DebuggableRun
 import robotran.rom.ProgramFailure

@@ -1,8 +1,8 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceFix
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.SourceFix
 
 /** Reads one line that names, changes or hands on values, or leaves a block. */
 internal class DataParser(reader: LineReader, mistakes: Mistakes) : LineParser(reader, mistakes) {

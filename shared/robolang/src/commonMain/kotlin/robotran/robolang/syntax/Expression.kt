@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 
 /** Something that has a value. No two expressions of a program have the same [range]. */
 internal sealed interface Expression {

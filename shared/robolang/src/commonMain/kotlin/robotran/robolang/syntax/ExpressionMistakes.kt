@@ -1,9 +1,8 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.RobolangLimits
-import robotran.robolang.SourceFix
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.SourceFix
 
 /** A command lacks its value; [example] completes what has been read of the line so far. */
 internal fun Mistakes.reportMissingValue(reader: LineReader, expected: Expected, example: String): Nothing? {

@@ -1,7 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.Mistakes
-import robotran.robolang.RobolangLimits
+import robotran.robolang.diagnostic.Mistakes
 
 /**
  * Reads the expressions of one line, by recursive descent along the strength of the operators. All functions give null once they

@@ -1,8 +1,8 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceFix
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.SourceFix
 
 /** Reads the first lines of blocks. Where one has a mistake its block is read all the same, so that nothing below it is blamed. */
 internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser(reader, mistakes) {

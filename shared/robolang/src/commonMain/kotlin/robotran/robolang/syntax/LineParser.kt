@@ -1,7 +1,7 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.Mistakes
 
 /** What the parsers of all kinds of lines need; each function gives null once it has reported a mistake. */
 internal abstract class LineParser(

@@ -1,7 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.RobolangLimits
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 
 /** Goes along the tokens of one line that has at least one. */
 internal class LineReader(val line: ScannedLine) {

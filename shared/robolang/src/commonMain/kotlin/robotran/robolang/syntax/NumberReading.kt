@@ -1,6 +1,5 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.RobolangLimits
 
 /** What digits and points, as the scanner puts them together, amount to. */
 internal sealed interface NumberReading {

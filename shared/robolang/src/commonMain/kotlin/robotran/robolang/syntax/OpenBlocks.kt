@@ -1,7 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.RobolangLimits
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 
 /** A block whose end has been found. */
 internal class Block(val range: SourceRange, val endRange: SourceRange, val body: List<Statement>)

@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 
 /** An `if` that is being parsed, branch by branch. */
 internal class OpenChoice(private var range: SourceRange, condition: Expression) {

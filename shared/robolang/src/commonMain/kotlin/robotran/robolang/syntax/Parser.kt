@@ -1,8 +1,8 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.SourceRange
 
 /**
  * Builds the tree by recursive descent, one function a rule of the grammar in docs/robolang.md. A mistake costs its line and

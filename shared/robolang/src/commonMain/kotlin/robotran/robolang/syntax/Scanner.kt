@@ -1,7 +1,7 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.SourceRange
 
 private const val BYTE_ORDER_MARK = "\uFEFF"
 private const val QUOTATION_MARK = '"'

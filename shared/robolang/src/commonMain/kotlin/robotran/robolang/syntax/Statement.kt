@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 import robotran.rom.MotorPort
 
 /** Something to do. A block's [range] is that of its first line. */

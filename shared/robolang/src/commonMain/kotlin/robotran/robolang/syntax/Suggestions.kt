@@ -1,6 +1,5 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.RobolangLimits
 
 /** The one of [candidates] that [word] is probably a slip of, null if none is near enough. The first one wins a draw. */
 internal fun suggestion(word: String, candidates: List<String>): String? {

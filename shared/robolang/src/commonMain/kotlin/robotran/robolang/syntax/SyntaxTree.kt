@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 
 /**
  * A program as the parser understood it. Every range in a tree is different, so that a node is known by its range.

@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 
 /**
  * The smallest pieces a line is made of.

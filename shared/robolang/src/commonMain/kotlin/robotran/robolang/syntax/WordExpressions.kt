@@ -1,8 +1,7 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.RobolangLimits
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.Mistakes
 
 private val BUTTONS = mapOf(Keyword.RUN to BrickButton.RUN, Keyword.VIEW to BrickButton.VIEW, Keyword.PRGM to BrickButton.PRGM)
 

@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.run.decimalText
 

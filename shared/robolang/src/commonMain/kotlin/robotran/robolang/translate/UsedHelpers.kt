@@ -1,7 +1,7 @@
 package robotran.robolang.translate
 
-import robotran.robolang.Calibration
-import robotran.robolang.run.Durations
+import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.Durations
 
 /** Which helpers a translation needs: only those are written. */
 internal class UsedHelpers(calibration: Calibration, val isReacting: Boolean) {

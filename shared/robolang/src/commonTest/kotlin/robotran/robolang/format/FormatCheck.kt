@@ -1,7 +1,7 @@
 package robotran.robolang.format
 
-import robotran.robolang.EnglishMessages
-import robotran.robolang.Mistakes
+import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.messages.EnglishMessages
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.scan

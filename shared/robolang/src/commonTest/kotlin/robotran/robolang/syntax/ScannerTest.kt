@@ -1,8 +1,8 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.EnglishMessages
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.messages.EnglishMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull

@@ -1,6 +1,5 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.RobolangLimits
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull

@@ -1,13 +1,13 @@
 package robotran.robolang.fuzz
 
-import robotran.robolang.Calibration
-import robotran.robolang.Diagnostic
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.robolang.readRobolang
+import robotran.robolang.robot.Calibration
 import robotran.rom.ProgramStatus
 import robotran.rom.RcxMemory
 import robotran.rom.Rom

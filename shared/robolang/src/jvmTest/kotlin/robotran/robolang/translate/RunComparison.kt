@@ -1,9 +1,9 @@
 package robotran.robolang.translate
 
-import robotran.robolang.EnglishRunMessages
 import robotran.robolang.RecordingRom
 import robotran.robolang.RobolangProgram
 import robotran.robolang.SensorEvent
+import robotran.robolang.messages.EnglishRunMessages
 import robotran.rom.ProgramStatus
 
 /**

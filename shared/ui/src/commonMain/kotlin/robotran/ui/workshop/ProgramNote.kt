@@ -5,8 +5,8 @@ import robotran.editing.TextLines
 import robotran.editing.movedWith
 import robotran.programs.Mistake
 import robotran.programs.ProgramResult
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
 import robotran.rom.ProgramFailure
 
 /**

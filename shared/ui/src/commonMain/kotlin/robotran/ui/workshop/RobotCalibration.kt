@@ -1,6 +1,6 @@
 package robotran.ui.workshop
 
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
 import robotran.world.Penbot
 
 /** The figures of the robot that stands on the paper, as a language wants them. */

@@ -1,6 +1,6 @@
 package robotran.ui.workshop
 
-import robotran.robolang.SourceFix
+import robotran.robolang.diagnostic.SourceFix
 
 /** This text with every line end written as the editor writes it. */
 internal fun String.withPlainLineEnds(): String = if ('\r' in this) replace("\r\n", "\n").replace('\r', '\n') else this

@@ -12,7 +12,7 @@ import androidx.compose.ui.graphics.drawscope.clipRect
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.unit.dp
 import robotran.editing.code.CodePieces
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 import robotran.ui.theme.RobotranColours
 
 /** Draws the lines that are in sight, and what is marked in them. */

@@ -3,7 +3,7 @@ package robotran.ui.program.editor
 import androidx.compose.runtime.Immutable
 import robotran.editing.Draft
 import robotran.editing.TextSpan
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 
 /**
  * What is marked in a text. Lines count from 1.

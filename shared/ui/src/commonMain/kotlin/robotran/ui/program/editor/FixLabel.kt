@@ -1,7 +1,7 @@
 package robotran.ui.program.editor
 
 import robotran.programs.Mistake
-import robotran.robolang.SourceFix
+import robotran.robolang.diagnostic.SourceFix
 
 /** What a fix does to a text, as its button says it. */
 internal sealed interface FixLabel {

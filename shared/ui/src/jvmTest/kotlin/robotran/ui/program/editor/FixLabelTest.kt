@@ -2,8 +2,8 @@ package robotran.ui.program.editor
 
 import robotran.programs.Mistake
 import robotran.robolang.RobolangResult
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.readRobolang
 import robotran.ui.workshop.PENBOT_CALIBRATION
 import kotlin.test.Test

@@ -1,6 +1,5 @@
-package robotran.robolang.run
+package robotran.robolang.robot
 
-import robotran.robolang.Calibration
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.TimeUnit
 

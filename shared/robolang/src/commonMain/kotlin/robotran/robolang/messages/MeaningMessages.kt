@@ -1,4 +1,4 @@
-package robotran.robolang
+package robotran.robolang.messages
 
 /** What is told about lines that can be read but make no sense: names, kinds of values, ways through the program, limits. */
 interface MeaningMessages {

@@ -1,4 +1,4 @@
-package robotran.robolang
+package robotran.robolang.diagnostic
 
 /** How bad it is. */
 enum class Severity {

@@ -1,4 +1,4 @@
-package robotran.robolang
+package robotran.robolang.robot
 
 /**
  * The two figures of a robot that turn a distance and an angle into time. They belong to the robot, not to the language.

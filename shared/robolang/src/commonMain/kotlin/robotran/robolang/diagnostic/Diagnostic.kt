@@ -1,4 +1,4 @@
-package robotran.robolang
+package robotran.robolang.diagnostic
 
 /**
  * A mistake in a program, or something doubtful, told so that a beginner can mend it.

@@ -1,4 +1,6 @@
-package robotran.robolang
+package robotran.robolang.diagnostic
+
+import robotran.robolang.messages.RobolangMessages
 
 /** Collects what the phases find wrong with one source: at most one mistake a line, for a second may well follow from the first. */
 internal class Mistakes(val messages: RobolangMessages) {

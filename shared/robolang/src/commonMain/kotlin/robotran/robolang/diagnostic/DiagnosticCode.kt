@@ -1,4 +1,4 @@
-package robotran.robolang
+package robotran.robolang.diagnostic
 
 /**
  * Every kind of mistake there is.

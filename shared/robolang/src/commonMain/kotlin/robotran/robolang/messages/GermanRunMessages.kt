@@ -1,4 +1,4 @@
-package robotran.robolang
+package robotran.robolang.messages
 
 import robotran.language.quoted
 

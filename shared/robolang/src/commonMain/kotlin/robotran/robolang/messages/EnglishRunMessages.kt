@@ -1,4 +1,4 @@
-package robotran.robolang
+package robotran.robolang.messages
 
 /** What a pupil is told in English when a program cannot go on. */
 internal object EnglishRunMessages : RunMessages {

@@ -1,4 +1,4 @@
-package robotran.robolang
+package robotran.robolang.messages
 
 /** What is told about lines that cannot be read. Suggestions arrive as Robolang spells them. */
 interface SyntaxMessages {

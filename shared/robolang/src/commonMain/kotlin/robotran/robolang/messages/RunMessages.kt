@@ -1,4 +1,4 @@
-package robotran.robolang
+package robotran.robolang.messages
 
 /** What a pupil is told when a program cannot go on, in one language; one sentence or two each. */
 interface RunMessages {

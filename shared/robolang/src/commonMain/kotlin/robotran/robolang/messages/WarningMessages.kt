@@ -1,4 +1,4 @@
-package robotran.robolang
+package robotran.robolang.messages
 
 /** What is told about programs that can run but are probably not meant so. */
 interface WarningMessages {

@@ -1,4 +1,4 @@
-package robotran.robolang
+package robotran.robolang.syntax
 
 /** How much there can be of anything in a program, so that no source can overflow the stack, the memory or the clock. */
 object RobolangLimits {
