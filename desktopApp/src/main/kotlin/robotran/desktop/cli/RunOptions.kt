@@ -7,8 +7,8 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.programs.JavaSettings
-import robotran.tinyvm.TinyVmMode
-import robotran.tinyvm.TinyVmSpeed
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 
 /** The options that `run` and `grade` have in common. */
 internal class RunOptions : OptionGroup() {

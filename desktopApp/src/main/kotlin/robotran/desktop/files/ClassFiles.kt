@@ -2,7 +2,7 @@ package robotran.desktop.files
 
 import robotran.desktop.messages.FileMessages
 import robotran.programs.ProgramSource
-import robotran.tinyvm.TinyVmLimits
+import robotran.tinyvm.config.TinyVmLimits
 import java.nio.file.Path
 import kotlin.io.path.extension
 import kotlin.io.path.isDirectory

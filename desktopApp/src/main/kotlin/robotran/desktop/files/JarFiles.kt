@@ -1,7 +1,7 @@
 package robotran.desktop.files
 
 import robotran.desktop.messages.FileMessages
-import robotran.tinyvm.TinyVmLimits
+import robotran.tinyvm.config.TinyVmLimits
 import java.io.InputStream
 import java.nio.file.Path
 import java.util.jar.Attributes

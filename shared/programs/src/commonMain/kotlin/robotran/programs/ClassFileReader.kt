@@ -1,10 +1,10 @@
 package robotran.programs
 
 import robotran.robolang.diagnostic.SourceRange
-import robotran.tinyvm.Refusal
-import robotran.tinyvm.TinyVmMessages
 import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.diagnostic.Refusal
 import robotran.tinyvm.linkTinyVm
+import robotran.tinyvm.messages.TinyVmMessages
 
 /** Links class files, from our own compiler or from another. */
 internal class ClassFileReader(

@@ -7,7 +7,7 @@ import robotran.java.JavaRange
 import robotran.java.JavaSource
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
-import robotran.tinyvm.Refusal
+import robotran.tinyvm.diagnostic.Refusal
 
 /** Compiles and links leJOS programs. */
 internal class JavaReader(

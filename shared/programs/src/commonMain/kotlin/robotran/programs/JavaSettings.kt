@@ -1,7 +1,7 @@
 package robotran.programs
 
-import robotran.tinyvm.TinyVmMode
-import robotran.tinyvm.TinyVmSpeed
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 
 /**
  * How Java programs run.

@@ -6,7 +6,7 @@ import robotran.java.loadJavaCompiler
 import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.Calibration
-import robotran.tinyvm.TinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 
 /**
  * Makes what a brick can run of what a pupil has written, in either language. The compiler for Java is loaded when it is first needed, which takes

@@ -3,7 +3,7 @@ package robotran.programs
 import kotlinx.coroutines.test.runTest
 import robotran.rom.RcxProgram
 import robotran.rom.RunState
-import robotran.tinyvm.TinyVmSpeed
+import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.BuiltInWorlds
 import robotran.world.Pose
 import robotran.world.Session

@@ -3,7 +3,7 @@ package robotran.programs
 import kotlinx.coroutines.test.runTest
 import robotran.robolang.RobolangProgram
 import robotran.rom.RcxProgram
-import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.config.TinyVmMode
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

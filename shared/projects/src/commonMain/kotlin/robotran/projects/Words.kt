@@ -1,8 +1,8 @@
 package robotran.projects
 
 import robotran.rom.BrickButton
-import robotran.tinyvm.TinyVmMode
-import robotran.tinyvm.TinyVmSpeed
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.file.wordFor
 
 /** How a file names what the program has as constants. */

@@ -3,8 +3,8 @@ package robotran.projects
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
 import robotran.rom.BrickButton
-import robotran.tinyvm.TinyVmMode
-import robotran.tinyvm.TinyVmSpeed
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.Block
 import robotran.world.BuiltInWorlds
 import robotran.world.Lamp

@@ -7,8 +7,8 @@ import robotran.json.nearestDecimal
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
 import robotran.rom.BrickButton
-import robotran.tinyvm.TinyVmMode
-import robotran.tinyvm.TinyVmSpeed
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.LightFacing
 import robotran.world.Point
 import robotran.world.Pose

@@ -1,8 +1,14 @@
 package robotran.tinyvm
 
 import robotran.tinyvm.classfile.DamagedClassFile
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
+import robotran.tinyvm.diagnostic.Refusal
+import robotran.tinyvm.diagnostic.RefusalException
 import robotran.tinyvm.link.ClassFiles
 import robotran.tinyvm.link.Linker
+import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.natives.NativeMethods
 
 /**

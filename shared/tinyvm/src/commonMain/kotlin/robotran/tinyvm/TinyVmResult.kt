@@ -1,5 +1,7 @@
 package robotran.tinyvm
 
+import robotran.tinyvm.diagnostic.Refusal
+
 /** What came of linking classes. */
 sealed interface TinyVmResult {
     /** [program] can be loaded into a brick. */

@@ -5,7 +5,6 @@ import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.HeapType
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.run.Heap
-import robotran.tinyvm.run.TinyVmRun
 import kotlin.test.fail
 
 /** Fails if a reference in the heap or in a static field is none, or one to an object of another type than it should be. */

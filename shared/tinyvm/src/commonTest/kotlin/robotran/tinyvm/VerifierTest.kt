@@ -1,6 +1,9 @@
 package robotran.tinyvm
 
 import robotran.rom.ProgramStatus
+import robotran.tinyvm.diagnostic.Refusal
+import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.LackedFeature
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

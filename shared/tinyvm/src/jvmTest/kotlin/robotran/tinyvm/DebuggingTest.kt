@@ -8,6 +8,7 @@ import robotran.rom.ProgramStatus
 import robotran.rom.RunState
 import robotran.rom.StatementWatch
 import robotran.rom.VariableView
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -1,5 +1,6 @@
 package robotran.tinyvm
 
+import robotran.tinyvm.config.TinyVmMode
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

@@ -1,6 +1,9 @@
 package robotran.tinyvm
 
 import robotran.rom.ProgramStatus
+import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.messages.EnglishTinyVmMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

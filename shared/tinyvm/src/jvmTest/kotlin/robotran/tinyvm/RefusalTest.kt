@@ -1,5 +1,8 @@
 package robotran.tinyvm
 
+import robotran.tinyvm.messages.Counted
+import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.LackedFeature
 import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.Test
 import kotlin.test.assertEquals

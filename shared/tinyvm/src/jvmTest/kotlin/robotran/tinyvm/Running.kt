@@ -3,6 +3,8 @@ package robotran.tinyvm
 import robotran.rom.DebuggableRun
 import robotran.rom.ProgramFailure
 import robotran.rom.ProgramStatus
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.diagnostic.Refusal
 import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.fail
 

@@ -6,7 +6,7 @@ import robotran.language.Language
 import robotran.projects.ProjectMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.rom.BrickMessages
-import robotran.tinyvm.TinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 import robotran.world.explain.InfluenceMessages
 import robotran.world.file.WorldFileMessages
 import robotran.world.goal.GoalMessages

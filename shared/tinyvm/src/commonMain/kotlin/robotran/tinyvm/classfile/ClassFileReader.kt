@@ -1,8 +1,8 @@
 package robotran.tinyvm.classfile
 
-import robotran.tinyvm.ClassFileMessages
-import robotran.tinyvm.Refusal
-import robotran.tinyvm.TinyVmLimits
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.diagnostic.Refusal
+import robotran.tinyvm.messages.ClassFileMessages
 
 /** What came of reading a class file. */
 internal sealed interface ClassFileResult {

@@ -1,6 +1,6 @@
 package robotran.tinyvm.classfile
 
-import robotran.tinyvm.TinyVmLimits
+import robotran.tinyvm.config.TinyVmLimits
 
 /**
  * The types of a method's parameters and of what it returns, each as a class file writes it: `I`, `Z`, `[C`, `Ljava/lang/String;`, and

@@ -1,10 +1,10 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.RefusalException
-import robotran.tinyvm.TinyVmMessages
 import robotran.tinyvm.classfile.ClassFile
 import robotran.tinyvm.classfile.ClassFileResult
 import robotran.tinyvm.classfile.readClassFile
+import robotran.tinyvm.diagnostic.RefusalException
+import robotran.tinyvm.messages.TinyVmMessages
 
 /** The class files a program is linked from: all of its own, and those of the [library] that are asked for. */
 internal class ClassFiles(

@@ -1,10 +1,10 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.Counted
-import robotran.tinyvm.LackedFeature
-import robotran.tinyvm.LinkMessages
-import robotran.tinyvm.TinyVmLimits
 import robotran.tinyvm.classfile.Constant
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.messages.Counted
+import robotran.tinyvm.messages.LackedFeature
+import robotran.tinyvm.messages.LinkMessages
 
 /** Works out what an instruction does to a [Situation], checking that it may, and notes what it names in [code]. Branches aside. */
 internal class Effects(

@@ -1,11 +1,11 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.LackedFeature
-import robotran.tinyvm.LinkMessages
-import robotran.tinyvm.TinyVmLimits
 import robotran.tinyvm.classfile.ByteReader
 import robotran.tinyvm.classfile.CodeEntry
 import robotran.tinyvm.classfile.DamagedClassFile
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.messages.LackedFeature
+import robotran.tinyvm.messages.LinkMessages
 
 /** Splits a method's code into instructions and refuses those that no TinyVM knows. */
 internal class InstructionReader(

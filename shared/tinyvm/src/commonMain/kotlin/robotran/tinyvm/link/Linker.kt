@@ -1,10 +1,10 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.Counted
-import robotran.tinyvm.LackedFeature
-import robotran.tinyvm.TinyVmLimits
-import robotran.tinyvm.TinyVmMessages
 import robotran.tinyvm.classfile.CodeEntry
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.messages.Counted
+import robotran.tinyvm.messages.LackedFeature
+import robotran.tinyvm.messages.TinyVmMessages
 
 /**
  * Links a program: its main class, and whatever that needs, of its own and of the library.

@@ -1,11 +1,11 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.Counted
-import robotran.tinyvm.LackedFeature
-import robotran.tinyvm.LinkMessages
-import robotran.tinyvm.TinyVmLimits
 import robotran.tinyvm.classfile.Constant
 import robotran.tinyvm.classfile.FieldEntry
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.messages.Counted
+import robotran.tinyvm.messages.LackedFeature
+import robotran.tinyvm.messages.LinkMessages
 
 /** Gives the fields and methods of classes their places. */
 internal class MemberTable(private val messages: LinkMessages) {

@@ -1,10 +1,10 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.LackedFeature
-import robotran.tinyvm.LinkMessages
 import robotran.tinyvm.classfile.ConstantPool
 import robotran.tinyvm.classfile.MemberKind
 import robotran.tinyvm.classfile.MethodDescriptor
+import robotran.tinyvm.messages.LackedFeature
+import robotran.tinyvm.messages.LinkMessages
 
 /** Finds what the instructions of a class name. */
 internal class Resolver(private val constants: ConstantPool, private val types: TypeTable, private val messages: LinkMessages) {

@@ -1,6 +1,6 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.TinyVmLimits
+import robotran.tinyvm.config.TinyVmLimits
 
 /**
  * The subroutines (`finally` blocks of older compilers) that a piece of code is inside of. Code is looked at once for each place it is

@@ -1,9 +1,9 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.Counted
-import robotran.tinyvm.LinkMessages
-import robotran.tinyvm.TinyVmLimits
 import robotran.tinyvm.classfile.endOfType
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.messages.Counted
+import robotran.tinyvm.messages.LinkMessages
 
 /** All classes and kinds of arrays of a program, each linked when it is first asked for. */
 internal class TypeTable(private val files: ClassFiles, private val messages: LinkMessages) {

@@ -1,10 +1,10 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.LackedFeature
-import robotran.tinyvm.LinkMessages
-import robotran.tinyvm.TinyVmLimits
 import robotran.tinyvm.classfile.CodeEntry
 import robotran.tinyvm.classfile.DamagedClassFile
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.messages.LackedFeature
+import robotran.tinyvm.messages.LinkMessages
 
 /**
  * Follows all ways through a method and knows, before each instruction, what kind of value each local and operand holds. What it lets pass

@@ -3,7 +3,9 @@ package robotran.tinyvm.natives
 import robotran.rom.RomCall
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.run.Machine
+import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.VmThread
+import robotran.tinyvm.run.action
 
 private const val WORD = 0xFFFF
 private const val MOST_ARGUMENTS = 4

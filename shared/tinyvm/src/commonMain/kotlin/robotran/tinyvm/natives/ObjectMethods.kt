@@ -2,8 +2,10 @@ package robotran.tinyvm.natives
 
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.run.Machine
+import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.ThreadState
 import robotran.tinyvm.run.VmThread
+import robotran.tinyvm.run.action
 
 /** `java.lang.Object`. Source: leJOS `threads.c`. */
 internal val objectMethods: Map<String, NativeMethod> = mapOf(

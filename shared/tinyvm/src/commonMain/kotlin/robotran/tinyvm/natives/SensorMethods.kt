@@ -5,6 +5,8 @@ import robotran.rom.RomCall
 import robotran.rom.SensorCode
 import robotran.rom.SensorField
 import robotran.rom.SensorRequest
+import robotran.tinyvm.run.NativeMethod
+import robotran.tinyvm.run.action
 
 /** `josx.platform.rcx.Sensor` and `Poll`, and what of `Serial` needs nobody else. Source: leJOS `native.c`. */
 internal val sensorMethods: Map<String, NativeMethod> = mapOf(

@@ -1,5 +1,8 @@
 package robotran.tinyvm.natives
 
+import robotran.tinyvm.run.NativeMethod
+import robotran.tinyvm.run.action
+
 /** `java.lang.System`, `Runtime` and `Float`. Source: leJOS `native.c`. */
 internal val systemMethods: Map<String, NativeMethod> = mapOf(
     "java/lang/System.exit(I)V" to action { machine, _, _ -> machine.isExited = true },

@@ -1,11 +1,14 @@
 package robotran.tinyvm.natives
 
-import robotran.tinyvm.Quirk
+import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.run.Machine
 import robotran.tinyvm.run.MachineConstants
+import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.ThreadState
 import robotran.tinyvm.run.VmThread
+import robotran.tinyvm.run.action
+import robotran.tinyvm.run.wordOf
 
 /** `java.lang.Thread`. Source: leJOS `threads.c`, `native.c`. */
 internal val threadMethods: Map<String, NativeMethod> = mapOf(

@@ -4,7 +4,6 @@ import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.LinkedMethod
 import robotran.tinyvm.link.Translator
-import robotran.tinyvm.natives.NativeMethod
 
 /**
  * Enters and leaves methods, whose arguments and results lie on the thread's stack, and finds who catches an exception.

@@ -1,8 +1,8 @@
 package robotran.tinyvm.run
 
 import robotran.rom.ProgramFailure
-import robotran.tinyvm.RunMessages
 import robotran.tinyvm.link.LinkedClass
+import robotran.tinyvm.messages.RunMessages
 
 /**
  * What happens when nobody catches an exception: its thread ends, and the brick shows the numbers of the method and of the exception's

@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.HeapType
 import robotran.tinyvm.link.LinkedClass

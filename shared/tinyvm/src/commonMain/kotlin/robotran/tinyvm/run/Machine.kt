@@ -1,15 +1,15 @@
 package robotran.tinyvm.run
 
 import robotran.rom.Rom
-import robotran.tinyvm.Quirk
-import robotran.tinyvm.RunMessages
-import robotran.tinyvm.TinyVmLimits
-import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.InitialValue
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.LinkedProgram
+import robotran.tinyvm.messages.RunMessages
 
 /** All that a run of a program is made of, save what executes it. */
 internal class Machine(val program: LinkedProgram, val rom: Rom, val mode: TinyVmMode, messages: RunMessages) {

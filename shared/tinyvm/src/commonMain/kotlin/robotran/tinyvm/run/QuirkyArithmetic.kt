@@ -1,7 +1,7 @@
 package robotran.tinyvm.run
 
-import robotran.tinyvm.Quirk
-import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmMode
 
 /** Where a brick calculates otherwise than the Java language, each in the rare case only that makes a difference. */
 internal class QuirkyArithmetic(private val machine: Machine) {

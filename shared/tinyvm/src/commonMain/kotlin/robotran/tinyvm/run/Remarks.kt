@@ -1,10 +1,10 @@
 package robotran.tinyvm.run
 
 import robotran.rom.ProgramRemark
-import robotran.tinyvm.Quirk
-import robotran.tinyvm.RunMessages
-import robotran.tinyvm.TinyVmLimits
-import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.messages.RunMessages
 
 /** What a learner is told of a run, each thing once a line. @param programBytes what the program itself takes of the brick's memory. */
 internal class Remarks(private val mode: TinyVmMode, private val messages: RunMessages, private val programBytes: Int) {

@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.tinyvm.TinyVmLimits
+import robotran.tinyvm.config.TinyVmLimits
 
 /**
  * Decides which thread runs: always one of the highest priority, those of the same in turns.

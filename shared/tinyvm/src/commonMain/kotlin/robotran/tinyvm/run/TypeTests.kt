@@ -1,7 +1,7 @@
 package robotran.tinyvm.run
 
-import robotran.tinyvm.Quirk
-import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.LinkedClass
 

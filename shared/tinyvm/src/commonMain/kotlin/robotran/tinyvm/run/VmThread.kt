@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.tinyvm.TinyVmLimits
+import robotran.tinyvm.config.TinyVmLimits
 
 /** What a thread is doing. */
 internal enum class ThreadState {

@@ -1,7 +1,7 @@
 package robotran.tinyvm.programs
 
 import robotran.rom.BrickButton
-import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.config.TinyVmMode
 
 /** What the comments of a test program expect of it; the notation is in the class library's README. */
 internal class Expectations(private val source: String) {

@@ -4,15 +4,15 @@ import robotran.lejos.LejosLibrary
 import robotran.rom.LcdGlass
 import robotran.rom.RcxMemory
 import robotran.rom.TextLcd
-import robotran.tinyvm.Counted
-import robotran.tinyvm.EnglishTinyVmMessages
-import robotran.tinyvm.LackedFeature
-import robotran.tinyvm.TinyVmLimits
-import robotran.tinyvm.TinyVmMode
 import robotran.tinyvm.TinyVmResult
-import robotran.tinyvm.TinyVmSpeed
 import robotran.tinyvm.compiledPrograms
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkTinyVm
+import robotran.tinyvm.messages.Counted
+import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.LackedFeature
 import kotlin.io.encoding.Base64
 
 /** The class files of the library by their names with slashes. */

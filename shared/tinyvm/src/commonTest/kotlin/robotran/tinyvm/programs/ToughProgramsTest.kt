@@ -3,9 +3,9 @@ package robotran.tinyvm.programs
 import robotran.rom.Brick
 import robotran.rom.BrickButton
 import robotran.rom.RunState
-import robotran.tinyvm.TinyVmMode
 import robotran.tinyvm.TinyVmResult
-import robotran.tinyvm.TinyVmSpeed
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 import kotlin.test.Test
 import kotlin.test.assertIs
 import kotlin.test.assertTrue

@@ -1,8 +1,8 @@
 package robotran.tinyvm.programs
 
 import robotran.tinyvm.JavaCompiler
-import robotran.tinyvm.TinyVmMode
 import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.testPrograms
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -32,8 +32,8 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProjectSettings
-import robotran.tinyvm.TinyVmMode
-import robotran.tinyvm.TinyVmSpeed
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_java
 import robotran.ui.resources.run_java_fast

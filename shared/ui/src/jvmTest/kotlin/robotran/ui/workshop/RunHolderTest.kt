@@ -7,7 +7,7 @@ import robotran.rom.BrickButton
 import robotran.rom.RomLogFilter
 import robotran.rom.StepKind
 import robotran.running.RunSpeed
-import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.config.TinyVmMode
 import robotran.ui.openWorkshop
 import robotran.ui.platform.MemoryPlatform
 import robotran.ui.platform.Sharing

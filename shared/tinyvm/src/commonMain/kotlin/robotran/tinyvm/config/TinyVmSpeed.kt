@@ -1,4 +1,4 @@
-package robotran.tinyvm
+package robotran.tinyvm.config
 
 /**
  * How fast a program runs.

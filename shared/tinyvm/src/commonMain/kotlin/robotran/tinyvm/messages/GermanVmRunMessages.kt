@@ -1,4 +1,6 @@
-package robotran.tinyvm
+package robotran.tinyvm.messages
+
+import robotran.tinyvm.config.Quirk
 
 /** What is said in German while a program runs. */
 internal object GermanVmRunMessages : RunMessages {

@@ -1,7 +1,5 @@
-package robotran.tinyvm.natives
+package robotran.tinyvm.run
 
-import robotran.tinyvm.run.Machine
-import robotran.tinyvm.run.VmThread
 
 /** A method of the class library that the machine itself does. */
 internal fun interface NativeMethod {

@@ -1,4 +1,4 @@
-package robotran.tinyvm
+package robotran.tinyvm.messages
 
 /** What the virtual machine says in English. */
 object EnglishTinyVmMessages :

@@ -1,6 +1,7 @@
-package robotran.tinyvm
+package robotran.tinyvm.messages
 
 import robotran.language.Language
+import robotran.tinyvm.config.Quirk
 
 /** The table of everything the virtual machine says to a learner, one function a message. Another language is another implementation. */
 interface TinyVmMessages :

@@ -1,4 +1,4 @@
-package robotran.tinyvm
+package robotran.tinyvm.diagnostic
 
 /**
  * Why a class cannot be put on the brick.

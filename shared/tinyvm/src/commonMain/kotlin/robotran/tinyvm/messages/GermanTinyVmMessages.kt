@@ -1,4 +1,4 @@
-package robotran.tinyvm
+package robotran.tinyvm.messages
 
 /**
  * What the virtual machine says in German. One thing has one word: array - Array, brick - Stein, class - Klasse, field - Feld,

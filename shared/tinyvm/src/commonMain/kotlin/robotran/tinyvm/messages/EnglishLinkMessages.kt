@@ -1,4 +1,4 @@
-package robotran.tinyvm
+package robotran.tinyvm.messages
 
 /** What is said in English of a class that cannot be put on the brick. */
 internal object EnglishLinkMessages : LinkMessages {

@@ -1,4 +1,4 @@
-package robotran.tinyvm
+package robotran.tinyvm.config
 
 /** A way in which a brick differs from the Java language. */
 enum class Quirk {

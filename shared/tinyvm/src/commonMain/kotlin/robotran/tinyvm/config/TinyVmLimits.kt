@@ -1,4 +1,4 @@
-package robotran.tinyvm
+package robotran.tinyvm.config
 
 /**
  * How much there can be of anything. What the linker of leJOS refuses has its source in `CodeUtilities`, `ClassRecord`, `MethodRecord` and

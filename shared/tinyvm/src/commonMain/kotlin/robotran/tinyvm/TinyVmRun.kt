@@ -1,4 +1,4 @@
-package robotran.tinyvm.run
+package robotran.tinyvm
 
 import robotran.rom.CallFrame
 import robotran.rom.DebuggableRun
@@ -9,13 +9,20 @@ import robotran.rom.StatementWatch
 import robotran.rom.ThreadActivity
 import robotran.rom.ThreadView
 import robotran.rom.VariableScope
-import robotran.tinyvm.RunMessages
-import robotran.tinyvm.TinyVmMode
-import robotran.tinyvm.TinyVmSpeed
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.debug.Inspector
 import robotran.tinyvm.link.LinkedProgram
-import robotran.tinyvm.natives.NativeMethod
+import robotran.tinyvm.messages.RunMessages
 import robotran.tinyvm.natives.NativeMethods
+import robotran.tinyvm.run.Calls
+import robotran.tinyvm.run.Failures
+import robotran.tinyvm.run.Interpreter
+import robotran.tinyvm.run.Machine
+import robotran.tinyvm.run.MachineConstants
+import robotran.tinyvm.run.NativeMethod
+import robotran.tinyvm.run.ThreadState
+import robotran.tinyvm.run.VmThread
 
 /** One run of a linked program. */
 internal class TinyVmRun(

@@ -1,4 +1,4 @@
-package robotran.tinyvm
+package robotran.tinyvm.messages
 
 /** What is said in Spanish of a class that cannot be put on the brick. */
 internal object SpanishLinkMessages : LinkMessages {

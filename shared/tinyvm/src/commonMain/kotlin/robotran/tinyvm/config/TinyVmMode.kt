@@ -1,4 +1,4 @@
-package robotran.tinyvm
+package robotran.tinyvm.config
 
 /** How true to the brick a program runs. */
 enum class TinyVmMode {

@@ -1,4 +1,4 @@
-package robotran.tinyvm
+package robotran.tinyvm.messages
 
 /**
  * What the virtual machine says in Spanish. One thing has one word: array - array, brick - ladrillo, class - clase, field - campo,
