@@ -5,9 +5,9 @@ plugins {
 }
 
 texts {
-    constant("commonTest", "robotran.java.librarySources", "shared/lejos-library/src/brick/java", "**/*.java")
-    constant("commonTest", "robotran.java.testPrograms", "shared/lejos-library/src/commonTest/resources/programs", "**/*.java")
-    constant("commonTest", "robotran.java.examplePrograms", "examples/lejos", "*.java")
+    constant("commonTest", "robotran.javacompiler.librarySources", "shared/lejos-library/src/brick/java", "**/*.java")
+    constant("commonTest", "robotran.javacompiler.testPrograms", "shared/lejos-library/src/commonTest/resources/programs", "**/*.java")
+    constant("commonTest", "robotran.javacompiler.examplePrograms", "examples/lejos", "*.java")
 }
 
 kotlin {

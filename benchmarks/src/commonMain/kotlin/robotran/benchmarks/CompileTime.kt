@@ -1,9 +1,9 @@
 package robotran.benchmarks
 
-import robotran.java.CompilationResult
-import robotran.java.JavaCompiler
-import robotran.java.JavaSource
-import robotran.java.loadJavaCompiler
+import robotran.javacompiler.CompilationResult
+import robotran.javacompiler.JavaCompiler
+import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.loadJavaCompiler
 import robotran.lejos.LejosLibrary
 import kotlin.time.Duration
 import kotlin.time.DurationUnit

@@ -1,10 +1,10 @@
 package robotran.programs
 
-import robotran.java.CompilationResult
-import robotran.java.JavaCompiler
-import robotran.java.JavaDiagnostic
-import robotran.java.JavaRange
-import robotran.java.JavaSource
+import robotran.javacompiler.CompilationResult
+import robotran.javacompiler.JavaCompiler
+import robotran.javacompiler.diagnose.JavaDiagnostic
+import robotran.javacompiler.diagnose.JavaRange
+import robotran.javacompiler.ecj.JavaSource
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 import robotran.tinyvm.diagnostic.Refusal

@@ -1,8 +1,8 @@
 package robotran.programs
 
-import robotran.java.JavaCompiler
-import robotran.java.JavaMessages
-import robotran.java.loadJavaCompiler
+import robotran.javacompiler.JavaCompiler
+import robotran.javacompiler.loadJavaCompiler
+import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.Calibration

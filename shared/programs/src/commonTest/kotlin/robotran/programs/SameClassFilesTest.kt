@@ -1,9 +1,9 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
-import robotran.java.CompilationResult
-import robotran.java.JavaSource
-import robotran.java.loadJavaCompiler
+import robotran.javacompiler.CompilationResult
+import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.loadJavaCompiler
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

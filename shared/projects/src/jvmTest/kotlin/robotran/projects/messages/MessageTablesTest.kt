@@ -1,6 +1,6 @@
 package robotran.projects.messages
 
-import robotran.java.JavaMessages
+import robotran.javacompiler.messages.JavaMessages
 import robotran.json.JsonMessages
 import robotran.language.Language
 import robotran.projects.ProjectMessages

@@ -1,0 +1,52 @@
+package robotran.javacompiler.diagnose
+
+import robotran.javacompiler.ecj.EcjProblem
+import robotran.javacompiler.ecj.ProblemNumber
+import robotran.javacompiler.messages.JavaMessages
+import robotran.javacompiler.messages.NewerJava
+
+/** What to tell about Java that is too new for a brick, or that its virtual machine has not. */
+internal class BrickAdvisor(private val messages: JavaMessages) {
+    fun advice(problem: EcjProblem): Advice? {
+        val newer = NEWER_JAVA[problem.number] ?: newerWord(problem.arguments.firstOrNull().orEmpty())?.takeIf { problem.isSyntax }
+        return if (newer != null) Advice(messages.newerJava(newer), messages.insteadOf(newer)) else brickAdvice(problem)
+    }
+
+    private fun brickAdvice(problem: EcjProblem): Advice? = when (problem.number) {
+        ProblemNumber.SWITCH -> Advice(messages.noSwitch(), messages.useIf())
+        ProblemNumber.LONG_ARITHMETIC -> Advice(messages.noLongArithmetic(), messages.useInt())
+        ProblemNumber.FLOAT_REMAINDER -> Advice(messages.noFloatRemainder(), messages.useIntRemainder())
+        ProblemNumber.ARRAY_TYPE_TEST -> Advice(messages.noArrayTypeTest(), messages.useArrayItself())
+        ProblemNumber.CLASS_LITERAL -> Advice(messages.noClassLiteral(), messages.useInstanceof())
+        ProblemNumber.TEXT_JOINED_IN_LOOP -> Advice(messages.textJoinedInLoop(), messages.makeTextOnce())
+        ProblemNumber.DIVISOR_TOO_LARGE -> Advice(messages.divisorTooLarge(problem.arguments[0], problem.arguments[1]))
+        ProblemNumber.ARRAY_TOO_LONG -> Advice(messages.arrayTooLong(problem.arguments[0], problem.arguments[1]))
+        else -> null
+    }
+
+    companion object {
+        private val NEWER_JAVA = mapOf(
+            ProblemNumber.TYPE_PARAMETERS to NewerJava.GENERICS,
+            ProblemNumber.TYPE_ARGUMENTS to NewerJava.GENERICS,
+            ProblemNumber.STATIC_IMPORT to NewerJava.STATIC_IMPORT,
+            ProblemNumber.FOR_EACH to NewerJava.FOR_EACH,
+            ProblemNumber.ENUM to NewerJava.ENUM,
+            ProblemNumber.VARARGS to NewerJava.VARARGS,
+            ProblemNumber.ANNOTATION to NewerJava.ANNOTATION,
+            ProblemNumber.DEFAULT_METHOD to NewerJava.INTERFACE_METHOD_BODY,
+            ProblemNumber.STATIC_INTERFACE_METHOD to NewerJava.INTERFACE_METHOD_BODY,
+            ProblemNumber.LAMBDA to NewerJava.LAMBDA,
+            ProblemNumber.METHOD_REFERENCE to NewerJava.LAMBDA,
+            ProblemNumber.RESOURCE_TOO_OLD to NewerJava.TRY_WITH_RESOURCES,
+            ProblemNumber.MULTI_CATCH to NewerJava.MULTI_CATCH,
+            ProblemNumber.ARROW_IN_CASE to NewerJava.SWITCH_EXPRESSION,
+            ProblemNumber.SWITCH_EXPRESSION to NewerJava.SWITCH_EXPRESSION,
+            ProblemNumber.PREVIEW_FEATURE to NewerJava.TEXT_BLOCK,
+            ProblemNumber.UNDERSCORES_IN_NUMBER to NewerJava.NUMBER_STYLE,
+            ProblemNumber.BINARY_NUMBER to NewerJava.NUMBER_STYLE,
+        )
+
+        /** Whether ECJ could read the source all the same, so that what it says of the rest can be trusted. */
+        fun isOnlyNewer(problem: EcjProblem) = problem.number in NEWER_JAVA
+    }
+}

@@ -1,0 +1,83 @@
+package robotran.javacompiler.diagnose
+
+import robotran.javacompiler.ecj.EcjCompilation
+import robotran.javacompiler.ecj.EcjProblem
+import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.messages.JavaMessages
+
+/** So much of the source is quoted in a message at most. */
+private const val QUOTED_CHARACTERS = 40
+
+/** More is not told, so that a source of nothing but mistakes takes no longer than another; errors come first. */
+private const val MOST_PROBLEMS = 300
+
+internal fun shortened(text: String) = if (text.length <= QUOTED_CHARACTERS) text else text.take(QUOTED_CHARACTERS - 2) + ".."
+
+/** Turns what ECJ says about [sources] into what a pupil is told: one thing a line, nothing that only follows from another mistake. */
+internal class Diagnosis(
+    sources: List<JavaSource>,
+    library: Set<String>,
+    private val compilation: EcjCompilation,
+    private val messages: JavaMessages,
+) {
+    private val sources = sources.map(::SourceText)
+    private val byPath = compilation.problems.sortedByDescending { it.isError }.take(MOST_PROBLEMS).groupBy { it.path }
+        .mapValues { (_, problems) -> withoutMethodReferences(problems) }
+    private val nearNames = NearNames(undeclaredNames(), messages)
+    private val libraryNames = LibraryNames(library)
+    private val brick = BrickAdvisor(messages)
+    private val names = NameAdvisor(libraryNames, nearNames, messages)
+    private val members = MemberAdvisor(libraryNames, nearNames, messages)
+    private val meaning = MeaningAdvisor(messages)
+    private val syntax = SyntaxAdvisor(messages)
+
+    /** In the order of the sources. Never without a mistake if the compilation is of no use. */
+    fun diagnostics(): List<JavaDiagnostic> {
+        val causes = sources.flatMap { source -> told(source, causes(source, byPath[source.path].orEmpty())) }
+        val found = if (hasMistake(causes)) causes else sources.flatMap { told(it, byPath[it.path].orEmpty()) }
+        val succeeded = compilation.completed && compilation.problems.none { it.isError }
+        return if (succeeded || hasMistake(found)) found else found + compilerFailed()
+    }
+
+    /** Why there is no method to begin with; null if there is one. */
+    fun missingMain(): JavaDiagnostic? = if (compilation.mainClasses.isEmpty()) MainMethod(messages).missing(sources) else null
+
+    private fun undeclaredNames(): Set<String> = sources.flatMap { source ->
+        byPath[source.path].orEmpty().filter { it.number in NameAdvisor.NUMBERS }.map { source.words(it.start, it.end) }
+    }.toSet()
+
+    private fun told(source: SourceText, problems: List<EcjProblem>): List<JavaDiagnostic> {
+        val all = problems.map { diagnostic(it, source) }
+        val order = compareBy<JavaDiagnostic> { it.range.line }.thenBy { it.severity }.thenBy { it.range.column }
+        return all.sortedWith(order).distinctBy { it.range.line }
+    }
+
+    private fun hasMistake(diagnostics: List<JavaDiagnostic>) = diagnostics.any { it.severity == JavaSeverity.MISTAKE }
+
+    private fun diagnostic(problem: EcjProblem, source: SourceText): JavaDiagnostic {
+        val advice = brick.advice(problem)
+            ?: names.advice(problem, source)
+            ?: members.advice(problem, source)
+            ?: meaning.advice(problem, source)
+            ?: syntax.advice(problem, source)
+            ?: Advice(messages.compilerSays(problem.message.trim().removeSuffix(".") + "."))
+        val place = advice.at ?: Place(problem.start, problem.end)
+        return JavaDiagnostic(
+            path = source.path,
+            severity = if (problem.isError) JavaSeverity.MISTAKE else JavaSeverity.WARNING,
+            range = source.range(place),
+            text = source.words(place.start, place.end),
+            message = advice.message,
+            hint = advice.hint,
+            fix = advice.fix,
+        )
+    }
+
+    private fun compilerFailed() = JavaDiagnostic(
+        path = sources.firstOrNull()?.path.orEmpty(),
+        severity = JavaSeverity.MISTAKE,
+        range = JavaRange(1, 1, 1),
+        text = "",
+        message = messages.compilerFailed(),
+    )
+}

@@ -1,0 +1,36 @@
+package robotran.javacompiler.diagnose
+
+import robotran.javacompiler.messages.JavaMessages
+
+/** Why a program that can be compiled has no method to begin with. */
+internal class MainMethod(private val messages: JavaMessages) {
+    /** Told at the method that was probably meant, else at the first class, else at the beginning; null if there are no sources. */
+    fun missing(sources: List<SourceText>): JavaDiagnostic? {
+        val meant = sources.firstNotNullOfOrNull { source -> meantPlace(source)?.let { source to it } }
+        val (source, place) = meant
+            ?: sources.firstNotNullOfOrNull { source -> classPlace(source)?.let { source to it } }
+            ?: sources.firstOrNull()?.let { it to Place(0) }
+            ?: return null
+        return JavaDiagnostic(
+            path = source.path,
+            severity = JavaSeverity.MISTAKE,
+            range = source.range(place),
+            text = source.words(place.start, place.end),
+            message = if (meant == null) messages.noMain() else messages.wrongMain(),
+            hint = messages.writeMain(),
+        )
+    }
+
+    private fun meantPlace(source: SourceText): Place? = METHOD.find(source.code.text)?.let { Place(it.range.first, it.range.last + 1) }
+
+    private fun classPlace(source: SourceText): Place? {
+        val code = source.code.text
+        val name = (CLASS.find(code) ?: return null).range.last + 1
+        return Place(name, name + code.drop(name).takeWhile { it.isLetterOrDigit() || it == '_' }.length)
+    }
+
+    private companion object {
+        val METHOD = Regex("""\b[Mm]ain(?=\s*\()""")
+        val CLASS = Regex("""\b(?:class|interface)\s+""")
+    }
+}

@@ -1,0 +1,93 @@
+package robotran.javacompiler.diagnose
+
+import robotran.javacompiler.ecj.EcjProblem
+import robotran.javacompiler.ecj.ProblemNumber
+import robotran.javacompiler.messages.JavaMessages
+
+/** What to tell about methods and fields that a class has not, or keeps to itself. */
+internal class MemberAdvisor(
+    private val library: LibraryNames,
+    private val nearNames: NearNames,
+    private val messages: JavaMessages,
+) {
+    fun advice(problem: EcjProblem, source: SourceText): Advice? {
+        val name = source.words(problem.start, problem.end)
+        return when (problem.number) {
+            ProblemNumber.UNDEFINED_FIELD -> field(problem, source, name)
+
+            ProblemNumber.UNDEFINED_METHOD -> method(problem, source, name)
+
+            ProblemNumber.METHOD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[0]) ?: method(problem, source, name)
+
+            ProblemNumber.FIELD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[1]) ?: field(problem, source, name)
+
+            ProblemNumber.NO_MESSAGE_SEND_ON_ARRAY -> onArray(problem, source, name)
+
+            ProblemNumber.NO_MESSAGE_SEND_ON_BASE_TYPE -> Advice(messages.noMembers(shortened(problem.arguments[0])))
+
+            ProblemNumber.ARRAY_NEEDED -> if (problem.arguments[0] ==
+                "String"
+            ) {
+                Advice(messages.noArray("String"), messages.charAt())
+            } else {
+                null
+            }
+
+            else -> null
+        }
+    }
+
+    private fun field(problem: EcjProblem, source: SourceText, name: String): Advice {
+        val owner = source.qualifier(problem.start)
+        val message = messages.unknownField(shortened(name), owner?.let(::shortened))
+        if (name == LENGTH) return Advice(message, messages.lengthOfTextOrArray())
+        return member(problem, source, name, owner, message)
+    }
+
+    private fun method(problem: EcjProblem, source: SourceText, name: String): Advice {
+        val owner = problem.arguments.first()
+        val isUnqualified = source.codeBefore(problem.start) != '.'
+        val called = absentCall(name).takeIf { isUnqualified }
+        if (called != null) return Advice(messages.unknownMethodHere(name, shortened(owner)), messages.absent(called))
+        if (isUnqualified) command(problem, source, name)?.let { return it }
+        val told = member(problem, source, name, owner, messages.unknownMethod(shortened(name), shortened(owner)))
+        val isOwn = told.hint == null && owner !in library.simpleNames && isUnqualified
+        return if (isOwn) Advice(told.message, messages.writeMethod(shortened(name))) else told
+    }
+
+    /** A command with a condition, such as `elseif` or `While`, looks like the call of a method. */
+    private fun command(problem: EcjProblem, source: SourceText, name: String): Advice? {
+        val range = source.range(problem.start, problem.end)
+        val foreign = javaFor(name)?.ifEmpty { null }
+        val small = smallWord(name)
+        return when {
+            foreign != null -> Advice(messages.otherWord(name, foreign), fix = JavaFix(range, foreign))
+            small != null -> Advice(messages.lettersOf(small), fix = JavaFix(range, small))
+            else -> null
+        }
+    }
+
+    private fun member(problem: EcjProblem, source: SourceText, name: String, owner: String?, message: String): Advice {
+        val absent = owner?.let { absent(name, it) }
+        if (absent != null) return Advice(message, messages.absent(absent))
+        // A class of the program itself has no members that are known here, but their names are in the source.
+        return nearNames.suggested(problem, source, message, nearest(name, problem.members.ifEmpty { nearNames.namesIn(source) }))
+    }
+
+    /** What the library keeps to itself is as good as not there, and its source is not the pupil's to change. */
+    private fun hidden(problem: EcjProblem, source: SourceText, name: String, owner: String): Advice? {
+        val simpleName = owner.substringAfterLast('.')
+        val isOwn = simpleName in source.names && simpleName !in library.simpleNames
+        return if (isOwn) Advice(messages.isPrivate(shortened(name), shortened(owner)), messages.usePublic()) else null
+    }
+
+    private fun onArray(problem: EcjProblem, source: SourceText, words: String): Advice {
+        if (problem.arguments.getOrNull(1) != LENGTH) return Advice(messages.noMembers(shortened(problem.arguments[0])))
+        val fix = words.takeIf { it.endsWith("()") }?.let { JavaFix(source.range(problem.end - 2, problem.end), "") }
+        return Advice(messages.lengthOfArrayValue(), fix = fix)
+    }
+
+    private companion object {
+        const val LENGTH = "length"
+    }
+}

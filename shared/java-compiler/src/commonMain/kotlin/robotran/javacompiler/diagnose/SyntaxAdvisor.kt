@@ -1,0 +1,79 @@
+package robotran.javacompiler.diagnose
+
+import robotran.javacompiler.ecj.EcjProblem
+import robotran.javacompiler.ecj.ProblemNumber
+import robotran.javacompiler.messages.JavaMessages
+
+/** What to tell about sources that cannot be read. ECJ's arguments are words of the source and of its grammar. */
+internal class SyntaxAdvisor(private val messages: JavaMessages) {
+    private val statements = StatementAdvisor(messages)
+
+    fun advice(problem: EcjProblem, source: SourceText): Advice? {
+        if (problem.isSyntax) {
+            source.unclosedText(problem.start)?.let { return Advice(messages.unclosedText(), messages.closeText(), at = Place(it, it + 1)) }
+            statements.advice(problem, source)?.let { return it }
+        }
+        val word = source.words(problem.start, problem.end)
+        return when (problem.number) {
+            ProblemNumber.PARSING_ERROR_INSERT_TO_COMPLETE -> missing(problem.arguments.first(), problem, source, word)
+            ProblemNumber.PARSING_ERROR_INSERT_AFTER -> insertAfter(problem, source, word)
+            ProblemNumber.PARSING_ERROR_DELETE, ProblemNumber.UNMATCHED_BRACKET -> extra(word)
+            ProblemNumber.PARSING_ERROR, ProblemNumber.PARSING_ERROR_INSERT_BEFORE -> expected(problem, word)
+            ProblemNumber.UNTERMINATED_STRING -> Advice(messages.unclosedText(), messages.closeText())
+            ProblemNumber.INVALID_CHARACTER_CONSTANT -> wrongCharacter(problem, source, word)
+            ProblemNumber.ARRAY_CONSTANT_OUTSIDE_INITIALIZER -> Advice(messages.notUnderstood(shortened(word)), messages.arrayOfValues())
+            ProblemNumber.SOURCE_TOO_LONG -> Advice(messages.sourceTooLong(problem.arguments.first()))
+            ProblemNumber.NESTED_TOO_DEEPLY -> Advice(messages.nestedTooDeeply())
+            else -> if (problem.isSyntax && word.isNotBlank()) Advice(messages.notUnderstood(shortened(word))) else null
+        }
+    }
+
+    private fun extra(word: String) = Advice(if (word in BRACKETS) messages.extraBracket(word) else messages.notUnderstood(shortened(word)))
+
+    private fun missing(expected: String, problem: EcjProblem, source: SourceText, word: String): Advice {
+        val symbol = expected.substringBefore(' ')
+        val behind = Place(problem.end)
+        val insertion = source.insertion(problem.end, symbol)
+        return when (symbol) {
+            ";" -> Advice(messages.missingSemicolon(), fix = insertion, at = behind)
+            ")", "]" -> Advice(messages.missingBracket(symbol), fix = insertion, at = behind)
+            "}" -> missingBrace(problem, source, word)
+            "Finally" -> Advice(messages.tryAlone(), messages.addCatch())
+            else -> Advice(messages.somethingMissing(shortened(word)))
+        }
+    }
+
+    /** ECJ names either the brace that stays open or the last word before the place where it should be closed. */
+    private fun missingBrace(problem: EcjProblem, source: SourceText, word: String): Advice {
+        val message = messages.missingBracket("}")
+        return if (word == "{") Advice(message) else Advice(message, fix = source.insertion(problem.end, "\n}"), at = Place(problem.end))
+    }
+
+    private fun insertAfter(problem: EcjProblem, source: SourceText, word: String): Advice {
+        val symbol = problem.arguments.last()
+        return when {
+            symbol == ";" || symbol in BRACKETS -> missing(symbol, problem, source, word)
+            isReadable(symbol) -> Advice(messages.expectedAfter(shortened(word), symbol))
+            else -> Advice(messages.somethingMissing(shortened(word)))
+        }
+    }
+
+    private fun expected(problem: EcjProblem, word: String): Advice {
+        val expected = problem.arguments.last()
+        val readable = isReadable(expected) && word.isNotBlank()
+        return Advice(if (readable) messages.expectedInstead(shortened(word), expected) else messages.notUnderstood(shortened(word)))
+    }
+
+    private fun wrongCharacter(problem: EcjProblem, source: SourceText, word: String): Advice {
+        val text = word.removeSurrounding("'")
+        val isText = word.length > 2 && text.length == word.length - 2 && '"' !in text
+        return Advice(messages.wrongCharacter(), fix = if (isText) JavaFix(source.range(problem.start, problem.end), "\"$text\"") else null)
+    }
+
+    /** The grammar's names for groups of words, such as `ReferenceType`, tell a pupil nothing. */
+    private fun isReadable(expected: String) = ' ' !in expected && expected.none { it.isUpperCase() }
+
+    private companion object {
+        val BRACKETS = setOf("(", ")", "[", "]", "{", "}")
+    }
+}

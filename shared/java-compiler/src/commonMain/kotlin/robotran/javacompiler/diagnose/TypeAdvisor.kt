@@ -1,0 +1,96 @@
+package robotran.javacompiler.diagnose
+
+import robotran.javacompiler.ecj.EcjProblem
+import robotran.javacompiler.ecj.ProblemNumber
+import robotran.javacompiler.messages.JavaMessages
+import robotran.javacompiler.messages.NewerJava
+
+/** What to tell about values whose types do not fit where they stand. */
+internal class TypeAdvisor(private val messages: JavaMessages) {
+    fun advice(problem: EcjProblem, source: SourceText): Advice? = when (problem.number) {
+        ProblemNumber.TYPE_MISMATCH -> mismatch(problem, source)
+        ProblemNumber.INVALID_OPERATOR -> operator(problem)
+        ProblemNumber.PARAMETER_MISMATCH -> arguments(problem)
+        ProblemNumber.NUMERIC_VALUE_OUT_OF_RANGE -> Advice(messages.numberTooLarge(shortened(source.words(problem.start, problem.end))))
+        else -> null
+    }
+
+    private fun mismatch(problem: EcjProblem, source: SourceText): Advice {
+        val given = problem.arguments[0]
+        val needed = problem.arguments[1]
+        val message = messages.doesNotFit(shortened(given), shortened(needed))
+        val text = source.words(problem.start, problem.end)
+        val range = source.range(problem.start, problem.end)
+        return when {
+            needed == "boolean" && SINGLE_EQUALS_SIGN.containsMatchIn(text) -> {
+                Advice(messages.compareWithTwoSigns(), fix = JavaFix(range, SINGLE_EQUALS_SIGN.replaceFirst(text, "==")))
+            }
+
+            given == "void" -> {
+                Advice(messages.givesNothing())
+            }
+
+            given == "double" && needed == "float" && DECIMAL_NUMBER.matches(text) -> {
+                Advice(message, messages.writeFloat(text), JavaFix(range, "${text}f"))
+            }
+
+            given in NUMBERS && needed in NUMBERS -> {
+                Advice(message, messages.castNumber(needed), JavaFix(range, cast(text, needed)))
+            }
+
+            given in NUMBERS && needed == "boolean" -> {
+                Advice(message, messages.compareWithZero())
+            }
+
+            isBoxing(given, needed) -> {
+                Advice(message, messages.insteadOf(NewerJava.AUTOBOXING))
+            }
+
+            given == "Object" && needed !in SINGLE_VALUES -> {
+                Advice(message, messages.castObject(shortened(needed)), JavaFix(range, cast(text, needed)))
+            }
+
+            needed == "String" -> {
+                Advice(message, messages.makeText())
+            }
+
+            else -> {
+                Advice(message)
+            }
+        }
+    }
+
+    private fun operator(problem: EcjProblem): Advice {
+        val types = problem.arguments[1]
+        val message = messages.wrongOperator(problem.arguments[0], shortened(types))
+        return Advice(message, if (types.split(", ").any { it in BOXES }) messages.insteadOf(NewerJava.AUTOBOXING) else null)
+    }
+
+    /** ECJ's arguments: the class, the method, what it takes and what it is given. */
+    private fun arguments(problem: EcjProblem): Advice {
+        val (_, method, needed, given) = problem.arguments.map(::shortened)
+        val message = messages.wrongArguments(method, needed, given)
+        return when {
+            given in NUMBERS && needed in NUMBERS -> Advice(message, messages.castNumber(needed))
+            isBoxing(given, needed) -> Advice(message, messages.insteadOf(NewerJava.AUTOBOXING))
+            needed == "String" && given in NUMBERS -> Advice(message, messages.makeText())
+            else -> Advice(message)
+        }
+    }
+
+    private fun isBoxing(given: String, needed: String) =
+        (given in SINGLE_VALUES && (needed == "Object" || needed in BOXES)) || (given in BOXES && needed in SINGLE_VALUES)
+
+    private fun cast(text: String, type: String) = if (ONE_VALUE.matches(text)) "($type) $text" else "($type) ($text)"
+
+    private companion object {
+        val NUMBERS = setOf("byte", "short", "char", "int", "long", "float", "double")
+        val SINGLE_VALUES = NUMBERS + "boolean"
+        val BOXES = setOf("Integer", "Float", "Boolean", "Long", "Double", "Byte", "Short", "Character")
+        val DECIMAL_NUMBER = Regex("[0-9]*[.][0-9]+")
+        val SINGLE_EQUALS_SIGN = Regex("(?<![=!<>+*/%&|^-])=(?!=)")
+
+        /** A number, a variable, or a call whose arguments have no brackets themselves. */
+        val ONE_VALUE = Regex("""[\w.]+(\([^()]*\))?""")
+    }
+}

@@ -1,0 +1,49 @@
+package robotran.javacompiler
+
+import robotran.javacompiler.diagnose.JavaDiagnostic
+import robotran.javacompiler.diagnose.JavaFix
+import robotran.javacompiler.ecj.JavaSource
+import robotran.lejos.LejosLibrary
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+
+/** The class files of leJOS, always the same map, so that the compiler reads them once. */
+val library: Map<String, ByteArray> by lazy { LejosLibrary.classNames.associateWith { assertNotNull(LejosLibrary.classFile(it)) } }
+
+private var compiler: JavaCompiler? = null
+
+/** Loaded on first use, and then always the same one. */
+suspend fun compiler(): JavaCompiler = compiler ?: loadJavaCompiler().also { compiler = it }
+
+/** Compiles [text] as `Robot.java` together with [others]. */
+suspend fun compile(text: String, vararg others: JavaSource): CompilationResult =
+    compiler().compile(listOf(JavaSource("Robot.java", text)) + others, library)
+
+suspend fun compiled(text: String, vararg others: JavaSource): CompilationResult.Compiled = assertIs(compile(text, *others))
+
+suspend fun mistakes(text: String, vararg others: JavaSource): List<JavaDiagnostic> =
+    assertIs<CompilationResult.Refused>(compile(text, *others)).diagnostics
+
+/** A whole program around [statements], which begin in line 4. */
+fun program(statements: String) =
+    "import josx.platform.rcx.*;\npublic class Robot {\npublic static void main(String[] args) throws InterruptedException {\n$statements\n}\n}\n"
+
+/** The first mistake of [statements] in a method main. */
+suspend fun mistake(statements: String): JavaDiagnostic = mistakes(program(statements)).first()
+
+/** The first mistake of the class members [declarations]. */
+suspend fun memberMistake(declarations: String): JavaDiagnostic = mistakes("class Robot {\n$declarations\n}").first()
+
+/** [text] with [fix]. */
+fun mended(text: String, fix: JavaFix): String {
+    val lines = text.lines().toMutableList()
+    val line = lines[fix.range.line - 1]
+    lines[fix.range.line - 1] = line.substring(0, fix.range.column - 1) + fix.replacement + line.substring(fix.range.endColumn - 1)
+    return lines.joinToString("\n")
+}
+
+/** What [statements] in a method main become by the fix of their first mistake. */
+suspend fun mendedStatements(statements: String): String {
+    val text = mended(program(statements), assertNotNull(mistake(statements).fix))
+    return text.substringAfter("InterruptedException {\n").removeSuffix("\n}\n}\n")
+}

@@ -1,0 +1,47 @@
+package robotran.javacompiler
+
+import kotlin.random.Random
+import kotlin.test.assertTrue
+
+private val WORD = Regex("""\w+|\s+|[^\w\s]""")
+private val ODD_WORDS =
+    listOf("\"", "'", "/*", "//", "{", "}", "(", ")", ";", "\\u0022", "\\u", "class", "new", "0x", "1e", "\u0000", "enum", "->", "<", "@")
+
+/** Compiles [count] programs, each one of the examples of which some words are left out, doubled, moved or made something else. */
+suspend fun compileMutations(count: Int) {
+    val originals = examplePrograms.values.toList()
+    repeat(count) { number ->
+        val random = Random(number)
+        val text = mutated(originals[number % originals.size], random)
+        when (val result = compile(text)) {
+            is CompilationResult.Compiled -> assertTrue(result.classes.isNotEmpty() || "class" !in text, text)
+            is CompilationResult.Refused -> assertTold(result, text)
+        }
+    }
+}
+
+private fun assertTold(result: CompilationResult.Refused, text: String) {
+    val lines = text.lines().size
+    for (mistake in result.diagnostics) {
+        assertTrue(mistake.message.isNotBlank(), text)
+        assertTrue(mistake.range.line in 1..lines && mistake.range.column in 1..mistake.range.endColumn, text)
+        mistake.fix?.let { mended(text, it) }
+    }
+}
+
+private fun mutated(text: String, random: Random): String {
+    val words = WORD.findAll(text).map { it.value }.toMutableList()
+    repeat(random.nextInt(1, MOST_MUTATIONS)) {
+        val place = random.nextInt(words.size)
+        when (random.nextInt(KINDS)) {
+            0 -> words.removeAt(place)
+            1 -> words.add(place, words[place])
+            2 -> words.add(place, words[random.nextInt(words.size)])
+            else -> words[place] = ODD_WORDS.random(random)
+        }
+    }
+    return words.joinToString("")
+}
+
+private const val MOST_MUTATIONS = 6
+private const val KINDS = 4

@@ -1,0 +1,101 @@
+package robotran.javacompiler
+
+import kotlinx.coroutines.test.runTest
+import robotran.javacompiler.diagnose.JavaFix
+import robotran.javacompiler.diagnose.JavaRange
+import robotran.javacompiler.ecj.JavaSource
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+
+class NameMistakesTest {
+    @Test
+    fun `a misspelt name is told with the one that is near`() = runTest {
+        assertEquals("Motor.A.forward();", mendedStatements("Motor.A.foward();"))
+        assertEquals("Motor.A.forward();", mendedStatements("Moter.A.forward();"))
+        assertEquals("int speed = 3; Motor.A.setPower(speed);", mendedStatements("int speed = 3; Motor.A.setPower(sped);"))
+        assertNull(mistake("int x = qqq;").fix)
+    }
+
+    @Test
+    fun `small and capital letters are told from each other`() = runTest {
+        assertEquals("Motor.A.forward();", mendedStatements("motor.A.forward();"))
+        assertEquals("Motor.A.forward();", mendedStatements("Motor.a.forward();"))
+        assertEquals("Motor.A.forward();", mendedStatements("Motor.A.Forward();"))
+        assertEquals("LCD.showNumber(3);", mendedStatements("lcd.showNumber(3);"))
+        assertEquals("String s;", mendedStatements("string s;"))
+        assertEquals("int y;", mendedStatements("Int y;"))
+        assertContains(assertNotNull(mistake("motor.A.forward();").hint), "capital")
+    }
+
+    @Test
+    fun `a missing import is told with its line`() = runTest {
+        val mistake = mistakes("class Robot { void go() { Motor.A.forward(); } }").single()
+        assertContains(assertNotNull(mistake.hint), "import josx.platform.rcx.*;")
+        assertEquals(JavaFix(JavaRange(1, 1, 1), "import josx.platform.rcx.*;\n"), mistake.fix)
+        val inPackage = "// package none;\npackage robots;\nclass Robot { Vector all; }"
+        assertEquals(JavaFix(JavaRange(2, 16, 16), "\nimport java.util.*;"), mistakes(inPackage).single().fix)
+    }
+
+    @Test
+    fun `an import of what is not there is told with what was meant`() = runTest {
+        suspend fun mendedImport(name: String) = mistakes("import $name;\nclass Robot { }").single().fix?.replacement
+        assertEquals("josx.platform.rcx.Motor", mendedImport("josx.platform.rcx.Moto"))
+        assertEquals("josx.platform.rcx.Motor", mendedImport("josx.platform.rcx.motor"))
+        assertEquals("josx.platform.rcx.Motor", mendedImport("Motor"))
+        assertEquals("josx.platform.rcx", mendedImport("josx.platform.rxc.*"))
+        assertNull(mendedImport("org.example.Robots"))
+    }
+
+    @Test
+    fun `an unknown variable can be declared`() = runTest {
+        assertContains(assertNotNull(mistake("number = 1;").hint), "int number = 0;")
+    }
+
+    @Test
+    fun `an unknown method can be written`() = runTest {
+        assertContains(assertNotNull(mistake("turnAround();").hint), "static void turnAround() { }")
+    }
+
+    @Test
+    fun `what is private is told to be so`() = runTest {
+        val other = JavaSource("Other.java", "class Other { private int count; private void go() { } }")
+        for (use in listOf("new Other().count = 3;", "new Other().go();")) {
+            val mistake = mistakes(program(use), other).single()
+            assertContains(mistake.message, "only \"Other\" itself")
+            assertContains(assertNotNull(mistake.hint), "Take \"private\" away")
+        }
+    }
+
+    @Test
+    fun `what the library keeps to itself is not there`() = runTest {
+        assertFalse("private" in mistake("Motor.A.power = 3;").message)
+        assertContains(mistake("Motor.A.power = 3;").message, "has no \"power\"")
+    }
+
+    @Test
+    fun `the length of a text has brackets and that of an array has none`() = runTest {
+        assertContains(assertNotNull(mistake("String s = null; int n = s.length;").hint), "word.length()")
+        assertEquals("int n = args.length;", mendedStatements("int n = args.length();"))
+    }
+
+    @Test
+    fun `single values have no methods and texts no places`() = runTest {
+        assertContains(mistake("int q = 1; q.go();").message, "no methods")
+        assertContains(assertNotNull(mistake("String s = \"a\"; char c = s[0];").hint), "charAt(0)")
+    }
+
+    @Test
+    fun `one mistake is told once where it is imported and once where it is used`() = runTest {
+        assertEquals(
+            listOf(1, 3),
+            mistakes("import java.util.ArrayList;\nclass Robot {\nArrayList a;\nArrayList b;\n}").map {
+                it.range.line
+            },
+        )
+        assertEquals(1, mistakes(program("int x = 1\nMotor.A.foo();")).size)
+    }
+}
