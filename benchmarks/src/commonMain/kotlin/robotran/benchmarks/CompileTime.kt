@@ -4,7 +4,7 @@ import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.JavaCompiler
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
-import robotran.lejos.LejosLibrary
+import robotran.lejoslibrary.LejosLibrary
 import kotlin.time.Duration
 import kotlin.time.DurationUnit
 import kotlin.time.TimeSource

@@ -5,7 +5,7 @@ import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.rom.RcxProgram
+import robotran.rcxrom.RcxProgram
 
 /** The Java program [source], which has no mistakes, compiled and linked. */
 internal suspend fun javaProgramOf(

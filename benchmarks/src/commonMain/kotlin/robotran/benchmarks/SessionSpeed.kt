@@ -1,7 +1,7 @@
 package robotran.benchmarks
 
+import robotran.rcxrom.RcxProgram
 import robotran.robolang.robot.Calibration
-import robotran.rom.RcxProgram
 import robotran.world.BuiltInWorlds
 import robotran.world.Penbot
 import robotran.world.RobotLoad

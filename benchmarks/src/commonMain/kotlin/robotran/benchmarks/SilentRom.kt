@@ -1,10 +1,10 @@
 package robotran.benchmarks
 
-import robotran.rom.RcxMemory
-import robotran.rom.Rom
-import robotran.rom.RomCall
-import robotran.rom.SensorField
-import robotran.rom.SensorRequest
+import robotran.rcxrom.RcxMemory
+import robotran.rcxrom.Rom
+import robotran.rcxrom.RomCall
+import robotran.rcxrom.SensorField
+import robotran.rcxrom.SensorRequest
 
 /** A ROM behind which there is nothing. */
 internal class SilentRom : Rom {

@@ -1,6 +1,6 @@
 package robotran.benchmarks
 
-import robotran.rom.ProgramStatus
+import robotran.rcxrom.ProgramStatus
 
 /** How many statements a second the interpreter executes in a loop that counts. */
 internal suspend fun statementSpeed(): Figure {

@@ -6,8 +6,8 @@ import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.unit.Density
-import robotran.editing.Draft
-import robotran.editing.EditKind
+import robotran.textediting.EditKind
+import robotran.textediting.text.Draft
 import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
 import robotran.ui.workshop.ProgramEvent

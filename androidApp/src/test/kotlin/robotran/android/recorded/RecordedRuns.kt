@@ -9,8 +9,8 @@ import robotran.projects.RobotLoads
 import robotran.projects.lightFacingOf
 import robotran.projects.readProject
 import robotran.projects.readRobotLoads
+import robotran.rcxrom.toLogText
 import robotran.robolang.robot.Calibration
-import robotran.rom.toLogText
 import robotran.world.BuiltInWorlds
 import robotran.world.Penbot
 import robotran.world.RobotLoad

@@ -6,11 +6,11 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import robotran.projects.elementOf
-import robotran.rom.LcdGlass
-import robotran.rom.MotorState
-import robotran.rom.RunState
-import robotran.rom.SensorState
-import robotran.rom.SoundEvent
+import robotran.rcxrom.LcdGlass
+import robotran.rcxrom.MotorState
+import robotran.rcxrom.RunState
+import robotran.rcxrom.SensorState
+import robotran.rcxrom.SoundEvent
 import robotran.world.Session
 
 /**

@@ -1,6 +1,6 @@
 package robotran.desktop.cli
 
-import robotran.rom.BrickButton
+import robotran.rcxrom.BrickButton
 
 /**
  * A finger on a button of the brick.

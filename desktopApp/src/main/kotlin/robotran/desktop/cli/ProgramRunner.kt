@@ -6,7 +6,7 @@ import robotran.programs.JavaSettings
 import robotran.programs.ProgramReader
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
-import robotran.rom.RunState
+import robotran.rcxrom.RunState
 import robotran.ui.workshop.PENBOT_CALIBRATION
 import robotran.world.BuiltInWorlds
 import robotran.world.RecordedInput

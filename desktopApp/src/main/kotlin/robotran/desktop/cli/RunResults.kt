@@ -1,10 +1,10 @@
 package robotran.desktop.cli
 
 import robotran.desktop.files.writeFile
-import robotran.rom.BrickMessages
-import robotran.rom.RomLogFilter
-import robotran.rom.toCsv
-import robotran.rom.toLogText
+import robotran.rcxrom.BrickMessages
+import robotran.rcxrom.RomLogFilter
+import robotran.rcxrom.toCsv
+import robotran.rcxrom.toLogText
 import robotran.ui.sheet.worldPicturePng
 import robotran.ui.sheet.worldPictureSvg
 import robotran.world.GoalReport

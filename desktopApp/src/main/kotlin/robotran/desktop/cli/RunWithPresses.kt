@@ -1,6 +1,6 @@
 package robotran.desktop.cli
 
-import robotran.rom.RunState
+import robotran.rcxrom.RunState
 import robotran.world.RecordedInput
 import robotran.world.Session
 import robotran.world.SessionInput

@@ -4,7 +4,7 @@ import robotran.desktop.messages.EnglishCommandMessages
 import robotran.desktop.messages.FileMessages
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.rom.Brick
+import robotran.rcxrom.Brick
 import java.nio.file.Path
 import kotlin.io.path.isDirectory
 import kotlin.io.path.listDirectoryEntries

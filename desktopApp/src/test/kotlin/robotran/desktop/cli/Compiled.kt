@@ -1,6 +1,6 @@
 package robotran.desktop.cli
 
-import robotran.lejos.LejosLibrary
+import robotran.lejoslibrary.LejosLibrary
 import java.nio.file.Path
 import java.util.jar.Attributes
 import java.util.jar.JarEntry

@@ -6,7 +6,7 @@ import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.openLink
 import robotran.projects.writeProject
-import robotran.rom.BrickButton
+import robotran.rcxrom.BrickButton
 import robotran.world.BuiltInWorlds
 import robotran.world.RecordedInput
 import robotran.world.SessionInput

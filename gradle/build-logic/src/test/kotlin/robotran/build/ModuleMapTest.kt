@@ -12,7 +12,7 @@ class ModuleMapTest {
 
             | module | package | holds | may use | kind |
             |---|---|---|---|---|
-            | `shared/rom` | `robotran.rom` | the brick | - | core |
+            | `shared/rom` | `robotran.rcxrom` | the brick | - | core |
             | `shared/world` | `robotran.world` | the world | `shared/rom` | core |
             | `app` | `robotran.app` | the app | `shared/rom`, `shared/world` | app |
 
@@ -28,7 +28,7 @@ class ModuleMapTest {
 
     @Test
     fun `a module may import itself and what the map allows it`() {
-        val text = "package robotran.world.ink\n\nimport robotran.rom.Rom\nimport robotran.world.Pose\n"
+        val text = "package robotran.world.ink\n\nimport robotran.rcxrom.Rom\nimport robotran.world.Pose\n"
         assertEquals(emptyList(), violations("shared/world", "src/commonMain/kotlin/Ink.kt", text))
     }
 
@@ -45,7 +45,7 @@ class ModuleMapTest {
     fun `a test may import any module`() {
         val text = "package robotran.rom\n\nimport robotran.world.Pose\n"
         assertEquals(emptyList(), violations("shared/rom", "src/commonTest/kotlin/BrickTest.kt", text))
-        assertEquals(emptyList(), violations("app", "src/test/kotlin/AppTest.kt", "package robotran.app\n\nimport robotran.rom.Rom\n"))
+        assertEquals(emptyList(), violations("app", "src/test/kotlin/AppTest.kt", "package robotran.app\n\nimport robotran.rcxrom.Rom\n"))
     }
 
     @Test

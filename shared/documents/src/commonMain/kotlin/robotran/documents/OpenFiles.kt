@@ -12,7 +12,7 @@ import robotran.projects.ProjectProgram
 import robotran.projects.isLink
 import robotran.projects.openLink
 import robotran.projects.readProject
-import robotran.rom.Brick
+import robotran.rcxrom.Brick
 import robotran.world.World
 import robotran.world.WorldFileResult
 import robotran.world.readWorld

@@ -3,7 +3,7 @@ package robotran.documents
 import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectLimits
 import robotran.projects.readProject
-import robotran.rom.BrickButton
+import robotran.rcxrom.BrickButton
 import robotran.world.RecordedInput
 import robotran.world.SessionInput
 import kotlin.test.Test

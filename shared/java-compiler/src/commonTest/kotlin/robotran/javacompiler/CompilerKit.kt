@@ -3,7 +3,7 @@ package robotran.javacompiler
 import robotran.javacompiler.diagnose.JavaDiagnostic
 import robotran.javacompiler.diagnose.JavaFix
 import robotran.javacompiler.ecj.JavaSource
-import robotran.lejos.LejosLibrary
+import robotran.lejoslibrary.LejosLibrary
 import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 

@@ -1,6 +1,6 @@
 package robotran.learning
 
-import robotran.lejos.LejosLibrary
+import robotran.lejoslibrary.LejosLibrary
 
 /**
  * Something of the brick's class library that a program can name.

@@ -8,9 +8,9 @@ import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.projects.ProgramLanguage
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.RunState
 import robotran.robolang.robot.Calibration
-import robotran.rom.RcxProgram
-import robotran.rom.RunState
 import robotran.world.BuiltInWorlds
 import robotran.world.Penbot
 import robotran.world.Session

@@ -1,6 +1,6 @@
 package robotran.programs
 
-import robotran.lejos.LejosLibrary
+import robotran.lejoslibrary.LejosLibrary
 
 /** The class files of leJOS, always the same map, so that the compiler reads them once. */
 internal object BrickLibrary {

@@ -1,6 +1,6 @@
 package robotran.programs
 
-import robotran.rom.RcxProgram
+import robotran.rcxrom.RcxProgram
 
 /** What came of reading a program. */
 sealed interface ProgramResult {

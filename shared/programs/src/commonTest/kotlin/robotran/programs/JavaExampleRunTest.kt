@@ -1,8 +1,8 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
+import robotran.rcxrom.toLogText
 import robotran.robolang.robot.Calibration
-import robotran.rom.toLogText
 import robotran.world.BuiltInWorlds
 import robotran.world.Penbot
 import robotran.world.Session

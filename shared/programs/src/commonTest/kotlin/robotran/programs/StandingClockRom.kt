@@ -1,12 +1,12 @@
 package robotran.programs
 
-import robotran.rom.RcxMemory
-import robotran.rom.Rom
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.SensorCode
-import robotran.rom.SensorField
-import robotran.rom.SensorRequest
+import robotran.rcxrom.RcxMemory
+import robotran.rcxrom.Rom
+import robotran.rcxrom.RomAddress
+import robotran.rcxrom.RomCall
+import robotran.rcxrom.SensorCode
+import robotran.rcxrom.SensorField
+import robotran.rcxrom.SensorRequest
 
 /**
  * A ROM that remembers what is called, with a clock that stands still while a program computes, so that programs of different speed can be

@@ -1,8 +1,8 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
-import robotran.rom.RcxProgram
-import robotran.rom.RunState
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.RunState
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.BuiltInWorlds
 import robotran.world.Pose

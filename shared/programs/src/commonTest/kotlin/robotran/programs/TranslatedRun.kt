@@ -1,17 +1,17 @@
 package robotran.programs
 
+import robotran.rcxrom.Brick
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.RomAddress
+import robotran.rcxrom.RomCall
+import robotran.rcxrom.RunState
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration
 import robotran.robolang.translate.translateRobolang
-import robotran.rom.Brick
-import robotran.rom.BrickButton
-import robotran.rom.ProgramStatus
-import robotran.rom.RcxProgram
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.RunState
 
 /** The calibration of the test programs: round figures. */
 internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)

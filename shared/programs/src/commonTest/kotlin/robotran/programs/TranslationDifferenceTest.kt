@@ -1,8 +1,8 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
+import robotran.rcxrom.RcxProgram
 import robotran.robolang.RobolangProgram
-import robotran.rom.RcxProgram
 import robotran.tinyvm.config.TinyVmMode
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -5,7 +5,7 @@ import robotran.json.JsonPlace
 import robotran.json.JsonRefusal
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rom.Brick
+import robotran.rcxrom.Brick
 import robotran.world.World
 import robotran.world.file.FACINGS
 import robotran.world.file.unknownOf

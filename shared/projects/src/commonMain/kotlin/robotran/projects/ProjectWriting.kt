@@ -7,7 +7,7 @@ import robotran.json.decimal
 import robotran.json.jsonObject
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rom.BrickButton
+import robotran.rcxrom.BrickButton
 import robotran.world.Pose
 import robotran.world.RecordedInput
 import robotran.world.SessionInput

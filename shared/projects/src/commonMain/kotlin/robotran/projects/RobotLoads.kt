@@ -4,10 +4,10 @@ import robotran.programs.Mistake
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
+import robotran.rcxrom.Brick
+import robotran.rcxrom.RcxProgram
 import robotran.robolang.LightSensorFacing
 import robotran.robolang.RobolangProgram
-import robotran.rom.Brick
-import robotran.rom.RcxProgram
 import robotran.world.LightFacing
 import robotran.world.RobotLoad
 import robotran.world.RobotPlace

@@ -1,6 +1,6 @@
 package robotran.projects
 
-import robotran.rom.BrickButton
+import robotran.rcxrom.BrickButton
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.file.wordFor

@@ -6,8 +6,8 @@ import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.rcxrom.RcxProgram
 import robotran.robolang.robot.Calibration
-import robotran.rom.RcxProgram
 import robotran.world.BuiltInWorlds
 import robotran.world.Goal
 import robotran.world.Paper

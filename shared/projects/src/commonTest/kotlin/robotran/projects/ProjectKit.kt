@@ -2,7 +2,7 @@ package robotran.projects
 
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rom.BrickButton
+import robotran.rcxrom.BrickButton
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.Block

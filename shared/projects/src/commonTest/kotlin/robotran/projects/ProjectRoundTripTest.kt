@@ -6,7 +6,7 @@ import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.nearestDecimal
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rom.BrickButton
+import robotran.rcxrom.BrickButton
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.LightFacing

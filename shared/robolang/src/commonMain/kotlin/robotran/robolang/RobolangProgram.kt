@@ -1,14 +1,14 @@
 package robotran.robolang
 
+import robotran.rcxrom.DebuggableRun
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.Rom
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.messages.RunMessages
 import robotran.robolang.robot.Calibration
 import robotran.robolang.run.RobolangRun
 import robotran.robolang.run.lower
 import robotran.robolang.syntax.Facing
-import robotran.rom.DebuggableRun
-import robotran.rom.RcxProgram
-import robotran.rom.Rom
 
 /** A Robolang program without mistakes, ready to be loaded into a brick; [readRobolang] makes it. Never changes, so it can be started from several threads. */
 class RobolangProgram internal constructor(

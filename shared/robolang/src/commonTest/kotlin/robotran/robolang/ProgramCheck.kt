@@ -1,9 +1,9 @@
 package robotran.robolang
 
+import robotran.rcxrom.RomAddress
+import robotran.rcxrom.RomCall
+import robotran.rcxrom.RomCode
 import robotran.robolang.diagnostic.Diagnostic
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.RomCode
 
 /** Compares what a program does with what its comments say; each difference is a sentence with the program's path. */
 internal fun differences(program: TestProgram): List<String> {

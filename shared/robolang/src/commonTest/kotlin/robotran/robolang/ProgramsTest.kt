@@ -1,6 +1,6 @@
 package robotran.robolang
 
-import robotran.rom.ProgramStatus
+import robotran.rcxrom.ProgramStatus
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

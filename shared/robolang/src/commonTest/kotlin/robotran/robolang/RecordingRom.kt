@@ -1,12 +1,12 @@
 package robotran.robolang
 
-import robotran.rom.RcxMemory
-import robotran.rom.Rom
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.SensorCode
-import robotran.rom.SensorField
-import robotran.rom.SensorRequest
+import robotran.rcxrom.RcxMemory
+import robotran.rcxrom.Rom
+import robotran.rcxrom.RomAddress
+import robotran.rcxrom.RomCall
+import robotran.rcxrom.SensorCode
+import robotran.rcxrom.SensorField
+import robotran.rcxrom.SensorRequest
 
 /**
  * A ROM that does nothing but remember, with a clock that is set by hand. Its sensors measure what [sensors] says at the time,

@@ -1,10 +1,10 @@
 package robotran.robolang
 
+import robotran.rcxrom.ProgramFailure
+import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.RcxProgram
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.robot.Calibration
-import robotran.rom.ProgramFailure
-import robotran.rom.ProgramStatus
-import robotran.rom.RcxProgram
 
 /** One that makes round figures: 50 ms a centimetre and 5 ms a degree. */
 internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)

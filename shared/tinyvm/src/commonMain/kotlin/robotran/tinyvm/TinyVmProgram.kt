@@ -1,8 +1,8 @@
 package robotran.tinyvm
 
-import robotran.rom.DebuggableRun
-import robotran.rom.RcxProgram
-import robotran.rom.Rom
+import robotran.rcxrom.DebuggableRun
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.Rom
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.link.LinkedProgram

@@ -1,14 +1,14 @@
 package robotran.tinyvm
 
-import robotran.rom.CallFrame
-import robotran.rom.DebuggableRun
-import robotran.rom.ProgramRemark
-import robotran.rom.ProgramStatus
-import robotran.rom.Rom
-import robotran.rom.StatementWatch
-import robotran.rom.ThreadActivity
-import robotran.rom.ThreadView
-import robotran.rom.VariableScope
+import robotran.rcxrom.CallFrame
+import robotran.rcxrom.DebuggableRun
+import robotran.rcxrom.ProgramRemark
+import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.Rom
+import robotran.rcxrom.StatementWatch
+import robotran.rcxrom.ThreadActivity
+import robotran.rcxrom.ThreadView
+import robotran.rcxrom.VariableScope
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.debug.Inspector

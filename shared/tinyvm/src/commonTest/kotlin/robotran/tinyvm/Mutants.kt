@@ -1,6 +1,6 @@
 package robotran.tinyvm
 
-import robotran.rom.ProgramStatus
+import robotran.rcxrom.ProgramStatus
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.random.Random

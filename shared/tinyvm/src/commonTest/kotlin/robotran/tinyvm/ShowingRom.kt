@@ -1,11 +1,11 @@
 package robotran.tinyvm
 
-import robotran.rom.RcxMemory
-import robotran.rom.Rom
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.SensorField
-import robotran.rom.SensorRequest
+import robotran.rcxrom.RcxMemory
+import robotran.rcxrom.Rom
+import robotran.rcxrom.RomAddress
+import robotran.rcxrom.RomCall
+import robotran.rcxrom.SensorField
+import robotran.rcxrom.SensorRequest
 
 /** A ROM that remembers what it is told to show, and all calls; its clock is set by hand. */
 internal class ShowingRom : Rom {

@@ -1,13 +1,13 @@
 package robotran.tinyvm
 
-import robotran.rom.Brick
-import robotran.rom.BrickButton
-import robotran.rom.CallFrame
-import robotran.rom.DebuggableRun
-import robotran.rom.ProgramStatus
-import robotran.rom.RunState
-import robotran.rom.StatementWatch
-import robotran.rom.VariableView
+import robotran.rcxrom.Brick
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.CallFrame
+import robotran.rcxrom.DebuggableRun
+import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.RunState
+import robotran.rcxrom.StatementWatch
+import robotran.rcxrom.VariableView
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.Test

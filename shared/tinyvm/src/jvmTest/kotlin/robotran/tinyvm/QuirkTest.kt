@@ -1,6 +1,6 @@
 package robotran.tinyvm
 
-import robotran.rom.ProgramStatus
+import robotran.rcxrom.ProgramStatus
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.EnglishTinyVmMessages

@@ -1,7 +1,7 @@
 package robotran.tinyvm
 
-import robotran.rom.ProgramStatus
-import robotran.rom.RomCall
+import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.RomCall
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

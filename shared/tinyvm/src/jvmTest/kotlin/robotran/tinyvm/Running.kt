@@ -1,8 +1,8 @@
 package robotran.tinyvm
 
-import robotran.rom.DebuggableRun
-import robotran.rom.ProgramFailure
-import robotran.rom.ProgramStatus
+import robotran.rcxrom.DebuggableRun
+import robotran.rcxrom.ProgramFailure
+import robotran.rcxrom.ProgramStatus
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.diagnostic.Refusal
 import robotran.tinyvm.programs.libraryClassFiles

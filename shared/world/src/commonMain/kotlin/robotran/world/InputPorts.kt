@@ -1,10 +1,10 @@
 package robotran.world
 
-import robotran.rom.Brick
-import robotran.rom.RotationSensor
-import robotran.rom.SensorCode
-import robotran.rom.TemperatureSensor
-import robotran.rom.TouchSensor
+import robotran.rcxrom.Brick
+import robotran.rcxrom.RotationSensor
+import robotran.rcxrom.SensorCode
+import robotran.rcxrom.TemperatureSensor
+import robotran.rcxrom.TouchSensor
 import robotran.world.noise.NoiseStreams
 import robotran.world.noise.Realism
 import kotlin.math.floor

@@ -1,6 +1,6 @@
 package robotran.world
 
-import robotran.rom.MotorState
+import robotran.rcxrom.MotorState
 
 /** The pen on its motor. It begins lifted. */
 internal class PenLift {

@@ -1,11 +1,11 @@
 package robotran.world
 
 import robotran.language.Language
-import robotran.rom.Brick
-import robotran.rom.BrickMessages
-import robotran.rom.InfraredAir
-import robotran.rom.MotorPort
-import robotran.rom.RomLog
+import robotran.rcxrom.Brick
+import robotran.rcxrom.BrickMessages
+import robotran.rcxrom.InfraredAir
+import robotran.rcxrom.MotorPort
+import robotran.rcxrom.RomLog
 import robotran.world.explain.Explanation
 import robotran.world.explain.Influence
 import robotran.world.explain.InfluenceMessages

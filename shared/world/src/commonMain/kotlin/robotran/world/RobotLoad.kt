@@ -1,11 +1,11 @@
 package robotran.world
 
-import robotran.rom.RcxProgram
+import robotran.rcxrom.RcxProgram
 
 /**
  * What a robot is given for a session.
  *
- * @property programs its brick's program slots, see [robotran.rom.Brick].
+ * @property programs its brick's program slots, see [robotran.rcxrom.Brick].
  * @property firstSlot the program that Run starts as long as Prgm was not pressed, from 0.
  * @property lightFacing where the pupil has turned its light sensor, if the world leaves that open; null for down.
  */

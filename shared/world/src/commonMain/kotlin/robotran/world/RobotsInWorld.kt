@@ -1,10 +1,10 @@
 package robotran.world
 
 import robotran.language.Language
-import robotran.rom.InfraredAir
-import robotran.rom.InfraredRange
-import robotran.rom.SensorCode
-import robotran.rom.SoundEvent
+import robotran.rcxrom.InfraredAir
+import robotran.rcxrom.InfraredRange
+import robotran.rcxrom.SensorCode
+import robotran.rcxrom.SoundEvent
 import robotran.world.explain.Influence
 import robotran.world.goal.GoalJudge
 import robotran.world.goal.GoalMessages

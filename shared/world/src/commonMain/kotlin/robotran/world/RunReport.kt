@@ -3,8 +3,8 @@ package robotran.world
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
-import robotran.rom.BrickMessages
-import robotran.rom.RunState
+import robotran.rcxrom.BrickMessages
+import robotran.rcxrom.RunState
 
 /**
  * What came of a run, for a person or another program to read. Lengths are in centimetres; numbers are rounded to thousandths.

@@ -1,7 +1,7 @@
 package robotran.world
 
-import robotran.rom.BrickButton
-import robotran.rom.RunState
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.RunState
 
 /**
  * Presses Run on all bricks and lets time pass with nobody there, until the first robot's program is over and it stands still, or

@@ -1,16 +1,16 @@
 package robotran.world
 
 import robotran.language.Language
-import robotran.rom.Brick
-import robotran.rom.CallFrame
-import robotran.rom.MemorySnapshot
-import robotran.rom.ProgramRemark
-import robotran.rom.RcxProgram
-import robotran.rom.RomLog
-import robotran.rom.SoundTrack
-import robotran.rom.StepKind
-import robotran.rom.ThreadView
-import robotran.rom.VariableScope
+import robotran.rcxrom.Brick
+import robotran.rcxrom.CallFrame
+import robotran.rcxrom.MemorySnapshot
+import robotran.rcxrom.ProgramRemark
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.RomLog
+import robotran.rcxrom.SoundTrack
+import robotran.rcxrom.StepKind
+import robotran.rcxrom.ThreadView
+import robotran.rcxrom.VariableScope
 import robotran.world.explain.Influence
 import robotran.world.physics.PhysicsEngine
 

@@ -1,6 +1,6 @@
 package robotran.world
 
-import robotran.rom.BrickButton
+import robotran.rcxrom.BrickButton
 
 /**
  * What a person does to a running session from outside; recorded with its time, so that a run can be repeated. Robots, blocks and lamps are known by

@@ -1,7 +1,7 @@
 package robotran.world
 
-import robotran.rom.BrickState
-import robotran.rom.ProgramRemark
+import robotran.rcxrom.BrickState
+import robotran.rcxrom.ProgramRemark
 
 /**
  * Everything there is to see of a session at one moment; never changes once given out.

@@ -1,10 +1,10 @@
 package robotran.world
 
-import robotran.rom.DebuggableRun
-import robotran.rom.Statement
-import robotran.rom.StatementWatch
-import robotran.rom.StepKind
-import robotran.rom.ThreadActivity
+import robotran.rcxrom.DebuggableRun
+import robotran.rcxrom.Statement
+import robotran.rcxrom.StatementWatch
+import robotran.rcxrom.StepKind
+import robotran.rcxrom.ThreadActivity
 
 /**
  * Stops [run] at breakpoints and, if a [step] is to be made, behind it. The statement that the run stands before when this is made

@@ -1,7 +1,7 @@
 package robotran.world
 
-import robotran.rom.MotorMode
-import robotran.rom.MotorState
+import robotran.rcxrom.MotorMode
+import robotran.rcxrom.MotorState
 import robotran.world.noise.WheelNoise
 import kotlin.math.abs
 

@@ -1,8 +1,8 @@
 package robotran.world
 
 import kotlinx.coroutines.test.runTest
-import robotran.rom.RunState
-import robotran.rom.StepKind
+import robotran.rcxrom.RunState
+import robotran.rcxrom.StepKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -1,11 +1,11 @@
 package robotran.world
 
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.RunState
+import robotran.rcxrom.StepKind
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration
-import robotran.rom.BrickButton
-import robotran.rom.RunState
-import robotran.rom.StepKind
 import robotran.world.physics.loadPhysicsEngine
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -1,10 +1,10 @@
 package robotran.world
 
 import kotlinx.coroutines.test.runTest
+import robotran.rcxrom.RcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration
-import robotran.rom.RcxProgram
 import robotran.world.physics.loadPhysicsEngine
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -1,7 +1,7 @@
 package robotran.world
 
-import robotran.rom.BrickButton
-import robotran.rom.RcxProgram
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.RcxProgram
 import robotran.world.noise.NoiseStream
 import robotran.world.physics.loadPhysicsEngine
 

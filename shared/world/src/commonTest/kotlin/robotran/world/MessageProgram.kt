@@ -1,10 +1,10 @@
 package robotran.world
 
-import robotran.rom.ProgramRun
-import robotran.rom.ProgramStatus
-import robotran.rom.RcxProgram
-import robotran.rom.Rom
-import robotran.rom.RomCall
+import robotran.rcxrom.ProgramRun
+import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.Rom
+import robotran.rcxrom.RomCall
 
 /** Sends a message, if there is one, and waits for ever for one. */
 class MessageProgram(private val sends: List<Int>) : RcxProgram {

@@ -1,7 +1,7 @@
 package robotran.world
 
 import kotlinx.coroutines.test.runTest
-import robotran.rom.BrickButton
+import robotran.rcxrom.BrickButton
 import robotran.world.physics.loadPhysicsEngine
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -4,11 +4,11 @@ import kotlinx.coroutines.test.runTest
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
-import robotran.rom.ProgramFailure
-import robotran.rom.ProgramRun
-import robotran.rom.ProgramStatus
-import robotran.rom.RcxProgram
-import robotran.rom.Rom
+import robotran.rcxrom.ProgramFailure
+import robotran.rcxrom.ProgramRun
+import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.Rom
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

@@ -1,10 +1,10 @@
 package robotran.world
 
-import robotran.rom.ProgramRun
-import robotran.rom.ProgramStatus
-import robotran.rom.RcxProgram
-import robotran.rom.Rom
-import robotran.rom.RomCall
+import robotran.rcxrom.ProgramRun
+import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.Rom
+import robotran.rcxrom.RomCall
 
 /** A program written down as its ROM calls and the pauses between them, such as a Robolang program makes. */
 class ScriptedProgram(build: ScriptedProgram.() -> Unit) : RcxProgram {

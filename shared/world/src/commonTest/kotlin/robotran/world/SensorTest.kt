@@ -1,7 +1,7 @@
 package robotran.world
 
 import kotlinx.coroutines.test.runTest
-import robotran.rom.TouchSensor
+import robotran.rcxrom.TouchSensor
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -1,8 +1,8 @@
 package robotran.world
 
-import robotran.rom.BrickButton
-import robotran.rom.RcxProgram
-import robotran.rom.RunState
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.RunState
 import robotran.world.physics.loadPhysicsEngine
 
 /** Starts [program] on a robot in [world] by a press of Run, and lets it run to its end and half a second on, a minute at most. */

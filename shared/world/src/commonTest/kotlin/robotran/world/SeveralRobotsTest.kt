@@ -1,8 +1,8 @@
 package robotran.world
 
 import kotlinx.coroutines.test.runTest
-import robotran.rom.BrickButton
-import robotran.rom.RunState
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.RunState
 import robotran.world.physics.loadPhysicsEngine
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -1,14 +1,14 @@
 package robotran.world
 
 import kotlinx.coroutines.test.runTest
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.CallFrame
+import robotran.rcxrom.StepKind
+import robotran.rcxrom.VariableScope
+import robotran.rcxrom.VariableView
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration
-import robotran.rom.BrickButton
-import robotran.rom.CallFrame
-import robotran.rom.StepKind
-import robotran.rom.VariableScope
-import robotran.rom.VariableView
 import robotran.world.physics.loadPhysicsEngine
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -14,9 +14,9 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.orNull
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
-import robotran.rom.Brick
-import robotran.rom.RunState
-import robotran.rom.SoundEvent
+import robotran.rcxrom.Brick
+import robotran.rcxrom.RunState
+import robotran.rcxrom.SoundEvent
 import robotran.world.goal.GoalJudge
 import robotran.world.goal.isDecided
 import robotran.world.physics.loadPhysicsEngine

@@ -6,9 +6,9 @@ import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
-import robotran.rom.MotorMode
-import robotran.rom.MotorPort
-import robotran.rom.MotorState
+import robotran.rcxrom.MotorMode
+import robotran.rcxrom.MotorPort
+import robotran.rcxrom.MotorState
 
 class MotorProperties : StringSpec({
     fun told(mode: MotorMode, power: Int) = MotorState(MotorPort.A, mode, power)

@@ -1,6 +1,6 @@
 package robotran.projects.messages
 
-import robotran.rom.ProgramFailure
+import robotran.rcxrom.ProgramFailure
 import robotran.world.goal.Mover
 import robotran.world.goal.PaperPlace
 import robotran.world.goal.Region

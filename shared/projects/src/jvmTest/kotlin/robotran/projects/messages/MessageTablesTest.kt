@@ -4,8 +4,8 @@ import robotran.javacompiler.messages.JavaMessages
 import robotran.json.JsonMessages
 import robotran.language.Language
 import robotran.projects.ProjectMessages
+import robotran.rcxrom.BrickMessages
 import robotran.robolang.messages.RobolangMessages
-import robotran.rom.BrickMessages
 import robotran.tinyvm.messages.TinyVmMessages
 import robotran.world.explain.InfluenceMessages
 import robotran.world.file.WorldFileMessages

@@ -1,5 +1,6 @@
 package robotran.robolang.run
 
+import robotran.rcxrom.MotorMode
 import robotran.robolang.check.ValueType
 import robotran.robolang.robot.Durations
 import robotran.robolang.syntax.Expression
@@ -9,7 +10,6 @@ import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.TimeUnit
 import robotran.robolang.syntax.TurnDirection
-import robotran.rom.MotorMode
 
 /** Lowers the statements that make the robot do something, or wait. */
 internal class CommandLowering(

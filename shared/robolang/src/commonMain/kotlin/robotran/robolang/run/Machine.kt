@@ -1,9 +1,9 @@
 package robotran.robolang.run
 
+import robotran.rcxrom.Rom
 import robotran.robolang.messages.RunMessages
 import robotran.robolang.robot.Calibration
 import robotran.robolang.robot.Durations
-import robotran.rom.Rom
 
 /** What all activities of a run share: the robot, the variables of the main program, the lists, chance and the timer. */
 internal class Machine(

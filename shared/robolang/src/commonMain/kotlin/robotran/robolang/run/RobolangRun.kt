@@ -1,15 +1,15 @@
 package robotran.robolang.run
 
+import robotran.rcxrom.CallFrame
+import robotran.rcxrom.DebuggableRun
+import robotran.rcxrom.ProgramFailure
+import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.Rom
+import robotran.rcxrom.Statement
+import robotran.rcxrom.StatementWatch
+import robotran.rcxrom.VariableScope
 import robotran.robolang.messages.RunMessages
 import robotran.robolang.robot.Calibration
-import robotran.rom.CallFrame
-import robotran.rom.DebuggableRun
-import robotran.rom.ProgramFailure
-import robotran.rom.ProgramStatus
-import robotran.rom.Rom
-import robotran.rom.Statement
-import robotran.rom.StatementWatch
-import robotran.rom.VariableScope
 
 /**
  * One run of a Robolang program. A step is a statement, or a loop looking whether there is another round: even an empty loop

@@ -1,17 +1,17 @@
 package robotran.robolang.run
 
+import robotran.rcxrom.MotorMode
+import robotran.rcxrom.MotorPort
+import robotran.rcxrom.Rom
+import robotran.rcxrom.RomAddress
+import robotran.rcxrom.RomCall
+import robotran.rcxrom.RomCode
+import robotran.rcxrom.TextLcd
 import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.PenPosition
 import robotran.robolang.syntax.PowerSide
 import robotran.robolang.syntax.TurnDirection
-import robotran.rom.MotorMode
-import robotran.rom.MotorPort
-import robotran.rom.Rom
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.RomCode
-import robotran.rom.TextLcd
 
 /**
  * The one place where statements become ROM calls: the same ones, in the same order, as the josx methods named with each. Like josx,

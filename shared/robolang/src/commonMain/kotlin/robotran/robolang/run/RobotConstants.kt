@@ -1,6 +1,6 @@
 package robotran.robolang.run
 
-/** The figures behind the robot statements that are no matter of the ROM, whose own are in [robotran.rom.RomCode]. */
+/** The figures behind the robot statements that are no matter of the ROM, whose own are in [robotran.rcxrom.RomCode]. */
 internal object RobotConstants {
     /**
      * How many calls may be inside each other: leJOS enlarges the frames of a thread by half as often as they stay below 256, from 4 over 141

@@ -1,11 +1,11 @@
 package robotran.robolang.run
 
-import robotran.rom.Rom
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.RomCode
-import robotran.rom.SensorCode
-import robotran.rom.SensorRequest
+import robotran.rcxrom.Rom
+import robotran.rcxrom.RomAddress
+import robotran.rcxrom.RomCall
+import robotran.rcxrom.RomCode
+import robotran.rcxrom.SensorCode
+import robotran.rcxrom.SensorRequest
 
 /** The one place where sensing becomes what the josx methods named with each do. */
 internal class RobotSenses(private val rom: Rom) {

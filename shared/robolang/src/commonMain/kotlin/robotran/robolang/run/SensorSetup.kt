@@ -1,8 +1,8 @@
 package robotran.robolang.run
 
+import robotran.rcxrom.SensorCode
 import robotran.robolang.syntax.Sense
 import robotran.robolang.syntax.SyntaxTree
-import robotran.rom.SensorCode
 
 /**
  * What a program does to its sensors before its first statement: switches the light sensor on if it looks at `light`, and makes the bumpers'

@@ -1,9 +1,9 @@
 package robotran.robolang.run
 
+import robotran.rcxrom.VariableScope
+import robotran.rcxrom.VariableView
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.ValueType
-import robotran.rom.VariableScope
-import robotran.rom.VariableView
 
 /**
  * The variables that are known at [frame] in the call stacks of [activities] one behind the other, 0 for the innermost: those of that routine, behaviour or

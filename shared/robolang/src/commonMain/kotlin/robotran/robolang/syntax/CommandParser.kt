@@ -1,10 +1,10 @@
 package robotran.robolang.syntax
 
+import robotran.rcxrom.MotorPort
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.Mistakes
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
-import robotran.rom.MotorPort
 
 /** Reads one line that drives the robot, or makes the brick show, sound or wait. */
 internal class CommandParser(reader: LineReader, mistakes: Mistakes) : LineParser(reader, mistakes) {

@@ -1,7 +1,7 @@
 package robotran.robolang.syntax
 
+import robotran.rcxrom.MotorPort
 import robotran.robolang.diagnostic.SourceRange
-import robotran.rom.MotorPort
 
 /** Something to do. A block's [range] is that of its first line. */
 internal sealed interface Statement {

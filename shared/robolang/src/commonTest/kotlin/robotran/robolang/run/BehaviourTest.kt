@@ -1,11 +1,11 @@
 package robotran.robolang.run
 
+import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.RomAddress
 import robotran.robolang.RecordedCall
 import robotran.robolang.RecordingRom
 import robotran.robolang.SensorEvent
 import robotran.robolang.programOf
-import robotran.rom.ProgramStatus
-import robotran.rom.RomAddress
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -1,5 +1,11 @@
 package robotran.robolang.fuzz
 
+import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.RcxMemory
+import robotran.rcxrom.Rom
+import robotran.rcxrom.RomCall
+import robotran.rcxrom.SensorField
+import robotran.rcxrom.SensorRequest
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.diagnostic.Diagnostic
@@ -8,12 +14,6 @@ import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration
-import robotran.rom.ProgramStatus
-import robotran.rom.RcxMemory
-import robotran.rom.Rom
-import robotran.rom.RomCall
-import robotran.rom.SensorField
-import robotran.rom.SensorRequest
 
 /**
  * What must be true of any text whatever: it can be read, formatted and, if nothing is wrong with it, run, without harm.

@@ -1,10 +1,10 @@
 package robotran.robolang.translate
 
+import robotran.rcxrom.ProgramStatus
 import robotran.robolang.RecordingRom
 import robotran.robolang.RobolangProgram
 import robotran.robolang.SensorEvent
 import robotran.robolang.messages.EnglishRunMessages
-import robotran.rom.ProgramStatus
 
 /**
  * Translates, compiles and runs programs beside the interpreter: both must make the same ROM calls at the same times, and with

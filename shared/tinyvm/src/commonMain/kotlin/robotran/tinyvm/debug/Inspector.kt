@@ -1,11 +1,11 @@
 package robotran.tinyvm.debug
 
-import robotran.rom.CallFrame
-import robotran.rom.Statement
-import robotran.rom.ThreadActivity
-import robotran.rom.ThreadView
-import robotran.rom.VariableScope
-import robotran.rom.VariableView
+import robotran.rcxrom.CallFrame
+import robotran.rcxrom.Statement
+import robotran.rcxrom.ThreadActivity
+import robotran.rcxrom.ThreadView
+import robotran.rcxrom.VariableScope
+import robotran.rcxrom.VariableView
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.run.Frame
 import robotran.tinyvm.run.Heap

@@ -1,10 +1,10 @@
 package robotran.tinyvm.natives
 
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.SensorCode
-import robotran.rom.SensorField
-import robotran.rom.SensorRequest
+import robotran.rcxrom.RomAddress
+import robotran.rcxrom.RomCall
+import robotran.rcxrom.SensorCode
+import robotran.rcxrom.SensorField
+import robotran.rcxrom.SensorRequest
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.action
 

@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.rom.RcxMemory
+import robotran.rcxrom.RcxMemory
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.brickBytesOf
 

@@ -1,8 +1,8 @@
 package robotran.tinyvm.run
 
-import robotran.rom.BrickButton
-import robotran.rom.SensorCode
-import robotran.rom.SensorRequest
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.SensorCode
+import robotran.rcxrom.SensorRequest
 import robotran.tinyvm.link.LinkedClass
 
 /**

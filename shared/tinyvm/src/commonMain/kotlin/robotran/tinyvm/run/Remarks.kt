@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.rom.ProgramRemark
+import robotran.rcxrom.ProgramRemark
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.config.TinyVmMode

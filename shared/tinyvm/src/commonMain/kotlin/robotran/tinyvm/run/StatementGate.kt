@@ -1,7 +1,7 @@
 package robotran.tinyvm.run
 
-import robotran.rom.Statement
-import robotran.rom.StatementWatch
+import robotran.rcxrom.Statement
+import robotran.rcxrom.StatementWatch
 
 /** Counts the statements of the program and asks somebody who watches before each of them once. */
 internal class StatementGate {

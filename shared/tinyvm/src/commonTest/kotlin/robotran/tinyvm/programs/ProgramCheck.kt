@@ -1,9 +1,9 @@
 package robotran.tinyvm.programs
 
-import robotran.lejos.LejosLibrary
-import robotran.rom.LcdGlass
-import robotran.rom.RcxMemory
-import robotran.rom.TextLcd
+import robotran.lejoslibrary.LejosLibrary
+import robotran.rcxrom.LcdGlass
+import robotran.rcxrom.RcxMemory
+import robotran.rcxrom.TextLcd
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.compiledPrograms
 import robotran.tinyvm.config.TinyVmLimits

@@ -1,8 +1,8 @@
 package robotran.tinyvm.programs
 
-import robotran.rom.Brick
-import robotran.rom.BrickButton
-import robotran.rom.RunState
+import robotran.rcxrom.Brick
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.RunState
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed

@@ -1,16 +1,16 @@
 package robotran.tinyvm.programs
 
-import robotran.rom.Brick
-import robotran.rom.BrickButton
-import robotran.rom.LcdGlass
-import robotran.rom.ProgramFailure
-import robotran.rom.ProgramRun
-import robotran.rom.RcxProgram
-import robotran.rom.Rom
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.RomCode
-import robotran.rom.RunState
+import robotran.rcxrom.Brick
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.LcdGlass
+import robotran.rcxrom.ProgramFailure
+import robotran.rcxrom.ProgramRun
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.Rom
+import robotran.rcxrom.RomAddress
+import robotran.rcxrom.RomCall
+import robotran.rcxrom.RomCode
+import robotran.rcxrom.RunState
 
 /** What a line showed: how [glass] looked after a refresh, and whether a number had been set before it. */
 internal class Shown(val line: Int, val glass: LcdGlass, val isNumber: Boolean)

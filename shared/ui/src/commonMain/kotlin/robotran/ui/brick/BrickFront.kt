@@ -14,8 +14,8 @@ import androidx.compose.ui.semantics.isTraversalGroup
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.BrickButton
-import robotran.rom.BrickState
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.BrickState
 import robotran.ui.resources.Res
 import robotran.ui.resources.brick
 import robotran.world.PortSensor

@@ -10,8 +10,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import robotran.rom.BrickButton
-import robotran.rom.BrickState
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.BrickState
 import robotran.ui.theme.RobotranColours
 
 /** The brick where there is no room for it: the numbers of its display, and Run. */

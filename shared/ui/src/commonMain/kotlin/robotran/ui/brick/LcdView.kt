@@ -9,8 +9,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.BrickMessages
-import robotran.rom.LcdGlass
+import robotran.rcxrom.BrickMessages
+import robotran.rcxrom.LcdGlass
 import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.display

@@ -33,7 +33,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import robotran.running.ChartLine
+import robotran.runcontrol.ChartLine
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 

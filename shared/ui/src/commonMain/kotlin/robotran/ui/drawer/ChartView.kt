@@ -21,8 +21,8 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.running.ChartLane
-import robotran.running.ChartLine
+import robotran.runcontrol.ChartLane
+import robotran.runcontrol.ChartLine
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_chart_all_hidden
 import robotran.ui.resources.run_chart_coarser

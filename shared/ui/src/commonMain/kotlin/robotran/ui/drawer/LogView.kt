@@ -35,10 +35,10 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.RomGroup
-import robotran.rom.RomLogEntry
-import robotran.rom.RomLogFilter
-import robotran.rom.RomOutcome
+import robotran.rcxrom.RomGroup
+import robotran.rcxrom.RomLogEntry
+import robotran.rcxrom.RomLogFilter
+import robotran.rcxrom.RomOutcome
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_log_copy
 import robotran.ui.resources.run_log_count

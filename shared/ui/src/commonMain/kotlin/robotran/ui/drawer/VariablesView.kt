@@ -30,11 +30,11 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.CallFrame
-import robotran.rom.ThreadActivity
-import robotran.rom.ThreadView
-import robotran.running.ShownScope
-import robotran.running.ShownVariable
+import robotran.rcxrom.CallFrame
+import robotran.rcxrom.ThreadActivity
+import robotran.rcxrom.ThreadView
+import robotran.runcontrol.ShownScope
+import robotran.runcontrol.ShownVariable
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_calls
 import robotran.ui.resources.run_frame

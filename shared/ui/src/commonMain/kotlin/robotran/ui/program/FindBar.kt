@@ -40,8 +40,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.editing.TextSpan
-import robotran.editing.find.Search
+import robotran.textediting.find.Search
+import robotran.textediting.text.TextSpan
 import robotran.ui.parts.BackGesture
 import robotran.ui.program.editor.editorStyle
 import robotran.ui.resources.Res

@@ -1,14 +1,14 @@
 package robotran.ui.program
 
 import androidx.compose.ui.focus.FocusRequester
-import robotran.editing.Draft
-import robotran.editing.EditKind
-import robotran.editing.TextSpan
-import robotran.editing.find.nextMatch
-import robotran.editing.find.previousMatch
-import robotran.editing.find.withAllReplaced
-import robotran.editing.find.withSelected
 import robotran.programs.Mistake
+import robotran.textediting.EditKind
+import robotran.textediting.find.nextMatch
+import robotran.textediting.find.previousMatch
+import robotran.textediting.find.withAllReplaced
+import robotran.textediting.find.withSelected
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSpan
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
 import robotran.ui.workshop.LearningEvent

@@ -2,7 +2,7 @@ package robotran.ui.program
 
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
-import robotran.editing.complete.WordHelp
+import robotran.textediting.complete.WordHelp
 import robotran.ui.language.LocalLanguage
 import robotran.ui.workshop.ProgramLanguage
 import robotran.projects.ProgramLanguage as ProjectLanguage

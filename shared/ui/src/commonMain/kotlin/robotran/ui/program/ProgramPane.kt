@@ -22,8 +22,8 @@ import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.editing.Draft
-import robotran.rom.ProgramFailure
+import robotran.rcxrom.ProgramFailure
+import robotran.textediting.text.Draft
 import robotran.ui.program.editor.CodeEditor
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl

@@ -31,10 +31,10 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.editing.CodeLanguage
-import robotran.editing.Draft
-import robotran.editing.code.CodePieces
 import robotran.robolang.translate.Translation
+import robotran.textediting.code.CodePieces
+import robotran.textediting.text.CodeLanguage
+import robotran.textediting.text.Draft
 import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorPaint
 import robotran.ui.program.editor.EditorSurface

@@ -8,9 +8,9 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.unit.dp
-import robotran.running.MarkKind
-import robotran.running.RomCallLine
-import robotran.running.TimelineMark
+import robotran.runcontrol.MarkKind
+import robotran.runcontrol.RomCallLine
+import robotran.runcontrol.TimelineMark
 import robotran.ui.theme.RobotranColours
 import robotran.ui.workshop.RunPaneState
 import kotlin.math.roundToLong

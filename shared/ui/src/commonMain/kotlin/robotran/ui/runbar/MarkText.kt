@@ -2,8 +2,8 @@ package robotran.ui.runbar
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
-import robotran.running.MarkKind
-import robotran.running.TimelineMark
+import robotran.runcontrol.MarkKind
+import robotran.runcontrol.TimelineMark
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_mark_beep
 import robotran.ui.resources.run_mark_bump

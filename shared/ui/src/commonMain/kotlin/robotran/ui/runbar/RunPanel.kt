@@ -29,8 +29,8 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.StepKind
-import robotran.running.RunSpeed
+import robotran.rcxrom.StepKind
+import robotran.runcontrol.RunSpeed
 import robotran.ui.drawer.word
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_close

@@ -22,7 +22,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.running.RunSpeed
+import robotran.runcontrol.RunSpeed
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.RadioMark
 import robotran.ui.parts.SteadySize

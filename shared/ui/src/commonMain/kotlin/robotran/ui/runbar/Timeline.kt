@@ -28,7 +28,7 @@ import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.running.TimelineMark
+import robotran.runcontrol.TimelineMark
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_mark_next
 import robotran.ui.resources.run_mark_previous

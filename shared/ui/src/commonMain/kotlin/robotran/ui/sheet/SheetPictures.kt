@@ -6,8 +6,8 @@ import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import kotlinx.coroutines.yield
-import robotran.rom.RcxProgram
-import robotran.rom.RunState
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.RunState
 import robotran.world.RobotLoad
 import robotran.world.Session
 import robotran.world.SessionState

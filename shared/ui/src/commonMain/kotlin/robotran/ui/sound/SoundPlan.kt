@@ -1,6 +1,6 @@
 package robotran.ui.sound
 
-import robotran.rom.SoundEvent
+import robotran.rcxrom.SoundEvent
 
 /**
  * Fits what a brick plays in virtual time into the real time of a [LoudSpeaker].

@@ -19,7 +19,7 @@ import robotran.documents.projectFile
 import robotran.documents.workName
 import robotran.documents.workNameOfFile
 import robotran.projects.Project
-import robotran.rom.Brick
+import robotran.rcxrom.Brick
 import robotran.ui.platform.FileKind
 import robotran.ui.platform.OpenedFile
 import robotran.ui.platform.Saving

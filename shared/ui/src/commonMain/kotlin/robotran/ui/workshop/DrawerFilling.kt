@@ -1,11 +1,11 @@
 package robotran.ui.workshop
 
-import robotran.rom.RomLogFilter
-import robotran.running.ChartLane
-import robotran.running.FilteredRomCalls
-import robotran.running.Motion
-import robotran.running.RunPlayer
-import robotran.running.VariableWatch
+import robotran.rcxrom.RomLogFilter
+import robotran.runcontrol.ChartLane
+import robotran.runcontrol.FilteredRomCalls
+import robotran.runcontrol.Motion
+import robotran.runcontrol.RunPlayer
+import robotran.runcontrol.VariableWatch
 
 /** Fills the drawer with what its open tabs show of a run. */
 internal class DrawerFilling {

@@ -1,13 +1,13 @@
 package robotran.ui.workshop
 
 import androidx.compose.runtime.Immutable
-import robotran.rom.ProgramRemark
-import robotran.rom.RomLogEntry
-import robotran.rom.RomLogFilter
-import robotran.rom.ThreadView
-import robotran.running.ChartLane
-import robotran.running.ChartLine
-import robotran.running.ShownScope
+import robotran.rcxrom.ProgramRemark
+import robotran.rcxrom.RomLogEntry
+import robotran.rcxrom.RomLogFilter
+import robotran.rcxrom.ThreadView
+import robotran.runcontrol.ChartLane
+import robotran.runcontrol.ChartLine
+import robotran.runcontrol.ShownScope
 import robotran.world.explain.Influence
 
 /** What the drawer under the world can show of the run. */

@@ -4,7 +4,7 @@ import robotran.learning.WordHelp
 import robotran.learning.helpOn
 import robotran.learning.javaToTry
 import robotran.learning.wordAt
-import robotran.rom.Brick
+import robotran.rcxrom.Brick
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_help_no_room
 import robotran.projects.ProgramLanguage as CodeLanguage

@@ -1,13 +1,13 @@
 package robotran.ui.workshop
 
-import robotran.editing.CodeLanguage
-import robotran.editing.Draft
-import robotran.editing.EditKind
-import robotran.editing.code.formatJava
-import robotran.editing.editBetween
+import robotran.rcxrom.Brick
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
-import robotran.rom.Brick
+import robotran.textediting.EditKind
+import robotran.textediting.code.formatJava
+import robotran.textediting.editBetween
+import robotran.textediting.text.CodeLanguage
+import robotran.textediting.text.Draft
 
 /**
  * What a person does with the programs of the robot that is chosen.

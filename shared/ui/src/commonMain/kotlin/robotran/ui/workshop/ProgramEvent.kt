@@ -1,8 +1,8 @@
 package robotran.ui.workshop
 
-import robotran.editing.Draft
-import robotran.editing.EditKind
 import robotran.programs.Mistake
+import robotran.textediting.EditKind
+import robotran.textediting.text.Draft
 
 /** Something a person does with the programs. */
 sealed interface ProgramEvent : WorkshopEvent {

@@ -1,10 +1,10 @@
 package robotran.ui.workshop
 
-import robotran.editing.Draft
-import robotran.editing.EditHistory
-import robotran.editing.EditKind
-import robotran.editing.editBetween
-import robotran.editing.movedWith
+import robotran.textediting.EditHistory
+import robotran.textediting.EditKind
+import robotran.textediting.editBetween
+import robotran.textediting.movedWith
+import robotran.textediting.text.Draft
 
 /**
  * What is remembered of a file while it is being written.

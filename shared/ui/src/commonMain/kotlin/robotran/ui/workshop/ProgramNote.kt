@@ -1,13 +1,13 @@
 package robotran.ui.workshop
 
-import robotran.editing.TextEdit
-import robotran.editing.TextLines
-import robotran.editing.movedWith
 import robotran.programs.Mistake
 import robotran.programs.ProgramResult
+import robotran.rcxrom.ProgramFailure
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
-import robotran.rom.ProgramFailure
+import robotran.textediting.TextEdit
+import robotran.textediting.movedWith
+import robotran.textediting.text.TextLines
 
 /**
  * What is told about a line of a program.

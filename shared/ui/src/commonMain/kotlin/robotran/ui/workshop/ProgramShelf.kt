@@ -5,8 +5,8 @@ import kotlinx.coroutines.withContext
 import robotran.programs.Mistake
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
-import robotran.rom.Brick
-import robotran.rom.RcxProgram
+import robotran.rcxrom.Brick
+import robotran.rcxrom.RcxProgram
 
 /**
  * The programs of one robot in the order of its brick's slots, and what came of reading them. Robolang is read while it is typed, unless it is very

@@ -1,10 +1,10 @@
 package robotran.ui.workshop
 
 import androidx.compose.runtime.Immutable
-import robotran.editing.Draft
 import robotran.programs.Mistake
+import robotran.rcxrom.Brick
 import robotran.robolang.translate.Translation
-import robotran.rom.Brick
+import robotran.textediting.text.Draft
 import robotran.world.RobotPlace
 
 /**

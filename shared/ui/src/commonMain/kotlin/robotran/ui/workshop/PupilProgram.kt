@@ -1,9 +1,9 @@
 package robotran.ui.workshop
 
-import robotran.editing.Draft
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.projects.ProjectLimits
+import robotran.textediting.text.Draft
 
 /**
  * A program as the pupil writes it.

@@ -1,8 +1,8 @@
 package robotran.ui.workshop
 
-import robotran.editing.EditKind
-import robotran.editing.code.isJavaName
-import robotran.editing.code.renamedInJava
+import robotran.textediting.EditKind
+import robotran.textediting.code.isJavaName
+import robotran.textediting.code.renamedInJava
 
 /** Why a file cannot be called so. */
 enum class NameProblem { EMPTY, TAKEN, NO_CLASS_NAME, STRANGE_CHARACTER }

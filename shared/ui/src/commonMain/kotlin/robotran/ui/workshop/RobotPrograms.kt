@@ -4,7 +4,7 @@ import robotran.programs.ProgramReader
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.lightFacingOf
-import robotran.rom.Brick
+import robotran.rcxrom.Brick
 import robotran.world.Breakpoint
 import robotran.world.RobotLoad
 import robotran.world.RobotPlace

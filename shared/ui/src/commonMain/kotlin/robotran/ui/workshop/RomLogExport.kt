@@ -1,7 +1,7 @@
 package robotran.ui.workshop
 
 import kotlinx.coroutines.launch
-import robotran.rom.toLogText
+import robotran.rcxrom.toLogText
 import robotran.ui.platform.FileKind
 import robotran.ui.platform.Saving
 import robotran.ui.resources.Res

@@ -1,11 +1,11 @@
 package robotran.ui.workshop
 
 import robotran.projects.ProjectSettings
-import robotran.rom.BrickButton
-import robotran.rom.RomLogFilter
-import robotran.rom.StepKind
-import robotran.running.ChartLane
-import robotran.running.RunSpeed
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.RomLogFilter
+import robotran.rcxrom.StepKind
+import robotran.runcontrol.ChartLane
+import robotran.runcontrol.RunSpeed
 import robotran.world.Breakpoint
 import robotran.world.SessionInput
 

@@ -2,12 +2,12 @@ package robotran.ui.workshop
 
 import androidx.compose.runtime.Immutable
 import robotran.projects.ProjectSettings
-import robotran.rom.BrickButton
-import robotran.rom.BrickState
-import robotran.rom.RunState
-import robotran.running.RomCallLine
-import robotran.running.RunSpeed
-import robotran.running.TimelineMark
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.BrickState
+import robotran.rcxrom.RunState
+import robotran.runcontrol.RomCallLine
+import robotran.runcontrol.RunSpeed
+import robotran.runcontrol.TimelineMark
 import robotran.world.SessionState
 import robotran.world.World
 

@@ -1,12 +1,12 @@
 package robotran.ui.workshop
 
-import robotran.editing.Draft
-import robotran.editing.editBetween
 import robotran.programs.Mistake
 import robotran.programs.ProgramResult
 import robotran.robolang.RobolangProgram
 import robotran.robolang.translate.Translation
 import robotran.robolang.translate.translateRobolang
+import robotran.textediting.editBetween
+import robotran.textediting.text.Draft
 
 /**
  * One program on a shelf.

@@ -1,8 +1,8 @@
 package robotran.ui.workshop
 
-import robotran.rom.RunState
-import robotran.running.Motion
-import robotran.running.RunPlayer
+import robotran.rcxrom.RunState
+import robotran.runcontrol.Motion
+import robotran.runcontrol.RunPlayer
 
 /** Turns to the file that the program of the watched robot has come to a stop in, once at each stop: whoever then looks elsewhere is left alone. */
 internal class StoppedPlace(private val programs: ProgramsHolder) {

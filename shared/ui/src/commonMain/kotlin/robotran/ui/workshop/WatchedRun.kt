@@ -1,10 +1,10 @@
 package robotran.ui.workshop
 
 import robotran.language.Language
-import robotran.running.Motion
-import robotran.running.RunPlayer
-import robotran.running.RunSetup
-import robotran.running.RunSpeed
+import robotran.runcontrol.Motion
+import robotran.runcontrol.RunPlayer
+import robotran.runcontrol.RunSetup
+import robotran.runcontrol.RunSpeed
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_new_future
 import robotran.ui.sound.SoundPlayer

@@ -2,10 +2,10 @@ package robotran.ui.workshop
 
 import androidx.compose.runtime.Immutable
 import robotran.programs.Mistake
-import robotran.rom.BrickButton
-import robotran.rom.ProgramFailure
-import robotran.rom.ProgramRemark
-import robotran.rom.RunState
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.ProgramFailure
+import robotran.rcxrom.ProgramRemark
+import robotran.rcxrom.RunState
 import robotran.world.RobotSnapshot
 import robotran.world.SessionState
 import robotran.world.World

@@ -2,7 +2,7 @@ package robotran.ui.brick
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.rom.Brick
+import robotran.rcxrom.Brick
 import robotran.world.RobotPlace
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -10,9 +10,9 @@ import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
 import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image
-import robotran.rom.LcdGlass
-import robotran.rom.RcxMemory
-import robotran.rom.TextLcd
+import robotran.rcxrom.LcdGlass
+import robotran.rcxrom.RcxMemory
+import robotran.rcxrom.TextLcd
 import java.io.File
 
 /** [PIXELS] a unit of the [LcdPlan]. */

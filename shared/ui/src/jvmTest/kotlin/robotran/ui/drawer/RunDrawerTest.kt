@@ -13,8 +13,8 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTextInput
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
-import robotran.rom.RomGroup
-import robotran.running.ChartLane
+import robotran.rcxrom.RomGroup
+import robotran.runcontrol.ChartLane
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass

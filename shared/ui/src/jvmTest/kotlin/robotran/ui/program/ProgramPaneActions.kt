@@ -12,9 +12,9 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.withKeyDown
-import robotran.editing.Draft
-import robotran.editing.EditKind
-import robotran.editing.TextSelection
+import robotran.textediting.EditKind
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
 import robotran.ui.screen.pass
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.Workshop

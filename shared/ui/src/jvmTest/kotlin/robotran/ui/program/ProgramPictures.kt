@@ -6,9 +6,9 @@ import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
 import kotlinx.coroutines.runBlocking
-import robotran.editing.Draft
-import robotran.editing.EditKind
 import robotran.language.Language
+import robotran.textediting.EditKind
+import robotran.textediting.text.Draft
 import robotran.ui.lejosExampleTexts
 import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs

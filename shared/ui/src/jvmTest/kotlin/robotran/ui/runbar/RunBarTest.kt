@@ -20,7 +20,7 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
-import robotran.running.RunSpeed
+import robotran.runcontrol.RunSpeed
 import robotran.ui.screen.assertUnmoved
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.onPhone

@@ -4,7 +4,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.toArgb
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.rom.Brick
+import robotran.rcxrom.Brick
 import robotran.world.BuiltInWorlds
 import robotran.world.Ink
 import robotran.world.InkStroke

@@ -3,7 +3,7 @@ package robotran.ui.sheet
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.rom.Brick
+import robotran.rcxrom.Brick
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Goal

@@ -1,7 +1,7 @@
 package robotran.ui.workshop
 
 import kotlinx.coroutines.runBlocking
-import robotran.rom.StepKind
+import robotran.rcxrom.StepKind
 import robotran.ui.openWorkshop
 import robotran.world.Breakpoint
 import kotlin.test.Test

@@ -1,9 +1,9 @@
 package robotran.ui.workshop
 
 import kotlinx.coroutines.runBlocking
-import robotran.editing.Draft
-import robotran.editing.EditKind
 import robotran.projects.ProjectLimits
+import robotran.textediting.EditKind
+import robotran.textediting.text.Draft
 import robotran.ui.openWorkshop
 import kotlin.test.AfterTest
 import kotlin.test.Test

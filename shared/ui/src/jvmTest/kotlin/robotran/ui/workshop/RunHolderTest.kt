@@ -3,10 +3,10 @@ package robotran.ui.workshop
 import kotlinx.coroutines.runBlocking
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
-import robotran.rom.BrickButton
-import robotran.rom.RomLogFilter
-import robotran.rom.StepKind
-import robotran.running.RunSpeed
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.RomLogFilter
+import robotran.rcxrom.StepKind
+import robotran.runcontrol.RunSpeed
 import robotran.tinyvm.config.TinyVmMode
 import robotran.ui.openWorkshop
 import robotran.ui.platform.MemoryPlatform

@@ -3,7 +3,7 @@ package robotran.ui.workshop
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.projects.Project
-import robotran.rom.BrickButton
+import robotran.rcxrom.BrickButton
 import robotran.ui.openWorkshop
 import robotran.world.BuiltInWorlds
 import robotran.world.Goal

@@ -1,8 +1,8 @@
 package robotran.ui.workshop
 
 import kotlinx.coroutines.runBlocking
-import robotran.rom.BrickButton
-import robotran.rom.RunState
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.RunState
 import robotran.ui.openWorkshop
 import kotlin.math.abs
 import kotlin.test.AfterTest

@@ -1,6 +1,6 @@
 package robotran.world.goal
 
-import robotran.rom.SoundEvent
+import robotran.rcxrom.SoundEvent
 import robotran.world.Goal
 import robotran.world.GoalProgress
 import robotran.world.Mark

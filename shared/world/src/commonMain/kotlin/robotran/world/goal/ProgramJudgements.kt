@@ -1,7 +1,7 @@
 package robotran.world.goal
 
-import robotran.rom.LcdGlass
-import robotran.rom.RunState
+import robotran.rcxrom.LcdGlass
+import robotran.rcxrom.RunState
 import robotran.world.Goal
 import robotran.world.GoalStatus
 

@@ -1,6 +1,6 @@
 package robotran.world.goal
 
-import robotran.rom.SoundEvent
+import robotran.rcxrom.SoundEvent
 import robotran.world.Block
 import robotran.world.Outline
 import robotran.world.Penbot

@@ -1,6 +1,6 @@
 package robotran.world.grade
 
-import robotran.rom.RunState
+import robotran.rcxrom.RunState
 import robotran.world.GoalStatus
 import robotran.world.Session
 import robotran.world.SessionState

@@ -1,11 +1,11 @@
 package robotran.world.goal
 
-import robotran.rom.Brick
-import robotran.rom.LcdGlass
-import robotran.rom.RcxMemory
-import robotran.rom.RunState
-import robotran.rom.SoundEvent
-import robotran.rom.TextLcd
+import robotran.rcxrom.Brick
+import robotran.rcxrom.LcdGlass
+import robotran.rcxrom.RcxMemory
+import robotran.rcxrom.RunState
+import robotran.rcxrom.SoundEvent
+import robotran.rcxrom.TextLcd
 import robotran.world.Goal
 import robotran.world.GoalProgress
 import robotran.world.GoalStatus

@@ -1,8 +1,8 @@
 package robotran.world.goal
 
 import kotlinx.coroutines.test.runTest
-import robotran.rom.ProgramFailure
-import robotran.rom.RunState
+import robotran.rcxrom.ProgramFailure
+import robotran.rcxrom.RunState
 import robotran.world.Goal
 import robotran.world.GoalStatus
 import robotran.world.TouchKind

@@ -1,7 +1,7 @@
 package robotran.world.grade
 
 import kotlinx.coroutines.test.runTest
-import robotran.rom.RcxProgram
+import robotran.rcxrom.RcxProgram
 import robotran.world.Goal
 import robotran.world.GoalReportStatus
 import robotran.world.GoalStatus

@@ -24,12 +24,12 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
-import robotran.editing.Draft
-import robotran.editing.TextLines
-import robotran.editing.TextSelection
-import robotran.editing.TextSpan
-import robotran.editing.code.CodePieces
 import robotran.programs.Mistake
+import robotran.textediting.code.CodePieces
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextLines
+import robotran.textediting.text.TextSelection
+import robotran.textediting.text.TextSpan
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.ProgramNote
 

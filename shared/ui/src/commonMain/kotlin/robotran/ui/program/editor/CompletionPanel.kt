@@ -34,8 +34,8 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.editing.complete.Completion
-import robotran.editing.complete.CompletionList
+import robotran.textediting.complete.Completion
+import robotran.textediting.complete.CompletionList
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_completions
 import robotran.ui.resources.editor_no_completions

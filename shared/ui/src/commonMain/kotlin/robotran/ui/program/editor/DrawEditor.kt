@@ -11,8 +11,8 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.clipRect
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.unit.dp
-import robotran.editing.code.CodePieces
 import robotran.robolang.diagnostic.SourceRange
+import robotran.textediting.code.CodePieces
 import robotran.ui.theme.RobotranColours
 
 /** Draws the lines that are in sight, and what is marked in them. */

@@ -18,9 +18,9 @@ import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.KeyboardCapitalization
 import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.unit.Constraints
-import robotran.editing.Draft
-import robotran.editing.TextSelection
-import robotran.editing.TextSpan
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
+import robotran.textediting.text.TextSpan
 
 /**
  * What a keyboard writes into: it holds the part of [draft] around the caret, lies unseen where the caret is, so that an input method shows its

@@ -19,7 +19,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.customActions
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
-import robotran.editing.Draft
+import robotran.textediting.text.Draft
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_breakpoint
 import robotran.ui.resources.program_label

@@ -7,7 +7,7 @@ import androidx.compose.ui.input.key.isCtrlPressed
 import androidx.compose.ui.input.key.isMetaPressed
 import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
-import robotran.editing.CaretMove
+import robotran.textediting.CaretMove
 
 /** What a key, or several together, do in an editor. */
 internal sealed interface EditorCommand {

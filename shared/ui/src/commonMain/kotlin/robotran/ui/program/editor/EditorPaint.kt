@@ -1,9 +1,9 @@
 package robotran.ui.program.editor
 
 import androidx.compose.runtime.Immutable
-import robotran.editing.Draft
-import robotran.editing.TextSpan
 import robotran.robolang.diagnostic.SourceRange
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSpan
 
 /**
  * What is marked in a text. Lines count from 1.

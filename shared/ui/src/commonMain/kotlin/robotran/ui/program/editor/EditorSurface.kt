@@ -11,7 +11,7 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.IntSize
 import androidx.compose.ui.unit.dp
-import robotran.editing.code.CodePieces
+import robotran.textediting.code.CodePieces
 import robotran.ui.theme.LocalRobotranColours
 
 /**

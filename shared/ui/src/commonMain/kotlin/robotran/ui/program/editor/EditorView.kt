@@ -8,8 +8,8 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.IntSize
-import robotran.editing.Draft
-import robotran.editing.code.CodePieces
+import robotran.textediting.code.CodePieces
+import robotran.textediting.text.Draft
 
 /** What of a text is to be seen, and where on the screen it is. */
 @Stable

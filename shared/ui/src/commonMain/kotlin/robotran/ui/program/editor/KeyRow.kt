@@ -18,8 +18,8 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
-import robotran.editing.CaretMove
-import robotran.editing.CodeLanguage
+import robotran.textediting.CaretMove
+import robotran.textediting.text.CodeLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_caret_left
 import robotran.ui.resources.editor_caret_right

@@ -12,8 +12,8 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.sp
-import robotran.editing.CodeLanguage
-import robotran.editing.code.piecesOf
+import robotran.textediting.code.piecesOf
+import robotran.textediting.text.CodeLanguage
 import robotran.ui.theme.codeStyle
 import kotlin.math.ceil
 

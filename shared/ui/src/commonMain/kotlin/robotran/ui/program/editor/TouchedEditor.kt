@@ -11,9 +11,9 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.platform.LocalSoftwareKeyboardController
-import robotran.editing.Draft
-import robotran.editing.TextSelection
-import robotran.editing.code.CodePieces
+import robotran.textediting.code.CodePieces
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
 
 /** What a finger or a wheel scrolls. */
 @Composable

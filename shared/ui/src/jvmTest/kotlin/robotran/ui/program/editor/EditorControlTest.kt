@@ -2,10 +2,10 @@ package robotran.ui.program.editor
 
 import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.text.AnnotatedString
-import robotran.editing.CaretMove
-import robotran.editing.CodeLanguage
-import robotran.editing.Draft
-import robotran.editing.TextSelection
+import robotran.textediting.CaretMove
+import robotran.textediting.text.CodeLanguage
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

@@ -1,0 +1,46 @@
+package robotran.runcontrol
+
+import robotran.world.SessionState
+
+/** How many ROM calls each robot had made at the end of each of many equal pieces of time, with as many pieces as there is room for. */
+internal class RomCallTrack(private val robots: Int) {
+    private val totals = IntArray(CAPACITY * robots)
+
+    /** Milliseconds that a piece lasts. */
+    var step = RunRecord.LOOK_MILLISECONDS
+        private set
+
+    /** How many pieces have been begun. */
+    var size = 0
+        private set
+
+    fun look(state: SessionState) {
+        while (state.milliseconds / step >= CAPACITY) coarsen()
+        val piece = (state.milliseconds / step).toInt()
+        state.robots.forEachIndexed { robot, now -> totals[piece * robots + robot] = now.romCalls }
+        size = maxOf(size, piece + 1)
+    }
+
+    fun cutAt(state: SessionState) {
+        size = minOf(size, (state.milliseconds / step).toInt())
+        look(state)
+    }
+
+    /** The calls of [robot] up to the end of [piece]; 0 before the first one. */
+    fun total(robot: Int, piece: Int): Int = if (piece < 0) 0 else totals[piece * robots + robot]
+
+    /** Makes one piece of every two. */
+    private fun coarsen() {
+        val pieces = (size + 1) / 2
+        for (piece in 0..<pieces) {
+            val last = minOf(piece * 2 + 1, size - 1)
+            totals.copyInto(totals, piece * robots, last * robots, (last + 1) * robots)
+        }
+        size = pieces
+        step *= 2
+    }
+
+    companion object {
+        const val CAPACITY = 4_096
+    }
+}

@@ -1,0 +1,99 @@
+package robotran.runcontrol
+
+import robotran.rcxrom.RomLog
+import robotran.rcxrom.RomLogEntry
+import robotran.rcxrom.RomLogFilter
+
+/** The first [count] calls of [log]: those that were made up to a moment of a run whose log may be longer. */
+class RomCalls internal constructor(
+    internal val log: RomLog,
+    val count: Long,
+) {
+    /** Those that are kept, the oldest first. */
+    val entries: List<RomLogEntry>
+        get() {
+            val all = log.entries
+            val surplus = (log.total - count).coerceIn(0, all.size.toLong()).toInt()
+            return if (surplus == 0) all else all.subList(0, all.size - surplus)
+        }
+}
+
+/**
+ * The ROM calls of a run that [filter] lets through. A log of 200,000 calls is not gone through within a frame: each time it is asked it looks at [AT_ONCE]
+ * calls at most, and goes on there the next time.
+ */
+class FilteredRomCalls(val filter: RomLogFilter) {
+    private var log: RomLog? = null
+    private var numbers = LongArray(FIRST_ROOM)
+    private var accepted = arrayOfNulls<RomLogEntry>(FIRST_ROOM)
+    private var size = 0
+
+    /** The first call that was not looked at yet. */
+    private var next = 0L
+    private val takesAll = filter == RomLogFilter()
+
+    /** Whether all calls that were there were looked at. */
+    var isComplete = true
+        private set
+
+    /** Those of [calls] that were found, the oldest first; a list that never changes. */
+    fun find(calls: RomCalls): List<RomLogEntry> {
+        if (takesAll) return calls.entries
+        if (calls.log !== log) begin(calls.log)
+        lookOn(calls.log)
+        var end = size
+        while (end > 0 && numbers[end - 1] >= calls.count) end--
+        return Found(accepted, end)
+    }
+
+    private fun begin(other: RomLog) {
+        log = other
+        size = 0
+        next = 0
+        // Arrays that were given out are never written again.
+        numbers = LongArray(FIRST_ROOM)
+        accepted = arrayOfNulls(FIRST_ROOM)
+    }
+
+    private fun lookOn(log: RomLog) {
+        val oldest = log.total - log.entries.size
+        var number = maxOf(next, oldest)
+        val end = minOf(log.total, number + AT_ONCE)
+        while (number < end) {
+            log[number]?.takeIf(filter::accepts)?.let { add(number, it) }
+            number++
+        }
+        next = number
+        isComplete = next == log.total
+    }
+
+    private fun add(number: Long, entry: RomLogEntry) {
+        if (size >= RomLog.CAPACITY) forgetHalf()
+        if (size == accepted.size) {
+            numbers = numbers.copyOf(size * 2)
+            accepted = accepted.copyOf(size * 2)
+        }
+        numbers[size] = number
+        accepted[size++] = entry
+    }
+
+    private fun forgetHalf() {
+        val half = size / 2
+        numbers = numbers.copyOfRange(half, size)
+        accepted = accepted.copyOfRange(half, size)
+        size -= half
+    }
+
+    private class Found(private val entries: Array<RomLogEntry?>, override val size: Int) : AbstractList<RomLogEntry>() {
+        override fun get(index: Int): RomLogEntry {
+            if (index !in 0..<size) throw IndexOutOfBoundsException("entry $index of $size")
+            return checkNotNull(entries[index])
+        }
+    }
+
+    companion object {
+        /** How many calls are looked at in one frame. */
+        const val AT_ONCE = 10_000
+        private const val FIRST_ROOM = 256
+    }
+}

@@ -1,0 +1,70 @@
+package robotran.runcontrol
+
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.RunState
+import robotran.robolang.RobolangResult
+import robotran.robolang.readRobolang
+import robotran.robolang.robot.Calibration
+import robotran.world.BuiltInWorlds
+import robotran.world.Penbot
+import robotran.world.RobotLoad
+import robotran.world.Session
+import robotran.world.SessionInput
+import robotran.world.World
+import robotran.world.physics.loadPhysicsEngine
+import kotlin.test.assertIs
+
+internal fun robolang(source: String): RcxProgram {
+    val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+    return assertIs<RobolangResult.Ready>(readRobolang("test", source, calibration)).program
+}
+
+internal suspend fun setupOf(source: String, world: World = BuiltInWorlds.plain): RunSetup =
+    RunSetup(world, world.robots.map { RobotLoad(listOf(robolang(source))) }, loadPhysicsEngine())
+
+/** A run of [source] in which Run was pressed on all robots at its beginning. */
+internal suspend fun started(source: String, world: World = BuiltInWorlds.plain): RunPlayer =
+    RunPlayer(setupOf(source, world)).apply { pressRun(world) }
+
+internal fun RunPlayer.pressRun(world: World = BuiltInWorlds.plain) {
+    for (robot in world.robots.indices) {
+        apply(SessionInput.Press(BrickButton.RUN, robot))
+        apply(SessionInput.Release(BrickButton.RUN, robot))
+    }
+}
+
+/** The run of [player] at [time], from the beginning and by itself. */
+internal suspend fun RunPlayer.again(source: String, time: Long, world: World = BuiltInWorlds.plain): Session {
+    val setup = setupOf(source, world)
+    return Session.replay(setup.world, setup.loads, setup.physics, inputs, time)
+}
+
+/** The line that the program is at; 0 if none runs. */
+internal val RunPlayer.line: Int get() = (session.state.brick.run as? RunState.Running)?.sourceLine ?: 0
+
+/** Lets time pass until it stands still, a minute at most. */
+internal fun RunPlayer.untilStill() {
+    repeat(6_000) { if (motion != Motion.Still) pass(10) }
+}
+
+/** Draws [count] frames that are [milliseconds] apart, the first at [from]; gives back when the next one would be. */
+internal fun RunPlayer.frames(count: Int, milliseconds: Long = 16, from: Long = 0): Long {
+    repeat(count) { frame((from + it * milliseconds) * 1_000_000) }
+    return from + count * milliseconds
+}
+
+/** A program that drives, beeps, draws and calls a procedure. */
+internal const val BUSY = """procedure dash(n)
+  pen down
+  forward n
+  pen up
+end
+var round = 0
+repeat 4 times
+  round = round + 1
+  dash(10)
+  beep
+  turn left 90
+end
+show round"""

@@ -1,0 +1,41 @@
+package robotran.textediting
+
+import robotran.textediting.code.PieceKind
+import robotran.textediting.code.piecesOfJava
+import robotran.textediting.text.CodeLanguage
+import robotran.textediting.text.isWordCharacter
+
+/** What a line does to the blocks it stands among. */
+internal data class BlockEffect(
+    /** Whether it ends a block and so belongs as far left as the block's first line. */
+    val closes: Boolean,
+    /** Whether the lines below it belong further right. */
+    val opens: Boolean,
+)
+
+/** What [line] does to the blocks around it. */
+internal fun blockEffect(line: String, language: CodeLanguage): BlockEffect = when (language) {
+    CodeLanguage.ROBOLANG -> {
+        when (firstWord(line)) {
+            "end" -> BlockEffect(closes = true, opens = false)
+            "else" -> BlockEffect(closes = true, opens = true)
+            in ROBOLANG_OPENERS -> BlockEffect(closes = false, opens = true)
+            else -> BlockEffect(closes = false, opens = false)
+        }
+    }
+
+    CodeLanguage.JAVA -> {
+        val braces = bracesOf(line)
+        BlockEffect(closes = line.trimStart().startsWith('}'), opens = braces.lastIndexOf('{') > braces.lastIndexOf('}'))
+    }
+}
+
+/** The curly brackets of a line of Java, without those in texts and comments. */
+private fun bracesOf(line: String): String = piecesOfJava(line, startsInComment = false).pieces
+    .filter { it.kind == PieceKind.SIGN }
+    .joinToString("") { line.substring(it.start, it.end) }
+    .filter { it == '{' || it == '}' }
+
+private fun firstWord(line: String): String = line.trimStart().takeWhile(::isWordCharacter).lowercase()
+
+private val ROBOLANG_OPENERS = setOf("repeat", "for", "if", "procedure", "function", "whenever", "robot")

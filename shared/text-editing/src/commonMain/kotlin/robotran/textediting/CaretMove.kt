@@ -1,0 +1,86 @@
+package robotran.textediting
+
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
+import robotran.textediting.text.isWordCharacter
+import robotran.textediting.text.widthAt
+import robotran.textediting.text.widthBefore
+
+/** The ways a caret goes by keys. */
+enum class CaretMove { LEFT, RIGHT, WORD_LEFT, WORD_RIGHT, UP, DOWN, PAGE_UP, PAGE_DOWN, LINE_START, LINE_END, TEXT_START, TEXT_END }
+
+/**
+ * This text with the caret moved.
+ *
+ * @param selecting whether what lies between stays selected.
+ * @param goal the column that a caret which goes up and down keeps to, where a line is long enough for it; null for the one it is in.
+ * @param page how many lines a page has.
+ */
+fun Draft.moved(move: CaretMove, selecting: Boolean, goal: Int? = null, page: Int = 1): Draft {
+    val leavesSelection = !selecting && !selection.isEmpty
+    val caret = when {
+        leavesSelection && move == CaretMove.LEFT -> selection.start
+        leavesSelection && move == CaretMove.RIGHT -> selection.end
+        else -> target(move, goal ?: lines.columnOf(selection.caret), page)
+    }
+    return copy(selection = TextSelection(if (selecting) selection.anchor else caret, caret))
+}
+
+private fun Draft.target(move: CaretMove, column: Int, page: Int): Int {
+    val caret = selection.caret
+    return when (move) {
+        CaretMove.LEFT -> if (caret > 0) caret - widthBefore(text, caret) else 0
+        CaretMove.RIGHT -> if (caret < text.length) caret + widthAt(text, caret) else caret
+        CaretMove.WORD_LEFT -> wordStartBefore(text, caret)
+        CaretMove.WORD_RIGHT -> wordEndAfter(text, caret)
+        CaretMove.UP -> vertically(-1, column)
+        CaretMove.DOWN -> vertically(1, column)
+        CaretMove.PAGE_UP -> vertically(-page, column)
+        CaretMove.PAGE_DOWN -> vertically(page, column)
+        CaretMove.LINE_START -> lineStart()
+        CaretMove.LINE_END -> lines.end(lines.lineOf(caret))
+        CaretMove.TEXT_START -> 0
+        CaretMove.TEXT_END -> text.length
+    }
+}
+
+private fun Draft.vertically(by: Int, column: Int): Int {
+    val line = lines.lineOf(selection.caret)
+    val target = line + by
+    return when {
+        target < 0 -> if (line == 0) 0 else lines.offset(0, column)
+        target >= lines.count -> if (line == lines.count - 1) text.length else lines.offset(lines.count - 1, column)
+        else -> lines.offset(target, column)
+    }
+}
+
+/** First to where the words of the line begin, and from there to its very beginning. */
+private fun Draft.lineStart(): Int {
+    val line = lines.lineOf(selection.caret)
+    val start = lines.start(line)
+    val words = start + indentOf(lines.line(line)).length
+    return if (selection.caret == words) start else words
+}
+
+internal fun wordStartBefore(text: String, offset: Int): Int {
+    var place = offset
+    while (place > 0 && !isWordCharacter(text[place - 1])) {
+        place--
+        if (text[place] == '\n') return place
+    }
+    while (place > 0 && isWordCharacter(text[place - 1])) place--
+    return place
+}
+
+internal fun wordEndAfter(text: String, offset: Int): Int {
+    var place = offset
+    while (place < text.length && !isWordCharacter(text[place])) {
+        place++
+        if (text[place - 1] == '\n') return place
+    }
+    while (place < text.length && isWordCharacter(text[place])) place++
+    return place
+}
+
+/** The blanks that [line] begins with. */
+internal fun indentOf(line: String): String = line.takeWhile { it == ' ' || it == '\t' }

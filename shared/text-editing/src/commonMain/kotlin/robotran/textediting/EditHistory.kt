@@ -1,0 +1,106 @@
+package robotran.textediting
+
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
+
+/** What one does to a text, as far as undoing takes several of a kind back together. */
+enum class EditKind { TYPING, ERASING, OTHER }
+
+/**
+ * What was done to a text and what was undone, for going back and forth. Never changes; each call gives a new one. What is typed in one go is
+ * undone word by word, whatever else step by step. The oldest steps are forgotten when there are very many.
+ */
+class EditHistory private constructor(
+    private val past: List<Step>,
+    private val future: List<Step>,
+) {
+    constructor() : this(emptyList(), emptyList())
+
+    val canUndo: Boolean get() = past.isNotEmpty()
+    val canRedo: Boolean get() = future.isNotEmpty()
+
+    /** The history once [before] has become [after]. */
+    fun recorded(before: Draft, after: Draft, kind: EditKind): EditHistory {
+        val edit = editBetween(before, after) ?: return this
+        val step = Step(edit, before.selection, after.selection, kind)
+        val joined = past.lastOrNull()?.joinedWith(step)
+        val longer = if (joined == null) past + step else past.dropLast(1) + joined
+        return EditHistory(withinLimits(longer), emptyList())
+    }
+
+    /** The text and the history one step back from [draft]; null if there is none. */
+    fun undone(draft: Draft): Pair<Draft, EditHistory>? {
+        val step = past.lastOrNull() ?: return null
+        val text = step.edit.inverse.applyTo(draft.text)
+        return Draft(text, step.before.within(text.length)) to EditHistory(past.dropLast(1), future + step)
+    }
+
+    /** The text and the history one step forth from [draft]; null if nothing was undone. */
+    fun redone(draft: Draft): Pair<Draft, EditHistory>? {
+        val step = future.lastOrNull() ?: return null
+        val text = step.edit.applyTo(draft.text)
+        // What was undone is not joined with what is typed next.
+        return Draft(text, step.after.within(text.length)) to EditHistory(past + step.copy(kind = EditKind.OTHER), future.dropLast(1))
+    }
+
+    /** The same, but what comes next is a step of its own. */
+    fun closed(): EditHistory {
+        val last = past.lastOrNull() ?: return this
+        return if (last.kind == EditKind.OTHER) this else EditHistory(past.dropLast(1) + last.copy(kind = EditKind.OTHER), future)
+    }
+
+    private data class Step(
+        val edit: TextEdit,
+        val before: TextSelection,
+        val after: TextSelection,
+        val kind: EditKind,
+    ) {
+        val size: Int get() = edit.inserted.length + edit.removed.length
+
+        fun joinedWith(next: Step): Step? = when {
+            kind != next.kind -> {
+                null
+            }
+
+            kind == EditKind.TYPING && goesOnTyping(next.edit) -> {
+                joined(next, edit.copy(inserted = edit.inserted + next.edit.inserted))
+            }
+
+            kind == EditKind.ERASING && goesOnErasing(next.edit) -> {
+                joined(next, edit.copy(next.edit.start, next.edit.removed + edit.removed))
+            }
+
+            else -> {
+                null
+            }
+        }
+
+        private fun joined(next: Step, edit: TextEdit) = copy(edit = edit, after = next.after)
+
+        private fun goesOnTyping(next: TextEdit): Boolean {
+            val startsWord = edit.inserted.lastOrNull()?.isWhitespace() == true && next.inserted.firstOrNull()?.isWhitespace() == false
+            return next.removed.isEmpty() && next.start == edit.start + edit.inserted.length && '\n' !in next.inserted && !startsWord
+        }
+
+        private fun goesOnErasing(next: TextEdit) =
+            next.inserted.isEmpty() && edit.inserted.isEmpty() && next.start + next.removed.length == edit.start && '\n' !in next.removed
+    }
+
+    companion object {
+        /** How many steps are kept at most. */
+        const val MOST_STEPS = 400
+
+        /** How many characters all steps may hold; the newest step is always kept. */
+        const val MOST_CHARACTERS = 4_000_000
+
+        private fun withinLimits(steps: List<Step>): List<Step> {
+            var kept = steps.takeLast(MOST_STEPS)
+            var size = kept.sumOf { it.size }
+            while (size > MOST_CHARACTERS && kept.size > 1) {
+                size -= kept.first().size
+                kept = kept.drop(1)
+            }
+            return kept
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package robotran.textediting
+
+import robotran.textediting.text.CodeLanguage
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
+import robotran.textediting.text.widthAt
+import robotran.textediting.text.widthBefore
+
+/** This text after [typed] was typed, or came from the clipboard. A line that comes to end a block moves to where that block began. */
+fun Draft.typed(typed: String, language: CodeLanguage): Draft {
+    if (typed == "\n") return withLineBreak(language)
+    val after = replaced(typed.replace("\r\n", "\n").replace('\r', '\n').replace("\t", language.indent))
+    return if (typed.length == 1) after.withBlockEndAligned(language) else after
+}
+
+/** This text with a new line at the caret, as far right as belongs there. */
+fun Draft.withLineBreak(language: CodeLanguage): Draft {
+    val place = selection.start
+    val line = lines.lineOf(place)
+    val before = text.substring(lines.start(line), place)
+    val indent = indentOf(before)
+    val deeper = if (blockEffect(before, language).opens) indent + language.indent else indent
+    val rest = text.substring(selection.end, lines.end(lines.lineOf(selection.end)))
+    val broken = replaced("\n" + deeper)
+    val closesAtOnce = language == CodeLanguage.JAVA && deeper != indent && rest.trimStart().startsWith('}')
+    return if (closesAtOnce) broken.withBehindCaret("\n" + indent, rest) else broken.withoutBlanksBehindCaret(rest)
+}
+
+/** A bracket that was closed at once goes to a line of its own. */
+private fun Draft.withBehindCaret(inserted: String, rest: String): Draft {
+    val caret = selection.caret
+    return Draft(text.replaceRange(caret, caret + rest.length - rest.trimStart().length, inserted), selection)
+}
+
+private fun Draft.withoutBlanksBehindCaret(rest: String): Draft =
+    Draft(text.removeRange(selection.caret, selection.caret + rest.length - rest.trimStart().length), selection)
+
+private fun Draft.withBlockEndAligned(language: CodeLanguage): Draft {
+    val line = lines.lineOf(selection.caret)
+    val content = lines.line(line)
+    if (selection.caret != lines.end(line) || content.trim().lowercase() !in blockEnds(language)) return this
+    val indent = indentOf(content)
+    val wanted = indentOfOpener(line, language) ?: return this
+    if (wanted == indent) return this
+    val start = lines.start(line)
+    return Draft(text.replaceRange(start, start + indent.length, wanted), TextSelection(selection.caret + wanted.length - indent.length))
+}
+
+private fun blockEnds(language: CodeLanguage) = when (language) {
+    CodeLanguage.ROBOLANG -> setOf("end", "else")
+    CodeLanguage.JAVA -> setOf("}")
+}
+
+/** How far right the block begins that [line] ends; null if there is none. */
+private fun Draft.indentOfOpener(line: Int, language: CodeLanguage): String? {
+    var open = 0
+    for (above in line - 1 downTo maxOf(0, line - MOST_LINES_OF_A_BLOCK)) {
+        val content = lines.line(above)
+        val effect = blockEffect(content, language)
+        if (effect.opens) {
+            if (open == 0) return indentOf(content)
+            open--
+        }
+        if (effect.closes) open++
+    }
+    return null
+}
+
+/** This text without what is selected or, if nothing is, without the character before the caret; blanks before a line go a step at a time. */
+fun Draft.erasedBackwards(language: CodeLanguage): Draft {
+    if (!selection.isEmpty) return replaced("")
+    val caret = selection.caret
+    if (caret == 0) return this
+    val before = text.substring(lines.start(lines.lineOf(caret)), caret)
+    val step = language.indent.length
+    val blanks = if (before.isNotEmpty() && before.all { it == ' ' }) (before.length - 1) % step + 1 else widthBefore(text, caret)
+    return replaced(caret - blanks, caret, "")
+}
+
+/** This text without what is selected or, if nothing is, without the character behind the caret. */
+fun Draft.erasedForwards(): Draft {
+    if (!selection.isEmpty) return replaced("")
+    val caret = selection.caret
+    return if (caret == text.length) this else replaced(caret, caret + widthAt(text, caret), "")
+}
+
+/** This text without what is selected or, if nothing is, without the word before the caret. */
+fun Draft.wordErasedBackwards(): Draft =
+    if (selection.isEmpty) replaced(wordStartBefore(text, selection.caret), selection.caret, "") else replaced("")
+
+/** The same with the word behind it. */
+fun Draft.wordErasedForwards(): Draft =
+    if (selection.isEmpty) replaced(selection.caret, wordEndAfter(text, selection.caret), "") else replaced("")
+
+/** Further up nobody looks for the beginning of a block. */
+private const val MOST_LINES_OF_A_BLOCK = 500

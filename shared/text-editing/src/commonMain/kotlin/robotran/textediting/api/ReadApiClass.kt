@@ -1,0 +1,74 @@
+package robotran.textediting.api
+
+/**
+ * Reads what the library's source of a class says about it. It holds for sources as the library has them: a member begins four blanks from the
+ * left and has its comment above it.
+ */
+internal fun readApiClass(name: String, path: String, source: String): ApiClass {
+    var help = ""
+    var parents = emptyList<String>()
+    var classHelp = ""
+    var isInterface = false
+    val members = mutableListOf<ApiMember>()
+    val lines = source.lines()
+    var place = 0
+    while (place < lines.size) {
+        val line = lines[place]
+        when {
+            line.trimStart().startsWith("/**") -> {
+                val comment = commentFrom(lines, place)
+                help = firstSentence(comment.joinToString(" "))
+                place += comment.size - 1
+            }
+
+            line.startsWith("public ") && (" class " in line || " interface " in line) -> {
+                classHelp = help
+                isInterface = " interface " in line
+                parents = parentsIn(line)
+                help = ""
+            }
+
+            isDeclaration(line, isInterface) -> {
+                memberIn(line.trim(), help, isInterface, name)?.let(members::add)
+                help = ""
+            }
+        }
+        place++
+    }
+    return ApiClass(name, path, classHelp, parents, members)
+}
+
+private fun commentFrom(lines: List<String>, first: Int): List<String> {
+    val last = (first..<lines.size).firstOrNull { "*/" in lines[it] } ?: first
+    return lines.subList(first, last + 1)
+}
+
+/** What a comment says before its first full stop and its tags. */
+private fun firstSentence(comment: String): String {
+    val text = comment.replace("/**", "").replace("*/", "").split(' ').filter { it.isNotEmpty() && it != "*" }.joinToString(" ").trim()
+    val plain = text.substringBefore(" @").replace("{@code ", "").replace("}", "").removePrefix("@")
+    val end = plain.indexOf(". ")
+    return if (end < 0) plain else plain.take(end + 1)
+}
+
+private fun parentsIn(line: String): List<String> = line.substringBefore('{')
+    .split(' ', ',')
+    .dropWhile { it != "extends" && it != "implements" }
+    .filter { it.isNotEmpty() && it != "extends" && it != "implements" }
+
+private fun isDeclaration(line: String, isInterface: Boolean): Boolean {
+    val isMember = line.startsWith("    ") && !line.startsWith("     ")
+    return isMember && (line.startsWith("    public ") || (isInterface && line.trimEnd().endsWith(';')))
+}
+
+private fun memberIn(declaration: String, help: String, isInterface: Boolean, className: String): ApiMember? {
+    val head = declaration.substringBefore('{').substringBefore(" = ").substringBefore('=').trim().trimEnd(';')
+    val parameters = if ('(' in head) head.substringAfter('(').substringBeforeLast(')') else null
+    val words = head.substringBefore('(').trim().split(' ').filter { it.isNotEmpty() }
+    val name = words.last()
+    val type = words.dropLast(1).lastOrNull { it !in MODIFIERS } ?: return null
+    val isInner = type == "class" || type == "interface" || name == className
+    return if (isInner) null else ApiMember(name, type, parameters, "static" in words || (isInterface && parameters == null), help)
+}
+
+private val MODIFIERS = setOf("public", "static", "final", "abstract", "native", "synchronized", "protected", "transient", "volatile")

@@ -1,0 +1,48 @@
+package robotran.textediting.code
+
+import robotran.robolang.SourcePieceKind
+import robotran.robolang.robolangPieces
+import robotran.textediting.text.CodeLanguage
+import robotran.textediting.text.TextLines
+
+/** The pieces of the lines of a program, worked out when they are asked for. */
+class CodePieces(
+    private val lines: TextLines,
+    private val language: CodeLanguage,
+) {
+    private val startsInComment: BooleanArray? by lazy(LazyThreadSafetyMode.PUBLICATION) { commentStarts() }
+
+    /** Whether [line], from 0, begins inside a comment of several lines. */
+    fun startsInComment(line: Int): Boolean = startsInComment?.get(line) ?: false
+
+    /** The pieces of [line], from 0. */
+    fun of(line: Int): List<CodePiece> = piecesOf(lines.line(line), language, startsInComment(line))
+
+    private fun commentStarts(): BooleanArray? {
+        if (language == CodeLanguage.ROBOLANG || "/*" !in lines.text) return null
+        val starts = BooleanArray(lines.count)
+        var inComment = false
+        for (line in 0..<lines.count) {
+            starts[line] = inComment
+            val text = lines.line(line)
+            if (inComment || "/*" in text) inComment = piecesOfJava(text, inComment).endsInComment
+        }
+        return starts
+    }
+}
+
+/** The pieces of one [line]. Never throws, whatever it holds. */
+fun piecesOf(line: String, language: CodeLanguage, startsInComment: Boolean): List<CodePiece> = when (language) {
+    CodeLanguage.ROBOLANG -> robolangPieces(line).map { CodePiece(kindOf(it.kind), it.start, it.end) }
+    CodeLanguage.JAVA -> piecesOfJava(line, startsInComment).pieces
+}
+
+private fun kindOf(kind: SourcePieceKind): PieceKind = when (kind) {
+    SourcePieceKind.KEYWORD -> PieceKind.KEYWORD
+    SourcePieceKind.BUILT_IN -> PieceKind.KNOWN
+    SourcePieceKind.NAME -> PieceKind.NAME
+    SourcePieceKind.NUMBER -> PieceKind.NUMBER
+    SourcePieceKind.TEXT -> PieceKind.TEXT
+    SourcePieceKind.SIGN -> PieceKind.SIGN
+    SourcePieceKind.COMMENT -> PieceKind.COMMENT
+}

@@ -1,0 +1,99 @@
+package robotran.textediting.code
+
+/**
+ * Lays out Java: four blanks for each block around a line, eight more where a line goes on, no blanks at line ends, at most one empty line at a
+ * time and `\n` at the end. What stands in a line stays as it is, and formatted again it stays as a whole. Never throws, whatever [source] holds.
+ */
+fun formatJava(source: String): String {
+    val layout = JavaLayout()
+    val lines = source.replace("\r\n", "\n").replace('\r', '\n').split('\n').map(layout::laidOut)
+    val kept = lines.filterIndexed { place, line -> line.isNotEmpty() || (place > 0 && lines[place - 1].isNotEmpty()) }
+    val text = kept.dropWhile { it.isEmpty() }.dropLastWhile { it.isEmpty() }.joinToString("\n")
+    return if (text.isEmpty()) "" else text + "\n"
+}
+
+/** Goes down a source line by line and knows how far right each belongs. */
+private class JavaLayout {
+    /** The brackets that are open, curly or not, with the blanks that what is inside them has. */
+    private val open = ArrayDeque<Bracket>()
+    private var isInComment = false
+    private var commentIndent = 0
+
+    /** How many blanks a line has more because the one before has not come to its end. */
+    private var continuation = 0
+
+    fun laidOut(line: String): String {
+        val startsInComment = isInComment
+        val content = line.trim()
+        val parts = piecesOfJava(content, startsInComment)
+        isInComment = parts.endsInComment
+        if (content.isEmpty()) return ""
+        if (startsInComment) {
+            val indent = if (content.startsWith('*')) commentIndent + 1 else commentIndent
+            noteCode(content, parts.pieces, commentIndent)
+            return blanks(indent) + content
+        }
+        val indent = indentOf(content)
+        if (isInComment) commentIndent = indent
+        noteCode(content, parts.pieces, indent)
+        return blanks(indent) + content
+    }
+
+    private fun indentOf(content: String): Int {
+        val first = content.first()
+        val bracket = open.lastOrNull() ?: return if (first == '{') 0 else continuation
+        if (first == '}' && bracket.sign == '{') return bracket.outside
+        val extra = if (first == '{') 0 else continuation
+        return bracket.inside + extra
+    }
+
+    private fun noteCode(content: String, pieces: List<CodePiece>, indent: Int) {
+        val code = pieces.filter { it.kind != PieceKind.COMMENT }
+        if (code.isEmpty()) return
+        val lineStart = if (continuation > 0 && content.first() != '{') indent - continuation else indent
+        for (piece in code.filter { it.kind == PieceKind.SIGN }) {
+            when (val sign = content[piece.start]) {
+                '{' -> open.addLast(Bracket(sign, lineStart, lineStart + STEP))
+                '(', '[' -> open.addLast(Bracket(sign, lineStart, lineStart + 2 * STEP))
+                '}', ')', ']' -> close(opening(sign))
+            }
+        }
+        continuation = continuationAfter(content, code)
+    }
+
+    private fun close(sign: Char) {
+        if (open.any { it.sign == sign }) {
+            while (open.last().sign != sign) open.removeLast()
+            open.removeLast()
+        }
+    }
+
+    private fun continuationAfter(content: String, code: List<CodePiece>): Int {
+        if (open.lastOrNull()?.sign.let { it == '(' || it == '[' }) return 0
+        val last = code.last()
+        val end = content.substring(last.start, last.end)
+        val words = code.takeWhile { it.kind != PieceKind.SIGN || content[it.start] == '}' }.map { content.substring(it.start, it.end) }
+        val keyword = words.firstOrNull { it != "}" }
+        return when {
+            end == ";" || end == "{" || end == "}" || end == "," || end == ":" -> 0
+            end == ")" && keyword in HEADERS -> STEP
+            end == "else" || end == "do" || (end == ")" && "else" in words) -> STEP
+            else -> 2 * STEP
+        }
+    }
+
+    private class Bracket(val sign: Char, val outside: Int, val inside: Int)
+
+    private companion object {
+        const val STEP = 4
+        val HEADERS = setOf("if", "for", "while", "else")
+
+        fun blanks(count: Int) = " ".repeat(count)
+
+        fun opening(closing: Char) = when (closing) {
+            '}' -> '{'
+            ')' -> '('
+            else -> '['
+        }
+    }
+}

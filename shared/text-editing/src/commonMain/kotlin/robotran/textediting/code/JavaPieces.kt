@@ -1,0 +1,83 @@
+package robotran.textediting.code
+
+import robotran.textediting.api.LejosApi
+
+/** The words that Java of a brick's time keeps for itself. */
+val JAVA_KEYWORDS: List<String> = (
+    "abstract boolean break byte case catch char class const continue default do double else extends false final finally float for " +
+        "goto if implements import instanceof int interface long native new null package private protected public return short static " +
+        "super switch synchronized this throw throws transient true try void volatile while"
+).split(' ')
+
+/**
+ * Takes one [line] of Java apart. Never throws, whatever it holds.
+ *
+ * @param startsInComment whether a comment that began further up goes on here.
+ */
+fun piecesOfJava(line: String, startsInComment: Boolean): LinePieces = JavaLine(line, startsInComment).pieces()
+
+private class JavaLine(private val line: String, private var isInComment: Boolean) {
+    private val pieces = mutableListOf<CodePiece>()
+    private var position = 0
+
+    fun pieces(): LinePieces {
+        if (isInComment) takeComment(0)
+        while (position < line.length) piece()
+        return LinePieces(pieces, isInComment)
+    }
+
+    private fun piece() {
+        val character = line[position]
+        when {
+            character.isWhitespace() -> position++
+            isNameStart(character) -> takeWord()
+            character.isDigit() || (character == '.' && line.getOrNull(position + 1)?.isDigit() == true) -> takeNumber()
+            character == '"' || character == '\'' -> takeText(character)
+            line.startsWith("//", position) -> take(PieceKind.COMMENT, line.length)
+            line.startsWith("/*", position) -> takeComment("/*".length)
+            else -> take(PieceKind.SIGN, position + 1)
+        }
+    }
+
+    private fun takeWord() {
+        val end = endOf { isNamePart(it) }
+        val word = line.substring(position, end)
+        val kind = when (word) {
+            in KEYWORDS -> PieceKind.KEYWORD
+            in LejosApi.classNames -> PieceKind.KNOWN
+            else -> PieceKind.NAME
+        }
+        take(kind, end)
+    }
+
+    private fun takeNumber() = take(PieceKind.NUMBER, endOf { it.isLetterOrDigit() || it == '.' })
+
+    private fun takeText(mark: Char) {
+        var end = position + 1
+        while (end < line.length && line[end] != mark) end += if (line[end] == '\\') 2 else 1
+        take(PieceKind.TEXT, minOf(end + 1, line.length))
+    }
+
+    private fun takeComment(opening: Int) {
+        val close = line.indexOf("*/", position + opening)
+        isInComment = close < 0
+        take(PieceKind.COMMENT, if (close < 0) line.length else close + "*/".length)
+    }
+
+    private inline fun endOf(belongs: (Char) -> Boolean): Int {
+        var end = position + 1
+        while (end < line.length && belongs(line[end])) end++
+        return end
+    }
+
+    private fun take(kind: PieceKind, end: Int) {
+        if (end > position) pieces += CodePiece(kind, position, end)
+        position = end
+    }
+}
+
+private fun isNameStart(character: Char) = character.isLetter() || character == '_' || character == '$'
+
+private fun isNamePart(character: Char) = character.isLetterOrDigit() || character == '_' || character == '$'
+
+private val KEYWORDS = JAVA_KEYWORDS.toSet()

@@ -1,0 +1,28 @@
+package robotran.textediting.code
+
+import robotran.textediting.text.CodeLanguage
+import robotran.textediting.text.TextLines
+
+/** [source] with every name [old] written as [new], but for those in texts and comments. */
+fun renamedInJava(source: String, old: String, new: String): String {
+    val lines = TextLines(source)
+    val pieces = CodePieces(lines, CodeLanguage.JAVA)
+    val result = StringBuilder()
+    for (line in 0..<lines.count) {
+        if (line > 0) result.append('\n')
+        val text = lines.line(line)
+        var done = 0
+        for (piece in pieces.of(line)) {
+            val isName = piece.kind == PieceKind.NAME || piece.kind == PieceKind.KNOWN
+            if (!isName || text.substring(piece.start, piece.end) != old) continue
+            result.append(text, done, piece.start).append(new)
+            done = piece.end
+        }
+        result.append(text, done, text.length)
+    }
+    return result.toString()
+}
+
+/** Whether a class of Java can be called so. */
+fun isJavaName(name: String): Boolean =
+    name.isNotEmpty() && name !in JAVA_KEYWORDS && !name.first().isDigit() && name.all { it.isLetterOrDigit() || it == '_' }

@@ -1,0 +1,123 @@
+package robotran.textediting.complete
+
+import robotran.textediting.api.ApiMember
+import robotran.textediting.api.LejosApi
+import robotran.textediting.code.CodePieces
+import robotran.textediting.code.JAVA_KEYWORDS
+import robotran.textediting.code.PieceKind
+import robotran.textediting.text.CodeLanguage
+import robotran.textediting.text.Draft
+
+/** What may stand where the caret is in a leJOS program; null if nothing is offered there. */
+internal fun completeJava(draft: Draft, help: WordHelp, isWanted: Boolean): CompletionList? {
+    val caret = draft.selection.caret
+    val line = draft.lines.lineOf(caret)
+    val text = draft.lines.line(line)
+    val lineStart = draft.lines.start(line)
+    val column = caret - lineStart
+    val pieces = CodePieces(draft.lines, CodeLanguage.JAVA).of(line)
+    val around = pieces.firstOrNull { column > it.start && column <= it.end }
+    if (around != null && around.kind in SILENT) return null
+    val word = around?.takeIf { it.kind != PieceKind.SIGN }
+    val start = word?.start ?: column
+    val typed = text.substring(start, column)
+    val before = pieces.filter { it.end <= start }.map { text.substring(it.start, it.end) }
+    val isMember = before.lastOrNull() == "." && text.substring(0, start).endsWith('.')
+    if (!isMember && typed.isEmpty() && !isWanted) return null
+    val isAtEnd = text.substring(column).isBlank()
+    val candidates = if (isMember) {
+        membersBehind(receiverOf(before.dropLast(1)), draft)
+    } else {
+        namesIn(draft, lineStart + start) +
+            JAVA_KEYWORDS.map { completionOf(it, KEYWORD_ENDINGS[it].takeIf { isAtEnd }, help) } +
+            LejosApi.classNames.sorted().map { Completion(it, CompletionKind.CLASS, help = LejosApi.classOf(it)?.help?.ifEmpty { null }) }
+    }
+    if (!isWanted && candidates.any { it.isWritten(typed) }) return null
+    val items = matching(typed, candidates).filter { it.inserted != typed }
+    return if (items.isEmpty()) null else CompletionList(lineStart + start, items)
+}
+
+/** The names with points between them that stand before a point, such as `Motor` and `A`; empty if there is something else. */
+private fun receiverOf(before: List<String>): List<String> {
+    val names = mutableListOf<String>()
+    var place = before.lastIndex
+    while (place >= 0 && before[place].first().let { it.isLetter() || it == '_' }) {
+        names.add(0, before[place])
+        if (before.getOrNull(place - 1) != ".") return names
+        place -= 2
+    }
+    return emptyList()
+}
+
+private fun membersBehind(receiver: List<String>, draft: Draft): List<Completion> {
+    if (receiver.isEmpty()) return emptyList()
+    val first = receiver.first()
+    var type = if (LejosApi.classOf(first) != null) first else typeOfVariable(first, draft) ?: return emptyList()
+    var isClass = LejosApi.classOf(first) != null
+    for (name in receiver.drop(1)) {
+        type = LejosApi.membersOf(type).firstOrNull { it.name == name && it.parameters == null }?.type ?: return emptyList()
+        isClass = false
+    }
+    return LejosApi.membersOf(type).filter { it.isStatic == isClass }.map(::completionOf)
+}
+
+private fun completionOf(member: ApiMember): Completion {
+    val help = member.help.ifEmpty { null }
+    val parameters = member.parameters ?: return Completion(member.name, CompletionKind.FIELD, help = help)
+    val inserted = member.name + "()"
+    val caret = if (parameters.isEmpty()) inserted.length else inserted.length - 1
+    return Completion("${member.name}($parameters)", CompletionKind.METHOD, inserted, caret, help)
+}
+
+/** What a variable was declared as: the class that stands before its name. */
+private fun typeOfVariable(name: String, draft: Draft): String? {
+    var before = ""
+    val pieces = CodePieces(draft.lines, CodeLanguage.JAVA)
+    for (line in 0..<minOf(draft.lines.count, MOST_LINES)) {
+        val text = draft.lines.line(line)
+        if (name !in text) continue
+        for (piece in pieces.of(line)) {
+            val word = text.substring(piece.start, piece.end)
+            if (word == name && before in LejosApi.classNames) return before
+            before = word
+        }
+    }
+    return null
+}
+
+private fun namesIn(draft: Draft, writing: Int): List<Completion> {
+    val pieces = CodePieces(draft.lines, CodeLanguage.JAVA)
+    val found = LinkedHashMap<String, Completion>()
+    val here = draft.lines.lineOf(writing)
+    for (line in maxOf(0, here - MOST_LINES_AROUND)..minOf(draft.lines.count - 1, here + MOST_LINES_AROUND)) {
+        val text = draft.lines.line(line)
+        val inLine = pieces.of(line)
+        inLine.forEachIndexed { place, piece ->
+            val isMember = place > 0 && text[inLine[place - 1].start] == '.'
+            if (piece.kind != PieceKind.NAME || isMember || draft.lines.start(line) + piece.start == writing) return@forEachIndexed
+            val name = text.substring(piece.start, piece.end)
+            val isCalled = inLine.getOrNull(place + 1)?.let { text[it.start] == '(' } == true
+            found.getOrPut(name) {
+                if (isCalled) callOf(name, CompletionKind.METHOD) else Completion(name, CompletionKind.NAME)
+            }
+        }
+    }
+    return found.values.filter { it.label != "()" }
+}
+
+/** What never stands alone. */
+private val KEYWORD_ENDINGS = (
+    mapOf("if" to " (|)", "while" to " (|)", "for" to " (|)", "catch" to " (|)") +
+        (
+            "abstract class extends final implements import instanceof interface new package private protected public static " +
+                "synchronized throw throws"
+        ).split(' ').associateWith { " " }
+).mapValues { WordEnding.of(it.value) }
+
+private val SILENT = setOf(PieceKind.COMMENT, PieceKind.TEXT, PieceKind.NUMBER)
+
+/** Declarations further down are not looked for. */
+private const val MOST_LINES = 5_000
+
+/** Names further away are not offered: this has to be quick at every key. */
+private const val MOST_LINES_AROUND = 1_000

@@ -1,0 +1,18 @@
+package robotran.textediting.complete
+
+import robotran.textediting.text.CodeLanguage
+import robotran.textediting.text.Draft
+
+/**
+ * What may stand where the caret of [draft] is: words of the language, names of the program and what the brick's library has. Null if nothing is
+ * offered there, as in a comment.
+ *
+ * @param isWanted whether somebody asked for it; otherwise nothing is offered before something has been typed.
+ */
+fun completionsAt(draft: Draft, language: CodeLanguage, help: WordHelp, isWanted: Boolean): CompletionList? {
+    if (!draft.selection.isEmpty) return null
+    return when (language) {
+        CodeLanguage.ROBOLANG -> completeRobolang(draft, help, isWanted)
+        CodeLanguage.JAVA -> completeJava(draft, help, isWanted)
+    }
+}

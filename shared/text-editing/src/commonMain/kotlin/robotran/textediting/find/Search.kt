@@ -1,0 +1,75 @@
+package robotran.textediting.find
+
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
+import robotran.textediting.text.TextSpan
+import robotran.textediting.text.isWordCharacter
+
+/**
+ * What is looked for in a text.
+ *
+ * @property text the characters; nothing is found if there are none.
+ * @property matchCase whether capitals and small letters are told apart.
+ * @property wholeWords whether it must not be a part of a longer word.
+ */
+data class Search(
+    val text: String,
+    val matchCase: Boolean = false,
+    val wholeWords: Boolean = false,
+) {
+    /** Where it stands in [source], one behind the other, at most [MOST_MATCHES]. */
+    fun matchesIn(source: String): List<TextSpan> {
+        if (text.isEmpty()) return emptyList()
+        val found = mutableListOf<TextSpan>()
+        var place = source.indexOf(text, 0, ignoreCase = !matchCase)
+        while (place >= 0 && found.size < MOST_MATCHES) {
+            val span = TextSpan(place, place + text.length)
+            val counts = !wholeWords || isWhole(source, span)
+            if (counts) found += span
+            place = source.indexOf(text, if (counts) span.end else place + 1, ignoreCase = !matchCase)
+        }
+        return found
+    }
+
+    private fun isWhole(source: String, span: TextSpan): Boolean {
+        val before = source.getOrNull(span.start - 1)
+        val behind = source.getOrNull(span.end)
+        return (before == null || !isWordCharacter(before)) && (behind == null || !isWordCharacter(behind))
+    }
+
+    companion object {
+        const val MOST_MATCHES = 5_000
+    }
+}
+
+/** The place in [matches] of the one that comes next after what is selected, the first behind the last; -1 if there are none. */
+fun Draft.nextMatch(matches: List<TextSpan>): Int {
+    if (matches.isEmpty()) return -1
+    val isAtMatch = matches.any { it.start == selection.start && it.end == selection.end }
+    val from = if (isAtMatch) selection.end else selection.start
+    return matches.indexOfFirst { it.start >= from }.coerceAtLeast(0)
+}
+
+/** The same going back. */
+fun Draft.previousMatch(matches: List<TextSpan>): Int {
+    if (matches.isEmpty()) return -1
+    val before = matches.indexOfLast { it.end <= selection.start }
+    return if (before >= 0) before else matches.lastIndex
+}
+
+/** This text with [match] selected. */
+fun Draft.withSelected(match: TextSpan): Draft = copy(selection = TextSelection(match.start, match.end).within(text.length))
+
+/** This text with each of [matches], in their order, replaced by [replacement]. */
+fun Draft.withAllReplaced(matches: List<TextSpan>, replacement: String): Draft {
+    val result = StringBuilder()
+    var done = 0
+    for (match in matches) {
+        result.append(text, done, match.start).append(replacement)
+        done = match.end
+    }
+    result.append(text, done, text.length)
+    val before = matches.count { it.end <= selection.caret }
+    val caret = selection.caret + before * replacement.length - matches.take(before).sumOf { it.length }
+    return Draft(result.toString()).withCaret(caret)
+}

@@ -1,0 +1,68 @@
+package robotran.textediting
+
+import robotran.textediting.code.CodePieces
+import robotran.textediting.code.PieceKind
+import robotran.textediting.code.isJavaName
+import robotran.textediting.code.piecesOf
+import robotran.textediting.code.piecesOfJava
+import robotran.textediting.code.renamedInJava
+import robotran.textediting.text.CodeLanguage
+import robotran.textediting.text.TextLines
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
+
+class CodePiecesTest {
+    private fun described(line: String, language: CodeLanguage) =
+        piecesOf(line, language, startsInComment = false).map { it.kind to line.substring(it.start, it.end) }
+
+    @Test
+    fun `a line of Robolang is taken apart as its scanner does`() = assertEquals(
+        listOf(
+            PieceKind.KEYWORD to "show",
+            PieceKind.KNOWN to "abs",
+            PieceKind.SIGN to "(",
+            PieceKind.NAME to "side",
+            PieceKind.SIGN to ")",
+            PieceKind.COMMENT to "// how long",
+        ),
+        described("show abs(side) // how long", CodeLanguage.ROBOLANG),
+    )
+
+    @Test
+    fun `a line of Java is taken apart`() = assertEquals(
+        listOf(
+            PieceKind.KEYWORD to "int",
+            PieceKind.NAME to "x",
+            PieceKind.SIGN to "=",
+            PieceKind.KNOWN to "Motor",
+            PieceKind.SIGN to ".",
+            PieceKind.NAME to "A",
+            PieceKind.SIGN to "+",
+            PieceKind.NUMBER to "0x1F",
+            PieceKind.SIGN to ";",
+            PieceKind.COMMENT to "/* a */",
+            PieceKind.TEXT to "\"\\\"b\"",
+            PieceKind.COMMENT to "// c",
+        ),
+        described("int x = Motor.A + 0x1F; /* a */ \"\\\"b\" // c", CodeLanguage.JAVA),
+    )
+
+    @Test
+    fun `a comment goes on until it ends`() {
+        assertTrue(piecesOfJava("a /* b", startsInComment = false).endsInComment)
+        assertFalse(piecesOfJava("b */ c", startsInComment = true).endsInComment)
+        val pieces = CodePieces(TextLines("/*\n int\n*/ int"), CodeLanguage.JAVA)
+        assertEquals(listOf(PieceKind.COMMENT), pieces.of(1).map { it.kind })
+        assertEquals(listOf(PieceKind.COMMENT, PieceKind.KEYWORD), pieces.of(2).map { it.kind })
+    }
+
+    @Test
+    fun `a class is renamed wherever it is meant`() {
+        val source = "class Square { // Square\n  Square next = new Square(\"Square\");\n  int Squares;\n}"
+        assertEquals("class Box { // Square\n  Box next = new Box(\"Square\");\n  int Squares;\n}", renamedInJava(source, "Square", "Box"))
+        assertTrue(isJavaName("Box2"))
+        assertFalse(isJavaName("2Box") || isJavaName("class") || isJavaName("a b") || isJavaName(""))
+    }
+}
