@@ -18,7 +18,7 @@ import robotran.projects.LinkMaking
 import robotran.projects.Project
 import robotran.projects.linkOf
 import robotran.ui.workshop.DocumentDialog
-import robotran.world.BuiltInWorlds
+import robotran.world.file.BuiltInWorlds
 import java.io.ByteArrayInputStream
 import java.io.IOException
 import java.io.InputStream

@@ -2,19 +2,19 @@ package robotran.benchmarks
 
 import robotran.world.Barrier
 import robotran.world.Block
-import robotran.world.BuiltInWorlds
 import robotran.world.Lamp
 import robotran.world.LightFacing
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
-import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.RobotPlace
 import robotran.world.Shade
-import robotran.world.Shape
 import robotran.world.Wall
 import robotran.world.World
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 
 /** A large sheet with so many barriers, blocks and robots, none of which begins in another; the barriers lie in rows, the robots in the free strips between. */
 internal fun crowdedWorld(barriers: Int, robots: Int, blocks: Int = 0, furnished: Boolean = false): World =

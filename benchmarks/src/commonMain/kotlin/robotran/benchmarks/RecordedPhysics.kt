@@ -1,9 +1,9 @@
 package robotran.benchmarks
 
-import robotran.world.Point
-import robotran.world.physics.PhysicsEngine
-import robotran.world.physics.PhysicsSettings
-import robotran.world.physics.PhysicsWorld
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.physics.PhysicsSettings
+import robotran.simulation.physics.PhysicsWorld
+import robotran.world.geometry.Point
 
 /** Physics that writes down what a session does to it, so that it can be done again without the session: the bare steps that the session contains. */
 internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngine by engine {

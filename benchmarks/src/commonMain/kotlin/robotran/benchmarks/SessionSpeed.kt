@@ -2,14 +2,14 @@ package robotran.benchmarks
 
 import robotran.rcxrom.RcxProgram
 import robotran.robolang.robot.Calibration
-import robotran.world.BuiltInWorlds
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.pressRun
 import robotran.world.Penbot
-import robotran.world.RobotLoad
-import robotran.world.Session
 import robotran.world.World
-import robotran.world.physics.PhysicsEngine
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.pressRun
+import robotran.world.file.BuiltInWorlds
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.minutes
 import kotlin.time.DurationUnit

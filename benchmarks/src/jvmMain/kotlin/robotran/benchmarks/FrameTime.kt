@@ -8,11 +8,11 @@ import robotran.projects.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
+import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.RobotranApp
 import robotran.ui.workshop.DrawerTab
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.Workshop
-import robotran.world.physics.loadPhysicsEngine
 import javax.swing.SwingUtilities
 import kotlin.time.Duration
 import kotlin.time.DurationUnit

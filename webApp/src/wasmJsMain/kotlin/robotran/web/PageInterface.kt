@@ -14,13 +14,13 @@ import robotran.projects.RobotLoads
 import robotran.projects.forFirstRobot
 import robotran.projects.readProject
 import robotran.projects.readRobotLoads
+import robotran.simulation.Session
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.report
+import robotran.simulation.runUnattended
 import robotran.ui.workshop.PENBOT_CALIBRATION
 import robotran.ui.workshop.Workshop
-import robotran.world.BuiltInWorlds
-import robotran.world.Session
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.report
-import robotran.world.runUnattended
+import robotran.world.file.BuiltInWorlds
 import kotlin.js.Promise
 
 /**

@@ -11,14 +11,14 @@ import robotran.projects.readProject
 import robotran.projects.readRobotLoads
 import robotran.rcxrom.toLogText
 import robotran.robolang.robot.Calibration
-import robotran.world.BuiltInWorlds
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.report
+import robotran.simulation.runUnattended
 import robotran.world.Penbot
-import robotran.world.RobotLoad
-import robotran.world.Session
-import robotran.world.physics.PhysicsEngine
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.report
-import robotran.world.runUnattended
+import robotran.world.file.BuiltInWorlds
 import java.io.File
 
 /**

@@ -11,7 +11,7 @@ import robotran.rcxrom.MotorState
 import robotran.rcxrom.RunState
 import robotran.rcxrom.SensorState
 import robotran.rcxrom.SoundEvent
-import robotran.world.Session
+import robotran.simulation.Session
 
 /**
  * The brick at the end of a run, as JSON: `poweredOn`, `program` (the number on the display), `state` (`idle`, `running`, `ended`,

@@ -22,7 +22,7 @@ import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.linkOf
 import robotran.projects.siteAddress
-import robotran.world.BuiltInWorlds
+import robotran.world.file.BuiltInWorlds
 
 /** `robotran link FILE..`: prints what to paste behind the address of the page, so that it opens with a world or a project. */
 internal class LinkCommand(

@@ -7,15 +7,15 @@ import robotran.programs.ProgramReader
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
 import robotran.rcxrom.RunState
+import robotran.simulation.RecordedInput
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.grade.runForGoals
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.runUnattended
 import robotran.ui.workshop.PENBOT_CALIBRATION
-import robotran.world.BuiltInWorlds
-import robotran.world.RecordedInput
-import robotran.world.RobotLoad
-import robotran.world.Session
 import robotran.world.World
-import robotran.world.grade.runForGoals
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.runUnattended
+import robotran.world.file.BuiltInWorlds
 
 /**
  * What to run.

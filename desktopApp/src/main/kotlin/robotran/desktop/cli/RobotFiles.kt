@@ -11,7 +11,7 @@ import robotran.projects.ProjectRobot
 import robotran.projects.RobotLoads
 import robotran.projects.loadsWith
 import robotran.projects.readRobotLoads
-import robotran.world.RobotLoad
+import robotran.simulation.RobotLoad
 
 /** A program for a robot of the world, as `--robot red=Ram.robo` says it. */
 internal data class RobotFile(

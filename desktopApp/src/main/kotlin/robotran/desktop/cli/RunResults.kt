@@ -5,13 +5,13 @@ import robotran.rcxrom.BrickMessages
 import robotran.rcxrom.RomLogFilter
 import robotran.rcxrom.toCsv
 import robotran.rcxrom.toLogText
+import robotran.simulation.GoalReport
+import robotran.simulation.RunReport
+import robotran.simulation.RunStatus
+import robotran.simulation.Session
+import robotran.simulation.report
 import robotran.ui.sheet.worldPicturePng
 import robotran.ui.sheet.worldPictureSvg
-import robotran.world.GoalReport
-import robotran.world.RunReport
-import robotran.world.RunStatus
-import robotran.world.Session
-import robotran.world.report
 import kotlin.math.roundToInt
 
 /** Writes what a finished run is to leave behind. */

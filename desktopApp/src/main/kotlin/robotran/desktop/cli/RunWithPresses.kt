@@ -1,9 +1,9 @@
 package robotran.desktop.cli
 
 import robotran.rcxrom.RunState
-import robotran.world.RecordedInput
-import robotran.world.Session
-import robotran.world.SessionInput
+import robotran.simulation.RecordedInput
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
 
 /**
  * Presses buttons and lets time pass, until the last button is up, no program runs, and nothing has moved or sounded for

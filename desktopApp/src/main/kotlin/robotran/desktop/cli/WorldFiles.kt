@@ -3,8 +3,8 @@ package robotran.desktop.cli
 import robotran.desktop.files.TextFile
 import robotran.desktop.files.readTextFile
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
 
 /**
  * What is changed about a world for a run.

@@ -1,7 +1,7 @@
 package robotran.desktop.messages
 
 import robotran.language.listed
-import robotran.world.goal.EnglishGoalMessages
+import robotran.simulation.goal.EnglishGoalMessages
 
 /** The messages in English. */
 internal object EnglishCommandMessages :

@@ -2,7 +2,7 @@ package robotran.desktop.messages
 
 import robotran.language.listed
 import robotran.language.withComma
-import robotran.world.goal.GermanGoalMessages
+import robotran.simulation.goal.GermanGoalMessages
 
 /** The messages in German; the seed that chance is drawn from is a "Startzahl". */
 internal object GermanCommandMessages :

@@ -2,7 +2,7 @@ package robotran.desktop.messages
 
 import robotran.language.listed
 import robotran.language.withComma
-import robotran.world.goal.SpanishGoalMessages
+import robotran.simulation.goal.SpanishGoalMessages
 
 /** The messages in Spanish; the seed that chance is drawn from is a "semilla". */
 internal object SpanishCommandMessages :

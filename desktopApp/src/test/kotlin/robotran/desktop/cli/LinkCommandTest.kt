@@ -7,10 +7,10 @@ import robotran.projects.ProjectSettings
 import robotran.projects.openLink
 import robotran.projects.writeProject
 import robotran.rcxrom.BrickButton
-import robotran.world.BuiltInWorlds
-import robotran.world.RecordedInput
-import robotran.world.SessionInput
-import robotran.world.writeWorld
+import robotran.simulation.RecordedInput
+import robotran.simulation.SessionInput
+import robotran.world.file.BuiltInWorlds
+import robotran.world.file.writeWorld
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import kotlin.test.Test

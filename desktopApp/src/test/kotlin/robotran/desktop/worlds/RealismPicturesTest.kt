@@ -1,13 +1,13 @@
 package robotran.desktop.worlds
 
 import kotlinx.coroutines.runBlocking
+import robotran.simulation.Session
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.runUnattended
 import robotran.ui.sheet.RunTrack
 import robotran.ui.sheet.pngOf
 import robotran.ui.sheet.renderRuns
-import robotran.world.BuiltInWorlds
-import robotran.world.Session
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.runUnattended
+import robotran.world.file.BuiltInWorlds
 import java.io.File
 import kotlin.math.hypot
 import kotlin.test.Test

@@ -7,11 +7,11 @@ import robotran.programs.SourceFile
 import robotran.projects.RobotLoads
 import robotran.projects.forFirstRobot
 import robotran.projects.readRobotLoads
+import robotran.simulation.RobotLoad
 import robotran.ui.workshop.PENBOT_CALIBRATION
-import robotran.world.RobotLoad
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
 import java.io.File
 
 /** The worlds of the folder `worlds` and their solutions, as they lie in the tree. */

@@ -1,12 +1,12 @@
 package robotran.desktop.worlds
 
 import kotlinx.coroutines.runBlocking
+import robotran.simulation.Session
+import robotran.simulation.grade.Grade
+import robotran.simulation.grade.runForGoals
+import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.sheet.sheetPng
-import robotran.world.Session
 import robotran.world.World
-import robotran.world.grade.Grade
-import robotran.world.grade.runForGoals
-import robotran.world.physics.loadPhysicsEngine
 import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertEquals

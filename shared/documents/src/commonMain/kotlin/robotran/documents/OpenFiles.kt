@@ -14,8 +14,8 @@ import robotran.projects.openLink
 import robotran.projects.readProject
 import robotran.rcxrom.Brick
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
 
 /**
  * A file that somebody gives the app.

@@ -5,7 +5,7 @@ import robotran.projects.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
-import robotran.world.BuiltInWorlds
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.assertIs
 
 /** A project with one program of this [text]. */

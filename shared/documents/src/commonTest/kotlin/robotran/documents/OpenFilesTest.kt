@@ -5,8 +5,8 @@ import robotran.projects.LinkMaking
 import robotran.projects.ProgramLanguage
 import robotran.projects.linkOf
 import robotran.projects.writeProject
-import robotran.world.BuiltInWorlds
-import robotran.world.writeWorld
+import robotran.world.file.BuiltInWorlds
+import robotran.world.file.writeWorld
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals

@@ -4,8 +4,8 @@ import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectLimits
 import robotran.projects.readProject
 import robotran.rcxrom.BrickButton
-import robotran.world.RecordedInput
-import robotran.world.SessionInput
+import robotran.simulation.RecordedInput
+import robotran.simulation.SessionInput
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

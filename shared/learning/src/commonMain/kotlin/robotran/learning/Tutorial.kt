@@ -4,8 +4,8 @@ import robotran.language.Language
 import robotran.language.choose
 import robotran.programs.SourceFile
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
 
 /**
  * The tutorial: the folders of `learning/tutorial` in the order of their names. A folder has a text in each language, `text.en.md` and so

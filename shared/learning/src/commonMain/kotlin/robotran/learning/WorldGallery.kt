@@ -1,8 +1,8 @@
 package robotran.learning
 
 import robotran.language.Language
-import robotran.world.BuiltInWorlds
 import robotran.world.World
+import robotran.world.file.BuiltInWorlds
 
 /** How hard the task of a world is. */
 enum class WorldLevel { EASY, MEDIUM, HARD }

@@ -11,11 +11,11 @@ import robotran.projects.ProgramLanguage
 import robotran.rcxrom.RcxProgram
 import robotran.rcxrom.RunState
 import robotran.robolang.robot.Calibration
-import robotran.world.BuiltInWorlds
+import robotran.simulation.Session
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.pressRun
 import robotran.world.Penbot
-import robotran.world.Session
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.pressRun
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -9,11 +9,11 @@ import robotran.projects.Project
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
 import robotran.robolang.robot.Calibration
+import robotran.simulation.Session
+import robotran.simulation.grade.Grade
+import robotran.simulation.grade.runForGoals
+import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
-import robotran.world.Session
-import robotran.world.grade.Grade
-import robotran.world.grade.runForGoals
-import robotran.world.physics.loadPhysicsEngine
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

@@ -1,7 +1,7 @@
 package robotran.learning
 
 import robotran.language.Language
-import robotran.world.BuiltInWorlds
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals

@@ -2,11 +2,11 @@ package robotran.projects
 
 import robotran.json.JsonMessages
 import robotran.json.JsonPlace
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.RecordedInput
-import robotran.world.SessionInput
+import robotran.simulation.RecordedInput
+import robotran.simulation.SessionInput
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 
 /** Reads what was done to a session in [world]. */
 internal class InputReader(private val world: World) {

@@ -5,9 +5,9 @@ import robotran.json.JsonLimits
 import robotran.json.writeCompactJson
 import robotran.language.Language
 import robotran.world.World
-import robotran.world.WorldFileResult
+import robotran.world.file.WorldFileResult
 import robotran.world.file.elementOf
-import robotran.world.readWorld
+import robotran.world.file.readWorld
 import kotlin.io.encoding.Base64
 
 /** A link that was made. */

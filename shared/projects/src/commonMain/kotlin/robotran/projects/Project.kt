@@ -4,8 +4,8 @@ import robotran.programs.JavaSettings
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.simulation.RecordedInput
 import robotran.world.LightFacing
-import robotran.world.RecordedInput
 import robotran.world.UnknownFields
 import robotran.world.World
 

@@ -8,12 +8,12 @@ import robotran.json.jsonObject
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
 import robotran.rcxrom.BrickButton
-import robotran.world.Pose
-import robotran.world.RecordedInput
-import robotran.world.SessionInput
+import robotran.simulation.RecordedInput
+import robotran.simulation.SessionInput
 import robotran.world.World
 import robotran.world.file.elementOf
 import robotran.world.file.wordFor
+import robotran.world.geometry.Pose
 
 internal fun elementOf(project: Project): JsonObject = jsonObject(project.unknown.members) {
     text("format", PROJECT_FORMAT)

@@ -8,8 +8,8 @@ import robotran.rcxrom.Brick
 import robotran.rcxrom.RcxProgram
 import robotran.robolang.LightSensorFacing
 import robotran.robolang.RobolangProgram
+import robotran.simulation.RobotLoad
 import robotran.world.LightFacing
-import robotran.world.RobotLoad
 import robotran.world.RobotPlace
 import robotran.world.World
 

@@ -2,11 +2,11 @@ package robotran.projects
 
 import kotlinx.coroutines.test.runTest
 import robotran.json.JsonLimits
-import robotran.world.BuiltInWorlds
+import robotran.simulation.SessionInput
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Point
-import robotran.world.SessionInput
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
 import kotlin.io.encoding.Base64
 import kotlin.random.Random
 import kotlin.test.Test

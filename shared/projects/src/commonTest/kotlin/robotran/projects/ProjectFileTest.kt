@@ -2,9 +2,9 @@ package robotran.projects
 
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.world.Pose
-import robotran.world.RecordedInput
-import robotran.world.SessionInput
+import robotran.simulation.RecordedInput
+import robotran.simulation.SessionInput
+import robotran.world.geometry.Pose
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -3,19 +3,19 @@ package robotran.projects
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
 import robotran.rcxrom.BrickButton
+import robotran.simulation.RecordedInput
+import robotran.simulation.SessionInput
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.Block
-import robotran.world.BuiltInWorlds
 import robotran.world.Lamp
 import robotran.world.LightFacing
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.RecordedInput
 import robotran.world.RobotColour
 import robotran.world.RobotPlace
-import robotran.world.SessionInput
-import robotran.world.Shape
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 

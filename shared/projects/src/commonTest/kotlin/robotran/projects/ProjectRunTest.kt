@@ -3,10 +3,10 @@ package robotran.projects
 import kotlinx.coroutines.test.runTest
 import robotran.programs.ProgramReader
 import robotran.robolang.robot.Calibration
+import robotran.simulation.Session
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.report
 import robotran.world.Penbot
-import robotran.world.Session
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.report
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

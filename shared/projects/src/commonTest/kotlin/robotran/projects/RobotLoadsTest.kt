@@ -4,11 +4,11 @@ import kotlinx.coroutines.test.runTest
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramSource
 import robotran.robolang.robot.Calibration
-import robotran.world.BuiltInWorlds
 import robotran.world.LightFacing
 import robotran.world.Penbot
-import robotran.world.Pose
 import robotran.world.RobotPlace
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

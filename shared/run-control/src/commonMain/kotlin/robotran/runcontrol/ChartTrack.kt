@@ -2,8 +2,8 @@ package robotran.runcontrol
 
 import robotran.rcxrom.MotorMode
 import robotran.rcxrom.MotorState
-import robotran.world.RobotSnapshot
-import robotran.world.SessionState
+import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.SessionState
 
 /** What a chart shows of a robot over time: its sensors as their ports show them, and what its motors are told. */
 enum class ChartLane {

@@ -1,9 +1,9 @@
 package robotran.runcontrol
 
 import robotran.rcxrom.RunState
-import robotran.world.GoalStatus
-import robotran.world.RobotSnapshot
-import robotran.world.SessionState
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.SessionState
 
 /** Finds what happens in a run by looking at one of its states after the other, and keeps it, thinned out where there is much of it. */
 internal class MarkTrack {

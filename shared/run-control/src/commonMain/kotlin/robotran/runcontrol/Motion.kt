@@ -1,7 +1,7 @@
 package robotran.runcontrol
 
 import robotran.rcxrom.StepKind
-import robotran.world.Breakpoint
+import robotran.simulation.Breakpoint
 
 /** What a run that is being watched is doing. */
 sealed interface Motion {

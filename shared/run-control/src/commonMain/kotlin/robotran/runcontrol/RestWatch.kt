@@ -1,8 +1,8 @@
 package robotran.runcontrol
 
 import robotran.rcxrom.RunState
-import robotran.world.Pose
-import robotran.world.SessionState
+import robotran.simulation.state.SessionState
+import robotran.world.geometry.Pose
 
 /** Notices when nothing moves, sounds or is about to, so that time need not go on. */
 class RestWatch {

@@ -1,7 +1,7 @@
 package robotran.runcontrol
 
 import robotran.rcxrom.RunState
-import robotran.world.SessionState
+import robotran.simulation.state.SessionState
 import robotran.world.World
 
 /** Notices when a run in [world] is over, so that its goals can be decided, as when it is graded. */

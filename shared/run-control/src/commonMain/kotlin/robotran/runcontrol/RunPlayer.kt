@@ -3,13 +3,13 @@ package robotran.runcontrol
 import robotran.language.Language
 import robotran.rcxrom.SoundTrack
 import robotran.rcxrom.StepKind
-import robotran.world.Breakpoint
-import robotran.world.RecordedInput
-import robotran.world.RobotLoad
-import robotran.world.Session
-import robotran.world.SessionInput
-import robotran.world.SessionState
-import robotran.world.StopReason
+import robotran.simulation.Breakpoint
+import robotran.simulation.RecordedInput
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
+import robotran.simulation.StopReason
+import robotran.simulation.state.SessionState
 
 /**
  * A run that is watched: played at any [speed], stopped, stepped through, and gone through back and forth. It is at one [time] of what is known of it, up

@@ -1,6 +1,6 @@
 package robotran.runcontrol
 
-import robotran.world.SessionState
+import robotran.simulation.state.SessionState
 import robotran.world.World
 
 /** What is known of a run up to where it has come, in bounded memory: the longer it is, the more coarsely. */

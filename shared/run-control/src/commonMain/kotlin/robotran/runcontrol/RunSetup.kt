@@ -1,10 +1,10 @@
 package robotran.runcontrol
 
 import robotran.language.Language
-import robotran.world.RobotLoad
-import robotran.world.Session
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.physics.PhysicsEngine
 import robotran.world.World
-import robotran.world.physics.PhysicsEngine
 
 /**
  * What a run is made from, and can be made from again.

@@ -1,8 +1,8 @@
 package robotran.runcontrol
 
-import robotran.world.Pose
-import robotran.world.RobotState
-import robotran.world.SessionState
+import robotran.simulation.state.RobotState
+import robotran.simulation.state.SessionState
+import robotran.world.geometry.Pose
 
 /**
  * Draws what moves between the steps of the physics, which are 5 ms apart and can be told one from another in slow motion. What is drawn is one step behind.

@@ -1,6 +1,6 @@
 package robotran.runcontrol
 
-import robotran.world.SessionState
+import robotran.simulation.state.SessionState
 
 /** States of a run at even distances, so that any moment can be looked at before it has been computed again. */
 internal class StateTrack {

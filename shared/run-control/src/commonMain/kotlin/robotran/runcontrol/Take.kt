@@ -1,10 +1,10 @@
 package robotran.runcontrol
 
 import robotran.rcxrom.StepKind
-import robotran.world.Breakpoint
-import robotran.world.RecordedInput
-import robotran.world.Session
-import robotran.world.StopReason
+import robotran.simulation.Breakpoint
+import robotran.simulation.RecordedInput
+import robotran.simulation.Session
+import robotran.simulation.StopReason
 
 /** A session on its way through a run: it began at 0, and what was done to the run is done to it as its time comes. */
 internal class Take(setup: RunSetup, watched: Int) {

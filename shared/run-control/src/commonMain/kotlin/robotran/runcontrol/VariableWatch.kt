@@ -1,7 +1,7 @@
 package robotran.runcontrol
 
 import robotran.rcxrom.VariableScope
-import robotran.world.Session
+import robotran.simulation.Session
 
 /**
  * A variable as it is shown.

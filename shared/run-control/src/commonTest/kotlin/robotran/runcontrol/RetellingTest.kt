@@ -2,9 +2,9 @@ package robotran.runcontrol
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
-import robotran.world.BuiltInWorlds
-import robotran.world.Pose
-import robotran.world.SessionInput
+import robotran.simulation.SessionInput
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

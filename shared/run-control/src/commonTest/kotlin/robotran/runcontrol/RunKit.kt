@@ -6,13 +6,13 @@ import robotran.rcxrom.RunState
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration
-import robotran.world.BuiltInWorlds
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
+import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
-import robotran.world.RobotLoad
-import robotran.world.Session
-import robotran.world.SessionInput
 import robotran.world.World
-import robotran.world.physics.loadPhysicsEngine
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.assertIs
 
 internal fun robolang(source: String): RcxProgram {

@@ -2,11 +2,11 @@ package robotran.runcontrol
 
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.StepKind
-import robotran.world.Breakpoint
-import robotran.world.BuiltInWorlds
-import robotran.world.Pose
-import robotran.world.SessionInput
-import robotran.world.StopReason
+import robotran.simulation.Breakpoint
+import robotran.simulation.SessionInput
+import robotran.simulation.StopReason
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

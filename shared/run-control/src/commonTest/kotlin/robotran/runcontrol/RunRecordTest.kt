@@ -3,11 +3,11 @@ package robotran.runcontrol
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.RomGroup
 import robotran.rcxrom.RomLogFilter
-import robotran.world.BuiltInWorlds
+import robotran.simulation.SessionInput
+import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
-import robotran.world.GoalStatus
-import robotran.world.Pose
-import robotran.world.SessionInput
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

@@ -12,10 +12,10 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 import robotran.rcxrom.StepKind
-import robotran.world.Breakpoint
-import robotran.world.Pose
-import robotran.world.Session
-import robotran.world.SessionInput
+import robotran.simulation.Breakpoint
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
+import robotran.world.geometry.Pose
 
 /** However a run is gone through, it is the run that its inputs make. */
 class RunPlayerProperties : StringSpec({

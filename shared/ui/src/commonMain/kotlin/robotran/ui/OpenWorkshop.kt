@@ -4,14 +4,14 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
+import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.platform.MemoryPlatform
 import robotran.ui.platform.Platform
 import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.SettingsHolder
 import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.asProject
-import robotran.world.BuiltInWorlds
-import robotran.world.physics.loadPhysicsEngine
+import robotran.world.file.BuiltInWorlds
 
 /**
  * Gets everything ready for the first screen: the physics, the plain sheet, what was chosen for this machine, and [programs] or, without any, the

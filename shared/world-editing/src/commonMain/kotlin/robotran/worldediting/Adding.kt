@@ -1,11 +1,11 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Point
 import robotran.world.World
 import robotran.world.file.Direction
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
 
 /** [piece] about [at], where there is room for it, and chosen. */
 internal fun WorldEditing.put(piece: Piece, at: Point): Outcome? {

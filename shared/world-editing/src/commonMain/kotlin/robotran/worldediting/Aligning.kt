@@ -1,6 +1,6 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
+import robotran.world.geometry.Bounds
 
 /** What is chosen in one line with each other; a single thing, or a single group, with the paper. */
 internal fun WorldEditing.aligned(side: AlignSide): Outcome? {

@@ -1,10 +1,10 @@
 package robotran.worldediting
 
 import robotran.world.Paper
-import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.RobotPlace
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 
 /** What [edit] makes of this; null if there is nothing to be done. */
 internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {

@@ -1,9 +1,9 @@
 package robotran.worldediting
 
 import robotran.json.nearestDecimal
-import robotran.world.Point
-import robotran.world.Shape
 import robotran.world.file.Direction
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 
 /** [thing] as [wanted], if nothing speaks against it; goals follow a name that is changed. */
 internal fun WorldEditing.changed(thing: Thing, wanted: Piece): Outcome? {

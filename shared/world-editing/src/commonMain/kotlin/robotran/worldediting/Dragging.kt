@@ -1,7 +1,7 @@
 package robotran.worldediting
 
-import robotran.world.Point
-import robotran.world.Shape
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 
 internal fun WorldEditing.grabbed(edit: Edit.Grab): WorldEditing {
     val begun = dropped()

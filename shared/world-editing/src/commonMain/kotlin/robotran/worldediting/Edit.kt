@@ -1,8 +1,8 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
 import robotran.world.Goal
-import robotran.world.Point
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
 
 /** Something that a person wants to be done to a world or to what is chosen of it. Places are on the paper, in centimetres. */
 sealed interface Edit {

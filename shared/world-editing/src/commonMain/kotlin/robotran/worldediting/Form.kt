@@ -1,15 +1,15 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
-import robotran.world.Outline
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
-import robotran.world.centre
-import robotran.world.distance
 import robotran.world.file.Direction
 import robotran.world.file.flat
 import robotran.world.file.outline
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Outline
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import robotran.world.geometry.centre
+import robotran.world.geometry.distance
 
 /** Where a thing is and what room it takes, whatever it is: all that moving, turning and resizing need to know. */
 sealed interface Form {

@@ -1,8 +1,8 @@
 package robotran.worldediting
 
 import robotran.world.Goal
-import robotran.world.Shape
 import robotran.world.UnknownFields
+import robotran.world.geometry.Shape
 
 /** A goal and how deep it lies in others, 0 for those that lie in none. */
 data class GoalEntry(val goal: Goal, val depth: Int)

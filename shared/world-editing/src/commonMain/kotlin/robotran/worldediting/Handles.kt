@@ -1,10 +1,10 @@
 package robotran.worldediting
 
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.Shape
 import robotran.world.World
 import robotran.world.file.Direction
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 
 /** By what something on the sheet is taken. */
 sealed interface Grip {

@@ -1,7 +1,7 @@
 package robotran.worldediting
 
-import robotran.world.Point
 import robotran.world.file.Direction
+import robotran.world.geometry.Point
 
 /**
  * The direction from [from] to [to] in whole tenths of a degree, above -180 and up to 180; null if they are one place. Found by halving,

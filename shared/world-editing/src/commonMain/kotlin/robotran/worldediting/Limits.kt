@@ -3,12 +3,12 @@ package robotran.worldediting
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Point
 import robotran.world.RobotPlace
 import robotran.world.Shade
-import robotran.world.Shape
 import robotran.world.World
 import robotran.world.WorldLimits
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 
 /** Why a world cannot have [piece], whatever else is in it; null if it can. */
 internal fun refusalOf(piece: Piece): Refusal? {

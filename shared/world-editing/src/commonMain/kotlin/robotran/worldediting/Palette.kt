@@ -6,14 +6,14 @@ import robotran.world.Goal
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.RobotColour
 import robotran.world.RobotPlace
-import robotran.world.Shape
 import robotran.world.Wall
 import robotran.world.World
 import robotran.world.file.wordFor
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 
 /** What can be put on the paper, each as an editor offers it. */
 enum class PaletteItem {

@@ -5,9 +5,9 @@ import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.Lamp
 import robotran.world.Mark
-import robotran.world.Point
 import robotran.world.RobotPlace
 import robotran.world.Wall
+import robotran.world.geometry.Point
 
 /** What a [Thing] is like, apart from the world it is in: it can be copied, changed and put into a world. */
 sealed interface Piece {

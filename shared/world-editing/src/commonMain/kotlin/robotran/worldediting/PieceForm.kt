@@ -3,8 +3,8 @@ package robotran.worldediting
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Shape
 import robotran.world.UnknownFields
+import robotran.world.geometry.Shape
 
 /** Where it is and what room it takes; null for a goal that is about no place. */
 val Piece.form: Form?

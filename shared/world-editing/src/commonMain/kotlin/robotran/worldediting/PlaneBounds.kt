@@ -1,9 +1,9 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
-import robotran.world.Point
-import robotran.world.length
-import robotran.world.normalHeading
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
+import robotran.world.geometry.length
+import robotran.world.geometry.normalHeading
 
 /** The smallest upright rectangle around [points]; there must be one. */
 internal fun boundsOf(points: List<Point>) =

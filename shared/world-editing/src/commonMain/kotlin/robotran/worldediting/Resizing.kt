@@ -1,8 +1,8 @@
 package robotran.worldediting
 
-import robotran.world.Point
-import robotran.world.Shape
 import robotran.world.file.Direction
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 import kotlin.math.max
 
 /** This shape after its handle at [side] was drawn to [to]: a rectangle keeps its other side where it is, a circle its middle. */

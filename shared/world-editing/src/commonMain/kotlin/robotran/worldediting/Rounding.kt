@@ -1,8 +1,8 @@
 package robotran.worldediting
 
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.math.floor
 
 /** To thousandths of a centimetre or a degree: finer than anybody sees, and short in a file. */

@@ -1,8 +1,8 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
-import robotran.world.Point
 import robotran.world.World
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
 
 /** The things within [reach] of [place], what lies on top first; what is small goes before what it lies in. */
 fun World.thingsAt(place: Point, reach: Double): List<Thing> = things().asReversed().mapNotNull { thing ->

@@ -1,7 +1,7 @@
 package robotran.worldediting
 
-import robotran.world.Point
-import robotran.world.distance
+import robotran.world.geometry.Point
+import robotran.world.geometry.distance
 
 /**
  * A line with the ends of the one through [points], no point of which is further than [tolerance] from it: straight pieces need no

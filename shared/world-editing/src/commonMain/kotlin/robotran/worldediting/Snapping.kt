@@ -1,8 +1,8 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
-import robotran.world.Point
 import robotran.world.World
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
 import kotlin.math.abs
 import kotlin.math.floor
 

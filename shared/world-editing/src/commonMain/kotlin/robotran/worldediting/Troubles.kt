@@ -3,18 +3,18 @@ package robotran.worldediting
 import robotran.language.Language
 import robotran.world.Goal
 import robotran.world.MarkFigure
-import robotran.world.Outline
-import robotran.world.Shape
 import robotran.world.World
-import robotran.world.WorldFileResult
 import robotran.world.WorldLimits
+import robotran.world.file.WorldFileResult
 import robotran.world.file.edgesCross
 import robotran.world.file.flat
 import robotran.world.file.outline
 import robotran.world.file.overlap
-import robotran.world.readWorld
-import robotran.world.signedArea
-import robotran.world.writeWorld
+import robotran.world.file.readWorld
+import robotran.world.file.writeWorld
+import robotran.world.geometry.Outline
+import robotran.world.geometry.Shape
+import robotran.world.geometry.signedArea
 import kotlin.math.abs
 
 /** What has to be mended before a world can be kept or run in. */

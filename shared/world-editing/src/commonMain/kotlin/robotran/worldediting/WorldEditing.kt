@@ -1,7 +1,7 @@
 package robotran.worldediting
 
-import robotran.world.Point
 import robotran.world.World
+import robotran.world.geometry.Point
 
 /**
  * A world that is being edited, and all that belongs to that. [after] makes the next of it.

@@ -1,8 +1,8 @@
 package robotran.worldediting
 
-import robotran.world.Point
 import robotran.world.Template
 import robotran.world.World
+import robotran.world.geometry.Point
 
 /** The lines of the drawing to be traced. */
 val World.strokes: List<List<Point>> get() = template?.strokes.orEmpty()

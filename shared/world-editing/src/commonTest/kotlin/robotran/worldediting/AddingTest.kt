@@ -1,7 +1,7 @@
 package robotran.worldediting
 
-import robotran.world.Point
 import robotran.world.WorldLimits
+import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals

@@ -1,11 +1,11 @@
 package robotran.worldediting
 
 import kotlinx.serialization.json.JsonPrimitive
-import robotran.world.BuiltInWorlds
-import robotran.world.Point
 import robotran.world.UnknownFields
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
+import robotran.world.file.BuiltInWorlds
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
+import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -1,6 +1,6 @@
 package robotran.worldediting
 
-import robotran.world.Point
+import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

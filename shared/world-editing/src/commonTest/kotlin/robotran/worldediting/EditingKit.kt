@@ -1,9 +1,9 @@
 package robotran.worldediting
 
-import robotran.world.Point
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
-import robotran.world.writeWorld
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
+import robotran.world.file.writeWorld
+import robotran.world.geometry.Point
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
@@ -35,6 +35,6 @@ internal fun WorldEditing.assertSound() {
 }
 
 internal fun assertNear(expected: Point, actual: Point) =
-    assertTrue(robotran.world.length(expected.x - actual.x, expected.y - actual.y) < 0.01, "$actual is not $expected")
+    assertTrue(robotran.world.geometry.length(expected.x - actual.x, expected.y - actual.y) < 0.01, "$actual is not $expected")
 
 internal const val REACH = 1.5

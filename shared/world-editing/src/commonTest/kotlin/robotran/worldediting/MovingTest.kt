@@ -1,10 +1,10 @@
 package robotran.worldediting
 
 import robotran.world.LightFacing
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
 import robotran.world.WorldLimits
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -143,7 +143,7 @@ class MovingTest {
     @Test
     fun `several things turn and grow together about their common middle`() {
         val two = emptySheet().with(PaletteItem.DOT, 60.0, 20.0).with(PaletteItem.DOT, 80.0, 20.0)
-            .after(Edit.ChooseWithin(robotran.world.Bounds(40.0, 5.0, 100.0, 30.0)))
+            .after(Edit.ChooseWithin(robotran.world.geometry.Bounds(40.0, 5.0, 100.0, 30.0)))
         assertEquals(2, two.selection.size)
         val turned = two.after(Edit.TurnBy(90.0))
         assertEquals(listOf(10.0, 30.0), turned.world.marks.map { checkNotNull(Piece.OfMark(it).form).middle.y })

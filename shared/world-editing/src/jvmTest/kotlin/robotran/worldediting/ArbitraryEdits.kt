@@ -1,8 +1,8 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
 import robotran.world.Goal
-import robotran.world.Point
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
 import kotlin.random.Random
 
 /** What somebody who tries everything may do to any world, sensible or not. */

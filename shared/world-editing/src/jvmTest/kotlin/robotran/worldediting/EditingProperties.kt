@@ -7,11 +7,11 @@ import io.kotest.property.arbitrary.arbitrary
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
-import robotran.world.BuiltInWorlds
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
-import robotran.world.writeWorld
+import robotran.world.file.BuiltInWorlds
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
+import robotran.world.file.writeWorld
 
 class EditingProperties : StringSpec({
     val builtIn = BuiltInWorlds.texts.values.map { (readWorld(it) as WorldFileResult.Loaded).world }

@@ -1,5 +1,7 @@
 package robotran.world
 
+import robotran.world.geometry.Shape
+
 /**
  * Something to be reached in a world. Whether it is, is judged every [SimulationLimits.MILLISECONDS_PER_JUDGEMENT] of virtual time and once more
  * when the run is over.

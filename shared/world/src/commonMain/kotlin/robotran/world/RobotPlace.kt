@@ -1,5 +1,7 @@
 package robotran.world
 
+import robotran.world.geometry.Pose
+
 /**
  * A robot as it is put into a world.
  *

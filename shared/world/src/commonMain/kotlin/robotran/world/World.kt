@@ -1,5 +1,8 @@
 package robotran.world
 
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+
 /**
  * What robots are put into: a sheet of paper and what lies, stands and shines on it. Lengths are in centimetres, angles in degrees
  * counter-clockwise. `docs/worlds.md` describes the file it is kept in.

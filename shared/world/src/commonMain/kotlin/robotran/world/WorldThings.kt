@@ -1,5 +1,8 @@
 package robotran.world
 
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
+
 /**
  * A straight wall that stops the robot: everything within half its [thickness] of the line, with square ends that reach as far
  * beyond [from] and [to], so that walls that share an end make a closed corner. In centimetres.

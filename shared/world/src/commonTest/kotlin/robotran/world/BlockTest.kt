@@ -1,7 +1,15 @@
 package robotran.world
 
 import kotlinx.coroutines.test.runTest
-import robotran.world.physics.loadPhysicsEngine
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.state.SessionState
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

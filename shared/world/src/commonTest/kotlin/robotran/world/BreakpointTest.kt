@@ -3,6 +3,8 @@ package robotran.world
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.RunState
 import robotran.rcxrom.StepKind
+import robotran.simulation.Breakpoint
+import robotran.simulation.StopReason
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -1,6 +1,7 @@
 package robotran.world
 
-import robotran.world.noise.NoiseStream
+import robotran.simulation.noise.NoiseStream
+import robotran.simulation.robot.Bumper
 import kotlin.test.Test
 import kotlin.test.assertTrue
 

@@ -6,7 +6,12 @@ import robotran.rcxrom.StepKind
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration
-import robotran.world.physics.loadPhysicsEngine
+import robotran.simulation.Breakpoint
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
+import robotran.simulation.StopReason
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 

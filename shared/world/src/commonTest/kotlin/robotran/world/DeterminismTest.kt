@@ -1,7 +1,9 @@
 package robotran.world
 
 import kotlinx.coroutines.test.runTest
-import robotran.world.physics.loadPhysicsEngine
+import robotran.simulation.Session
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.state.Ink
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

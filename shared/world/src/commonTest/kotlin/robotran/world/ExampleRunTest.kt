@@ -5,7 +5,12 @@ import robotran.rcxrom.RcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration
-import robotran.world.physics.loadPhysicsEngine
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.report
+import robotran.simulation.runUnattended
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

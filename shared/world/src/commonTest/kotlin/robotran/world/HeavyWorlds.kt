@@ -2,8 +2,16 @@ package robotran.world
 
 import robotran.rcxrom.BrickButton
 import robotran.rcxrom.RcxProgram
-import robotran.world.noise.NoiseStream
-import robotran.world.physics.loadPhysicsEngine
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
+import robotran.simulation.noise.NoiseStream
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import robotran.world.geometry.length
 
 /** Worlds full of things, made from numbers: 40 barriers of all shapes, 10 blocks, marks, lamps, three robots, noise on. */
 internal object HeavyWorlds {

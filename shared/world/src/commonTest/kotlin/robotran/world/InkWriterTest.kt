@@ -1,5 +1,10 @@
 package robotran.world
 
+import robotran.simulation.config.SimulationLimits
+import robotran.simulation.ink.InkWriter
+import robotran.simulation.state.Ink
+import robotran.world.geometry.Point
+import robotran.world.geometry.distance
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -1,8 +1,11 @@
 package robotran.world
 
 import kotlinx.coroutines.test.runTest
-import robotran.world.explain.Cause
-import robotran.world.noise.NoiseStream
+import robotran.simulation.explain.Cause
+import robotran.simulation.noise.NoiseStream
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Pose
+import robotran.world.geometry.RADIANS_PER_DEGREE
 import kotlin.math.abs
 import kotlin.math.sqrt
 import kotlin.test.Test

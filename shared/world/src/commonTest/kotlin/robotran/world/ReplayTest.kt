@@ -2,7 +2,11 @@ package robotran.world
 
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.BrickButton
-import robotran.world.physics.loadPhysicsEngine
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.report
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals

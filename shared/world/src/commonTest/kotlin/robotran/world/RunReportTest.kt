@@ -9,6 +9,10 @@ import robotran.rcxrom.ProgramRun
 import robotran.rcxrom.ProgramStatus
 import robotran.rcxrom.RcxProgram
 import robotran.rcxrom.Rom
+import robotran.simulation.RunReport
+import robotran.simulation.RunStatus
+import robotran.simulation.report
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

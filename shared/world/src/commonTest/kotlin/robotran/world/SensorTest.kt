@@ -2,6 +2,11 @@ package robotran.world
 
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.TouchSensor
+import robotran.simulation.Session
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -3,7 +3,10 @@ package robotran.world
 import robotran.rcxrom.BrickButton
 import robotran.rcxrom.RcxProgram
 import robotran.rcxrom.RunState
-import robotran.world.physics.loadPhysicsEngine
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.world.file.BuiltInWorlds
 
 /** Starts [program] on a robot in [world] by a press of Run, and lets it run to its end and half a second on, a minute at most. */
 suspend fun runToEnd(program: RcxProgram, world: World = BuiltInWorlds.plain): Session {

@@ -3,7 +3,12 @@ package robotran.world
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.BrickButton
 import robotran.rcxrom.RunState
-import robotran.world.physics.loadPhysicsEngine
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -9,7 +9,13 @@ import robotran.rcxrom.VariableView
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration
-import robotran.world.physics.loadPhysicsEngine
+import robotran.simulation.Breakpoint
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
+import robotran.simulation.StopReason
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

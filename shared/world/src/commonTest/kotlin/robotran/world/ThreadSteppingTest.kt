@@ -12,9 +12,15 @@ import robotran.rcxrom.StepKind
 import robotran.rcxrom.ThreadActivity
 import robotran.rcxrom.VariableScope
 import robotran.rcxrom.VariableView
+import robotran.simulation.Breakpoint
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
+import robotran.simulation.Stepping
+import robotran.simulation.StopReason
+import robotran.simulation.physics.loadPhysicsEngine
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.linkTinyVm
-import robotran.world.physics.loadPhysicsEngine
+import robotran.world.file.BuiltInWorlds
 import kotlin.io.encoding.Base64
 import kotlin.test.Test
 import kotlin.test.assertEquals

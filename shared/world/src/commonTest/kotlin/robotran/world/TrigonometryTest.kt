@@ -1,7 +1,8 @@
 package robotran.world
 
 import kotlinx.coroutines.test.runTest
-import robotran.world.physics.loadPhysicsEngine
+import robotran.simulation.config.TraceHash
+import robotran.simulation.physics.loadPhysicsEngine
 import kotlin.math.PI
 import kotlin.test.Test
 import kotlin.test.assertEquals

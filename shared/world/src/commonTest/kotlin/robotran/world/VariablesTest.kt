@@ -3,6 +3,8 @@ package robotran.world
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.DebuggableRun
 import robotran.rcxrom.StepKind
+import robotran.simulation.Breakpoint
+import robotran.simulation.Session
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

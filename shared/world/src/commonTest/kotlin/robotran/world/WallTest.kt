@@ -1,6 +1,8 @@
 package robotran.world
 
 import kotlinx.coroutines.test.runTest
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

@@ -17,9 +17,19 @@ import kotlinx.coroutines.runBlocking
 import robotran.rcxrom.Brick
 import robotran.rcxrom.RunState
 import robotran.rcxrom.SoundEvent
-import robotran.world.goal.GoalJudge
-import robotran.world.goal.isDecided
-import robotran.world.physics.loadPhysicsEngine
+import robotran.simulation.goal.GoalJudge
+import robotran.simulation.goal.isDecided
+import robotran.simulation.ink.InkWriter
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.RobotState
+import robotran.simulation.state.SessionState
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import robotran.world.geometry.centre
 
 class GoalProperties : StringSpec({
     val trigonometry = runBlocking { loadPhysicsEngine() }.trigonometry

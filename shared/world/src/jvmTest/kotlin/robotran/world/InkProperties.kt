@@ -9,6 +9,8 @@ import io.kotest.property.arbitrary.boolean
 import io.kotest.property.arbitrary.double
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
+import robotran.simulation.ink.InkWriter
+import robotran.world.geometry.length
 
 class InkProperties : StringSpec({
     data class Move(val x: Double, val y: Double, val down: Boolean)

@@ -9,6 +9,9 @@ import io.kotest.property.checkAll
 import robotran.rcxrom.MotorMode
 import robotran.rcxrom.MotorPort
 import robotran.rcxrom.MotorState
+import robotran.simulation.config.SimulationLimits
+import robotran.simulation.robot.Motor
+import robotran.world.geometry.distance
 
 class MotorProperties : StringSpec({
     fun told(mode: MotorMode, power: Int) = MotorState(MotorPort.A, mode, power)

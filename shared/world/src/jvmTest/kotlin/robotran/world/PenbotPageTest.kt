@@ -1,6 +1,6 @@
 package robotran.world
 
-import robotran.world.noise.Realism
+import robotran.simulation.noise.Realism
 import java.lang.reflect.Modifier
 import kotlin.math.abs
 import kotlin.test.Test

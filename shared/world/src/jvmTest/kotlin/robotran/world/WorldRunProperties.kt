@@ -11,9 +11,17 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.pressRun
+import robotran.simulation.report
+import robotran.world.file.WorldFileResult
 import robotran.world.file.arbitraryWorlds
-import robotran.world.physics.PhysicsEngine
-import robotran.world.physics.loadPhysicsEngine
+import robotran.world.file.readWorld
+import robotran.world.geometry.Pose
 
 /** A world that was read can be run, whatever is in it: the physics takes every shape that the reader lets through. */
 class WorldRunProperties : StringSpec({

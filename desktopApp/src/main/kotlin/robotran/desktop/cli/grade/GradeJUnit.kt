@@ -1,8 +1,8 @@
 package robotran.desktop.cli.grade
 
-import robotran.world.GoalProgress
-import robotran.world.GoalStatus
-import robotran.world.grade.Grade
+import robotran.simulation.grade.Grade
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
 import java.io.StringWriter
 import javax.xml.stream.XMLOutputFactory
 import javax.xml.stream.XMLStreamWriter

@@ -6,8 +6,8 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import robotran.desktop.cli.jsonOutput
-import robotran.world.RunReport
-import robotran.world.grade.Grade
+import robotran.simulation.RunReport
+import robotran.simulation.grade.Grade
 
 /**
  * All grades as JSON: the file and title of the `world`, and `programs`, each with its file and either `mistakes`, or how many seeds it `passed` with and

@@ -10,9 +10,9 @@ import com.github.ajalt.mordant.table.table
 import com.github.ajalt.mordant.terminal.Terminal
 import robotran.desktop.files.nameOf
 import robotran.desktop.messages.GradeMessages
-import robotran.world.GoalProgress
-import robotran.world.GoalStatus
-import robotran.world.grade.Grade
+import robotran.simulation.grade.Grade
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
 
 /**
  * The grades for a person to read.

@@ -1,12 +1,12 @@
 package robotran.desktop.cli.grade
 
 import robotran.language.Language
-import robotran.world.RobotLoad
-import robotran.world.Session
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.grade.Grade
+import robotran.simulation.grade.runForGoals
+import robotran.simulation.physics.PhysicsEngine
 import robotran.world.World
-import robotran.world.grade.Grade
-import robotran.world.grade.runForGoals
-import robotran.world.physics.PhysicsEngine
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.Executors
 import java.util.concurrent.Future

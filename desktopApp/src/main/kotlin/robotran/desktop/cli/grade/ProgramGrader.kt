@@ -15,10 +15,10 @@ import robotran.desktop.files.filesOfProgram
 import robotran.desktop.files.writeFile
 import robotran.programs.ProgramReader
 import robotran.projects.isLink
+import robotran.simulation.RobotLoad
+import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.workshop.PENBOT_CALIBRATION
-import robotran.world.RobotLoad
 import robotran.world.World
-import robotran.world.physics.loadPhysicsEngine
 
 /** Grades programs as `robotran grade` does: reads all, runs all, writes the results. */
 internal class ProgramGrader(

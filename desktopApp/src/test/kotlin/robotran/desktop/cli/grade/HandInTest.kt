@@ -15,10 +15,10 @@ import robotran.projects.ProjectRobot
 import robotran.projects.ProjectSettings
 import robotran.projects.linkOf
 import robotran.projects.writeProject
-import robotran.world.BuiltInWorlds
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
+import robotran.world.file.BuiltInWorlds
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 import kotlin.test.Test

@@ -1,9 +1,9 @@
 package robotran.projects.messages
 
 import robotran.rcxrom.ProgramFailure
-import robotran.world.goal.Mover
-import robotran.world.goal.PaperPlace
-import robotran.world.goal.Region
+import robotran.simulation.goal.Mover
+import robotran.simulation.goal.PaperPlace
+import robotran.simulation.goal.Region
 import java.lang.reflect.Method
 import java.lang.reflect.ParameterizedType
 import java.lang.reflect.Type

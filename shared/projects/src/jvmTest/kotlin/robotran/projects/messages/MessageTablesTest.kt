@@ -6,10 +6,10 @@ import robotran.language.Language
 import robotran.projects.ProjectMessages
 import robotran.rcxrom.BrickMessages
 import robotran.robolang.messages.RobolangMessages
+import robotran.simulation.explain.InfluenceMessages
+import robotran.simulation.goal.GoalMessages
 import robotran.tinyvm.messages.TinyVmMessages
-import robotran.world.explain.InfluenceMessages
 import robotran.world.file.WorldFileMessages
-import robotran.world.goal.GoalMessages
 import java.lang.reflect.InvocationTargetException
 import java.lang.reflect.Method
 import java.lang.reflect.Modifier

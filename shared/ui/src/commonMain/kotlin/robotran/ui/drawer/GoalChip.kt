@@ -26,6 +26,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.GoalProgress
 import robotran.ui.parts.SteadySize
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_goals_all
@@ -39,7 +40,6 @@ import robotran.ui.theme.focusRing
 import robotran.ui.workshop.DrawerTab
 import robotran.ui.workshop.GoalCount
 import robotran.ui.workshop.RunEvent
-import robotran.world.GoalProgress
 
 /**
  * How many of the world's goals are met, and a kind word when all are; nothing in a world without goals. A touch shows them. It is always as large as for

@@ -21,6 +21,10 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.goal.GoalMessages
+import robotran.simulation.goal.wordFor
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
 import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_goals_all
@@ -29,10 +33,6 @@ import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconView
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
-import robotran.world.GoalProgress
-import robotran.world.GoalStatus
-import robotran.world.goal.GoalMessages
-import robotran.world.goal.wordFor
 
 /** What is to be done in the world, its goals and how far each has come. */
 @Composable

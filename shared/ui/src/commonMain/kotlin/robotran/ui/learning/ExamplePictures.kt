@@ -13,7 +13,7 @@ import robotran.ui.sheet.PictureRoom
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
 import robotran.ui.workshop.PENBOT_CALIBRATION
-import robotran.world.BuiltInWorlds
+import robotran.world.file.BuiltInWorlds
 
 /**
  * Small pictures of what the examples draw. A Java program shows what its twin in Robolang draws, since compiling it takes longer than looking at it; one

@@ -17,6 +17,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.Breakpoint
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_more
 import robotran.ui.theme.LocalRobotranColours
@@ -25,7 +26,6 @@ import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
 import robotran.ui.workshop.WorkshopStatus
-import robotran.world.Breakpoint
 
 /**
  * Run, Pause, Step, Stop, what is going on, how fast, and the timeline; always in sight. What there is no room for is in a panel behind one button. At its

@@ -31,6 +31,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.StepKind
 import robotran.runcontrol.RunSpeed
+import robotran.simulation.Breakpoint
 import robotran.ui.drawer.word
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_close
@@ -56,7 +57,6 @@ import robotran.ui.theme.focusRing
 import robotran.ui.workshop.DrawerTab
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.RunPaneState
-import robotran.world.Breakpoint
 
 /** All about how the run goes that is not in the bar, or not on a small screen; over everything else until it is closed. */
 @OptIn(ExperimentalLayoutApi::class)

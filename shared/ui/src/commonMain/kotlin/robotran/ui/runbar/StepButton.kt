@@ -20,6 +20,7 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.StepKind
+import robotran.simulation.Breakpoint
 import robotran.ui.parts.AppMenu
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_step
@@ -36,7 +37,6 @@ import robotran.ui.resources.run_to_line_help
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.workshop.RunEvent
-import robotran.world.Breakpoint
 
 /** One step of the program, and beside it a menu with other steps. */
 @Composable

@@ -17,6 +17,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
+import robotran.simulation.SessionInput
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
@@ -25,7 +26,6 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
-import robotran.world.SessionInput
 
 /** Paper and brick where there is room for both: the paper gets all that the brick leaves, and nothing that can be pressed ever moves. */
 @Composable

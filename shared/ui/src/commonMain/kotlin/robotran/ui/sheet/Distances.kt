@@ -1,6 +1,6 @@
 package robotran.ui.sheet
 
-import robotran.world.Point
+import robotran.world.geometry.Point
 import kotlin.math.hypot
 
 /** How far [point] is from the polygon with these [corners]: outside from its edge, and inside as much below zero. */

@@ -7,9 +7,9 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.withTransform
-import robotran.world.Pose
-import robotran.world.Shape
-import robotran.world.centre
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import robotran.world.geometry.centre
 import kotlin.math.max
 
 /**

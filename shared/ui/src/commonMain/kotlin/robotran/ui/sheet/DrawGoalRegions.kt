@@ -10,8 +10,8 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.text.TextMeasurer
-import robotran.world.GoalProgress
-import robotran.world.Shape
+import robotran.simulation.state.GoalProgress
+import robotran.world.geometry.Shape
 import kotlin.math.max
 
 internal class RegionDrawing(val region: GoalRegion, transform: SheetTransform) {

@@ -5,8 +5,8 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.StrokeJoin
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
-import robotran.world.Ink
-import robotran.world.InkStroke
+import robotran.simulation.state.Ink
+import robotran.simulation.state.InkStroke
 import robotran.world.Penbot
 import robotran.world.RobotPlace
 import kotlin.math.max

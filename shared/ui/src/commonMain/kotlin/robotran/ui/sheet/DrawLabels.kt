@@ -11,13 +11,13 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
+import robotran.simulation.state.SessionState
 import robotran.world.MarkFigure
 import robotran.world.Penbot
-import robotran.world.Point
 import robotran.world.RobotPlace
-import robotran.world.SessionState
 import robotran.world.World
-import robotran.world.centre
+import robotran.world.geometry.Point
+import robotran.world.geometry.centre
 import kotlin.math.max
 
 /** The name of each robot below it, with the colour of its brick before it. */

@@ -9,10 +9,10 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.clipPath
+import robotran.simulation.state.SessionState
 import robotran.world.Lamp
-import robotran.world.Point
-import robotran.world.SessionState
 import robotran.world.World
+import robotran.world.geometry.Point
 import kotlin.math.PI
 import kotlin.math.cos
 import kotlin.math.max

@@ -19,7 +19,7 @@ import androidx.compose.ui.unit.IntSize
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Shade
-import robotran.world.Shape
+import robotran.world.geometry.Shape
 import kotlin.math.ceil
 import kotlin.math.floor
 import kotlin.math.max

@@ -12,12 +12,12 @@ import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.simulation.state.RobotState
+import robotran.simulation.state.SessionState
 import robotran.world.Penbot
-import robotran.world.Point
 import robotran.world.PortSensor
-import robotran.world.RobotState
-import robotran.world.SessionState
 import robotran.world.World
+import robotran.world.geometry.Point
 
 /** What the brick reads of each sensor, on a plate beside the sensor: the port and the value. */
 internal fun DrawScope.drawReadings(world: World, state: SessionState, view: SheetTransform, labels: TextMeasurer) {

@@ -9,9 +9,9 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.withTransform
+import robotran.simulation.state.RobotState
 import robotran.world.RobotColour
 import robotran.world.RobotPlace
-import robotran.world.RobotState
 
 /**
  * The penbot from above, true to size: a brick in the colour of [build] on a black chassis, two wheels, bumpers in front, the pen between

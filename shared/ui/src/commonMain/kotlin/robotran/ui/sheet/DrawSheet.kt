@@ -8,7 +8,7 @@ import androidx.compose.ui.graphics.drawscope.clipRect
 import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.unit.dp
-import robotran.world.SessionState
+import robotran.simulation.state.SessionState
 
 /**
  * Paints the desk, the paper and everything that lies, stands, shines and drives on it; fills the draw area. The screen and exported

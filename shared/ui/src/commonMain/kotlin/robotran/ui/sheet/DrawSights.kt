@@ -5,15 +5,15 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
+import robotran.simulation.state.RobotState
+import robotran.simulation.state.SessionState
 import robotran.world.Light
 import robotran.world.LightFacing
 import robotran.world.Penbot
-import robotran.world.Point
 import robotran.world.PortSensor
 import robotran.world.RobotPlace
-import robotran.world.RobotState
-import robotran.world.SessionState
 import robotran.world.World
+import robotran.world.geometry.Point
 import kotlin.math.max
 
 /** Where the robots' light sensors look: a spot on the paper, or a cone ahead as far as light comes back from. And what bumpers run into. */

@@ -5,8 +5,8 @@ import androidx.compose.ui.graphics.PathEffect
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
+import robotran.simulation.state.TrailPiece
 import robotran.world.RobotPlace
-import robotran.world.TrailPiece
 import kotlin.math.max
 
 /** Remembers what the trails drawn last look like, as [InkDrawing] does. */

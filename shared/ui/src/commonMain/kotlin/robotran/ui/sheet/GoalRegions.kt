@@ -1,9 +1,9 @@
 package robotran.ui.sheet
 
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
-import robotran.world.GoalProgress
-import robotran.world.GoalStatus
-import robotran.world.Shape
+import robotran.world.geometry.Shape
 
 /**
  * A region of the paper that a goal is about.

@@ -3,7 +3,7 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
-import robotran.world.Point
+import robotran.world.geometry.Point
 
 /**
  * The paths of a line that grows at its end, in pieces: only the last one is made anew when it does, so that hours of drawing cost no more in a frame

@@ -7,9 +7,9 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.StrokeJoin
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
-import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 import kotlin.math.max
 
 /** The way that a robot took in one run: where it came through, and how it stood at the end. */

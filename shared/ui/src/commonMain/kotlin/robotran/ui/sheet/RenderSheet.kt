@@ -8,7 +8,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
-import robotran.world.SessionState
+import robotran.simulation.state.SessionState
 import robotran.world.World
 import kotlin.math.roundToInt
 

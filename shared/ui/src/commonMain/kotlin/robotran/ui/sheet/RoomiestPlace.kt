@@ -1,8 +1,8 @@
 package robotran.ui.sheet
 
-import robotran.world.Point
-import robotran.world.Shape
-import robotran.world.centre
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
+import robotran.world.geometry.centre
 
 /**
  * A place in [shape] that is far from its edge, where something can be written, and how far that is: the centre of a circle or rectangle, and of

@@ -1,7 +1,7 @@
 package robotran.ui.sheet
 
-import robotran.world.Point
-import robotran.world.Shape
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 
 /**
  * A region as it is drawn. A polygon with a hole, such as all the paper around a ring, has to be cut open somewhere, and its file says so with a slit that

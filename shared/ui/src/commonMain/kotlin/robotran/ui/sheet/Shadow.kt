@@ -1,8 +1,8 @@
 package robotran.ui.sheet
 
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.Pose
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 import kotlin.math.PI
 import kotlin.math.atan2
 import kotlin.math.cos

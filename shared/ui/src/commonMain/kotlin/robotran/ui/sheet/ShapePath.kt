@@ -3,11 +3,11 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
 import robotran.world.Wall
-import robotran.world.centre
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import robotran.world.geometry.centre
 import kotlin.math.PI
 import kotlin.math.cos
 import kotlin.math.hypot

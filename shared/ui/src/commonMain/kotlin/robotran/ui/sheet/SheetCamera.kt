@@ -5,7 +5,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.geometry.Size
 import robotran.world.Paper
-import robotran.world.Point
+import robotran.world.geometry.Point
 
 /**
  * How the sheet is looked at, whatever the size of the pane.

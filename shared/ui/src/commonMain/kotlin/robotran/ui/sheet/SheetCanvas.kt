@@ -23,8 +23,8 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
+import robotran.simulation.state.SessionState
 import robotran.ui.theme.LocalRobotranColours
-import robotran.world.SessionState
 import robotran.world.World
 
 /**

@@ -8,13 +8,13 @@ import kotlinx.coroutines.withContext
 import kotlinx.coroutines.yield
 import robotran.rcxrom.RcxProgram
 import robotran.rcxrom.RunState
-import robotran.world.RobotLoad
-import robotran.world.Session
-import robotran.world.SessionState
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.pressRun
+import robotran.simulation.state.SessionState
 import robotran.world.World
-import robotran.world.physics.PhysicsEngine
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.pressRun
 
 /**
  * Small pictures of worlds, before anything has happened there or after a program has run, each drawn once and one after the other, so that the

@@ -1,6 +1,6 @@
 package robotran.ui.sheet
 
-import robotran.world.Point
+import robotran.world.geometry.Point
 
 /**
  * What one finger or the mouse does with the things on a sheet. Two fingers, the wheel and a double tap on nothing zoom and move the sheet without

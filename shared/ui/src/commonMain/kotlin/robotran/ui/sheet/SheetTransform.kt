@@ -3,7 +3,7 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.geometry.Size
-import robotran.world.Point
+import robotran.world.geometry.Point
 import kotlin.math.min
 
 /**

@@ -1,14 +1,14 @@
 package robotran.ui.sheet
 
+import robotran.simulation.state.SessionState
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.SessionState
-import robotran.world.Shape
 import robotran.world.World
-import robotran.world.centre
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import robotran.world.geometry.centre
 import kotlin.math.cos
 import kotlin.math.hypot
 import kotlin.math.sin

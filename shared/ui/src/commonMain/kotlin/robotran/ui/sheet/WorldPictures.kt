@@ -5,8 +5,8 @@ import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
+import robotran.simulation.state.SessionState
 import robotran.ui.sheet.svg.SheetSvg
-import robotran.world.SessionState
 import robotran.world.World
 
 /**

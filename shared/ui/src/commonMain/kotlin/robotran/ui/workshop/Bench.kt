@@ -4,8 +4,8 @@ import kotlinx.coroutines.CoroutineScope
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
+import robotran.simulation.state.SessionState
 import robotran.ui.platform.Platform
-import robotran.world.SessionState
 import robotran.world.World
 
 /** What one pane may ask of the others. */

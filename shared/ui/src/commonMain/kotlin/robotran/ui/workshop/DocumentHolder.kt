@@ -18,8 +18,8 @@ import robotran.ui.platform.Arrival
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_go_back
 import robotran.ui.resources.documents_kept_before
-import robotran.world.BuiltInWorlds
 import robotran.world.World
+import robotran.world.file.BuiltInWorlds
 
 /** Keeps what the project is called and where it lies, and sees to it that nothing of it is lost. */
 class DocumentHolder(private val bench: Bench) {

@@ -8,7 +8,7 @@ import robotran.rcxrom.ThreadView
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
 import robotran.runcontrol.ShownScope
-import robotran.world.explain.Influence
+import robotran.simulation.explain.Influence
 
 /** What the drawer under the world can show of the run. */
 enum class DrawerTab { VARIABLES, LOG, CHART, GOALS, WHY }

@@ -1,7 +1,7 @@
 package robotran.ui.workshop
 
-import robotran.world.GoalProgress
-import robotran.world.GoalStatus
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
 
 /** How many goals of a world are [met] and how many cannot be met any more; the others of [all] are not decided yet. */
 data class GoalCount(val all: Int = 0, val met: Int = 0, val failed: Int = 0) {

@@ -5,11 +5,11 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.learning.GalleryWorld
 import robotran.learning.WorldGallery
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_world_done
-import robotran.world.GoalProgress
-import robotran.world.GoalStatus
-import robotran.world.SessionState
 
 /** Keeps what is being learned from, and how far somebody has come with it. */
 class LearningHolder(private val bench: Bench) {

@@ -9,11 +9,11 @@ import robotran.programs.ProgramReader
 import robotran.projects.Project
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
+import robotran.simulation.Breakpoint
+import robotran.simulation.RobotLoad
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_fix_gone
 import robotran.ui.resources.program_too_long
-import robotran.world.Breakpoint
-import robotran.world.RobotLoad
 import robotran.world.World
 
 /**

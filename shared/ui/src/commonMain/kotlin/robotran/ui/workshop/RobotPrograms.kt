@@ -5,8 +5,8 @@ import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.lightFacingOf
 import robotran.rcxrom.Brick
-import robotran.world.Breakpoint
-import robotran.world.RobotLoad
+import robotran.simulation.Breakpoint
+import robotran.simulation.RobotLoad
 import robotran.world.RobotPlace
 
 /**

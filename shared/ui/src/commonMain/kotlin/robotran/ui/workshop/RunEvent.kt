@@ -6,8 +6,8 @@ import robotran.rcxrom.RomLogFilter
 import robotran.rcxrom.StepKind
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.RunSpeed
-import robotran.world.Breakpoint
-import robotran.world.SessionInput
+import robotran.simulation.Breakpoint
+import robotran.simulation.SessionInput
 
 /** Something a person does with the run. */
 sealed interface RunEvent : WorkshopEvent {

@@ -11,13 +11,13 @@ import robotran.runcontrol.Motion
 import robotran.runcontrol.RestWatch
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSpeed
-import robotran.world.Breakpoint
-import robotran.world.RecordedInput
-import robotran.world.RunReport
-import robotran.world.SessionInput
+import robotran.simulation.Breakpoint
+import robotran.simulation.RecordedInput
+import robotran.simulation.RunReport
+import robotran.simulation.SessionInput
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.report
 import robotran.world.World
-import robotran.world.physics.PhysicsEngine
-import robotran.world.report
 
 /**
  * Keeps the run that is watched; not safe for use by several threads.

@@ -8,7 +8,7 @@ import robotran.rcxrom.RunState
 import robotran.runcontrol.RomCallLine
 import robotran.runcontrol.RunSpeed
 import robotran.runcontrol.TimelineMark
-import robotran.world.SessionState
+import robotran.simulation.state.SessionState
 import robotran.world.World
 
 /**

@@ -5,13 +5,13 @@ import robotran.runcontrol.Motion
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSetup
 import robotran.runcontrol.RunSpeed
+import robotran.simulation.Breakpoint
+import robotran.simulation.RecordedInput
+import robotran.simulation.physics.PhysicsEngine
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_new_future
 import robotran.ui.sound.SoundPlayer
-import robotran.world.Breakpoint
-import robotran.world.RecordedInput
 import robotran.world.World
-import robotran.world.physics.PhysicsEngine
 
 /**
  * The run that is watched, with its sound; one after the other, since whenever the robots go back to their starts another begins.

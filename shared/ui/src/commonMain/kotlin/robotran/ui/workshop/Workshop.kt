@@ -8,14 +8,14 @@ import kotlinx.coroutines.Dispatchers
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
+import robotran.simulation.RecordedInput
+import robotran.simulation.RunReport
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.state.SessionState
 import robotran.ui.language.spokenLanguage
 import robotran.ui.platform.MemoryPlatform
 import robotran.ui.platform.Platform
-import robotran.world.RecordedInput
-import robotran.world.RunReport
-import robotran.world.SessionState
 import robotran.world.World
-import robotran.world.physics.PhysicsEngine
 
 /**
  * What happens behind the screen: takes [WorkshopEvent]s to the holders of its panes, lets virtual time pass, and shows the result as one

@@ -6,8 +6,8 @@ import robotran.rcxrom.BrickButton
 import robotran.rcxrom.ProgramFailure
 import robotran.rcxrom.ProgramRemark
 import robotran.rcxrom.RunState
-import robotran.world.RobotSnapshot
-import robotran.world.SessionState
+import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.SessionState
 import robotran.world.World
 
 /**

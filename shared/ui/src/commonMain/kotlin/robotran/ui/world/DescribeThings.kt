@@ -2,6 +2,7 @@ package robotran.ui.world
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
 import robotran.ui.resources.centimetres
 import robotran.ui.resources.degrees
@@ -17,10 +18,9 @@ import robotran.ui.resources.sheet_robot
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.sheet.SheetThing
 import robotran.ui.sheet.SheetThingKind
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.SessionState
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 
 /** Something movable in words: what it is, where, and how it stands. */
 @Composable

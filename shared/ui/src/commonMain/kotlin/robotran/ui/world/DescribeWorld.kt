@@ -2,6 +2,8 @@ package robotran.ui.world
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
 import robotran.ui.resources.centimetres
 import robotran.ui.resources.degrees
@@ -19,10 +21,8 @@ import robotran.ui.runbar.oneDecimal
 import robotran.ui.sheet.GoalRegion
 import robotran.ui.sheet.RegionKind
 import robotran.ui.sheet.goalRegions
-import robotran.world.RobotSnapshot
-import robotran.world.SessionState
 import robotran.world.World
-import robotran.world.centre
+import robotran.world.geometry.centre
 
 /** Where the robots are, what they have drawn and where they are to go, in words. */
 @Composable

@@ -1,15 +1,15 @@
 package robotran.ui.world
 
+import robotran.simulation.SessionInput
+import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetThing
 import robotran.ui.sheet.SheetThingKind
 import robotran.ui.sheet.SheetTouch
 import robotran.ui.sheet.distance
 import robotran.ui.sheet.thingAt
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.SessionInput
-import robotran.world.SessionState
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 import kotlin.math.PI
 import kotlin.math.atan2
 import kotlin.math.round

@@ -1,16 +1,16 @@
 package robotran.ui.world
 
+import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetThing
 import robotran.ui.sheet.SheetThingKind
 import robotran.ui.sheet.corners
 import robotran.ui.sheet.distance
 import robotran.ui.sheet.towards
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.SessionState
 import robotran.world.World
-import robotran.world.centre
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.centre
 import kotlin.math.PI
 
 /** What a hand can move while the world runs. */

@@ -9,7 +9,7 @@ import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshotFlow
 import androidx.compose.runtime.withFrameNanos
-import robotran.world.SessionInput
+import robotran.simulation.SessionInput
 
 /** Passes on what a hand does to a session, of what it drags no more than one place for each frame: all are recorded. */
 internal class OncePerFrame(private val apply: (SessionInput) -> Unit) {

@@ -8,6 +8,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.Surroundings
 import robotran.ui.resources.Res
 import robotran.ui.resources.sheet_follow
 import robotran.ui.resources.sheet_further
@@ -18,7 +19,6 @@ import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetThingKind
 import robotran.ui.workshop.SheetEvent
 import robotran.ui.workshop.SheetViewState
-import robotran.world.Surroundings
 import robotran.world.World
 
 /**

@@ -21,6 +21,8 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.SessionInput
+import robotran.simulation.state.Surroundings
 import robotran.ui.parts.AppMenu
 import robotran.ui.resources.Res
 import robotran.ui.resources.sheet_celsius
@@ -35,8 +37,6 @@ import robotran.ui.sheet.has
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.world.PortSensor
-import robotran.world.SessionInput
-import robotran.world.Surroundings
 import robotran.world.World
 import robotran.world.WorldLimits
 import kotlin.math.max

@@ -28,6 +28,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.max
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.SessionInput
+import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
 import robotran.ui.resources.sheet_lamp_switch
 import robotran.ui.resources.sheet_move_down
@@ -41,8 +43,6 @@ import robotran.ui.sheet.SheetThingKind
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.world.SessionInput
-import robotran.world.SessionState
 import robotran.world.World
 
 /**

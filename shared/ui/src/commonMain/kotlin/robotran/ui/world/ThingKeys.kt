@@ -9,11 +9,11 @@ import androidx.compose.ui.input.key.isMetaPressed
 import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
+import robotran.simulation.SessionInput
 import robotran.ui.sheet.SheetThing
 import robotran.ui.sheet.SheetThingKind
 import robotran.ui.sheet.isSign
-import robotran.world.Pose
-import robotran.world.SessionInput
+import robotran.world.geometry.Pose
 
 /**
  * What a key does to [thing], which is at [pose]: the arrows move it by a centimetre, `[` and `]`, or `,` and `.`, turn it by 15 degrees; with Shift by a

@@ -7,7 +7,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.delay
-import robotran.world.SessionState
+import robotran.simulation.state.SessionState
 import kotlin.math.abs
 
 /**

@@ -14,6 +14,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
+import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetCanvas
 import robotran.ui.sheet.SheetThing
@@ -25,9 +26,8 @@ import robotran.ui.workshop.SheetEvent
 import robotran.ui.workshop.SheetViewState
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorkshopState
-import robotran.world.Point
-import robotran.world.SessionState
 import robotran.world.World
+import robotran.world.geometry.Point
 
 /** The sheet of paper on the desk, with everything on it under one's fingers, and the buttons for looking at it. */
 @Composable

@@ -15,7 +15,7 @@ import robotran.ui.parts.Icon
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.addLine
 import robotran.ui.theme.RobotranColours
-import robotran.world.Point
+import robotran.world.geometry.Point
 import robotran.worldediting.Frame
 import robotran.worldediting.Grip
 import robotran.worldediting.WorldEditing

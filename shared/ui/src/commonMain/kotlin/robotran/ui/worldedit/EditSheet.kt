@@ -23,6 +23,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.rememberTextMeasurer
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_sheet
 import robotran.ui.sheet.SheetColours
@@ -31,7 +32,6 @@ import robotran.ui.sheet.SheetZoom
 import robotran.ui.sheet.drawSheet
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
-import robotran.world.SessionState
 
 /** The sheet on which the world is built: takes fingers and keys. A screen reader reads out what is chosen. */
 @Composable

@@ -13,8 +13,8 @@ import androidx.compose.ui.input.pointer.PointerInputScope
 import androidx.compose.ui.input.pointer.changedToUp
 import androidx.compose.ui.input.pointer.isShiftPressed
 import androidx.compose.ui.input.pointer.positionChanged
-import robotran.world.Bounds
-import robotran.world.Point
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
 import robotran.worldediting.Edit
 import robotran.worldediting.Grip
 import robotran.worldediting.Tool

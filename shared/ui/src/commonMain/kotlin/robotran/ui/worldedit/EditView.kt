@@ -8,7 +8,7 @@ import androidx.compose.ui.geometry.Rect
 import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetTransform
 import robotran.world.Paper
-import robotran.world.Point
+import robotran.world.geometry.Point
 
 /** Where on the screen the sheet of the editor is and what is drawn on it by a finger that has not let go: all that belongs to no world. */
 internal class EditView {

@@ -26,10 +26,10 @@ import robotran.ui.resources.worldedit_remove_corner
 import robotran.ui.resources.worldedit_width
 import robotran.ui.resources.worldedit_x
 import robotran.ui.resources.worldedit_y
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
 import robotran.world.WorldLimits
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import robotran.worldediting.Edit
 import robotran.worldediting.Form
 import robotran.worldediting.Piece

@@ -29,9 +29,9 @@ import robotran.ui.resources.worldedit_item_line
 import robotran.ui.resources.worldedit_no_goals
 import robotran.world.Goal
 import robotran.world.MarkFigure
-import robotran.world.Point
-import robotran.world.Shape
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 import robotran.worldediting.Edit
 import robotran.worldediting.GoalGroup
 import robotran.worldediting.GoalMove

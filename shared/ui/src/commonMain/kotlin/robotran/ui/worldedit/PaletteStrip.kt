@@ -49,7 +49,7 @@ import robotran.ui.resources.worldedit_item_round_block
 import robotran.ui.resources.worldedit_item_template_line
 import robotran.ui.resources.worldedit_item_wall
 import robotran.ui.theme.LocalRobotranColours
-import robotran.world.Point
+import robotran.world.geometry.Point
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Tool

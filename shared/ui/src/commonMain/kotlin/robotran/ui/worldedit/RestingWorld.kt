@@ -1,11 +1,11 @@
 package robotran.ui.worldedit
 
-import robotran.world.Ink
-import robotran.world.LampState
-import robotran.world.Pose
-import robotran.world.RobotState
-import robotran.world.SessionState
+import robotran.simulation.state.Ink
+import robotran.simulation.state.LampState
+import robotran.simulation.state.RobotState
+import robotran.simulation.state.SessionState
 import robotran.world.World
+import robotran.world.geometry.Pose
 
 /** [world] with everything where it is at first, as it is drawn; [like] is any session, for what its robots' bricks look like. */
 internal fun restingIn(world: World, like: SessionState): SessionState = like.copy(

@@ -46,9 +46,9 @@ import robotran.ui.resources.worldedit_yellow
 import robotran.world.Goal
 import robotran.world.MarkFigure
 import robotran.world.RobotColour
-import robotran.world.Shape
 import robotran.world.World
-import robotran.world.length
+import robotran.world.geometry.Shape
+import robotran.world.geometry.length
 import robotran.worldediting.Piece
 import robotran.worldediting.Thing
 import robotran.worldediting.WorldEditing

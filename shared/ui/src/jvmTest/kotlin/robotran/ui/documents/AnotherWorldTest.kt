@@ -15,10 +15,10 @@ import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.WorkshopEvent
 import robotran.ui.workshop.WorldEditEvent
-import robotran.world.BuiltInWorlds
-import robotran.world.Point
 import robotran.world.World
-import robotran.world.writeWorld
+import robotran.world.file.BuiltInWorlds
+import robotran.world.file.writeWorld
+import robotran.world.geometry.Point
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.piece

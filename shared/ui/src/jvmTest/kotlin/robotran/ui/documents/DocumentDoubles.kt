@@ -28,7 +28,7 @@ import robotran.ui.workshop.DocumentEvent
 import robotran.ui.workshop.ProgramEvent
 import robotran.ui.workshop.ShownWork
 import robotran.ui.workshop.Workshop
-import robotran.world.BuiltInWorlds
+import robotran.world.file.BuiltInWorlds
 
 /** Files in memory: [chosen] is what a person would choose to open, [place] where they would save to, null if they changed their mind. */
 internal class MemoryFileDesk : FileDesk {

@@ -23,9 +23,9 @@ import robotran.ui.workshop.PupilProgram
 import robotran.ui.workshop.RunEvent
 import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.asProject
-import robotran.world.BuiltInWorlds
 import robotran.world.Goal
 import robotran.world.PortSensor
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

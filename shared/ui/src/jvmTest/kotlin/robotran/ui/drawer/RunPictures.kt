@@ -15,8 +15,8 @@ import robotran.ui.workshop.Settings
 import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.asProject
-import robotran.world.BuiltInWorlds
 import robotran.world.Goal
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 
 /** Writes pictures of the run bar and the drawer into build/pictures, to be looked at. */

@@ -6,7 +6,7 @@ import robotran.documents.KeptWork
 import robotran.documents.WorkReading
 import robotran.documents.WorkShelf
 import robotran.projects.Project
-import robotran.world.BuiltInWorlds
+import robotran.world.file.BuiltInWorlds
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 

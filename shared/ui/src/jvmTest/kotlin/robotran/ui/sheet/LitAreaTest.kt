@@ -1,6 +1,6 @@
 package robotran.ui.sheet
 
-import robotran.world.Point
+import robotran.world.geometry.Point
 import kotlin.math.PI
 import kotlin.math.hypot
 import kotlin.test.Test

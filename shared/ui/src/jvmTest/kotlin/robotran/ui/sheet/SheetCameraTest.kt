@@ -7,7 +7,7 @@ import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
 import robotran.world.Paper
-import robotran.world.Point
+import robotran.world.geometry.Point
 import kotlin.math.abs
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -2,8 +2,8 @@ package robotran.ui.sheet
 
 import androidx.compose.ui.graphics.ImageBitmap
 import robotran.ui.theme.RobotranColours
-import robotran.world.Point
-import robotran.world.Pose
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 import java.io.File
 import javax.imageio.ImageIO
 import kotlin.test.Test

@@ -4,30 +4,30 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.toPixelMap
 import robotran.rcxrom.Brick
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.Ink
+import robotran.simulation.state.InkStroke
+import robotran.simulation.state.LampState
+import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.RobotState
+import robotran.simulation.state.SessionState
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Goal
-import robotran.world.GoalProgress
-import robotran.world.GoalStatus
-import robotran.world.Ink
-import robotran.world.InkStroke
 import robotran.world.Lamp
-import robotran.world.LampState
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
-import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.RobotColour
 import robotran.world.RobotPlace
-import robotran.world.RobotSnapshot
-import robotran.world.RobotState
-import robotran.world.SessionState
 import robotran.world.Shade
-import robotran.world.Shape
 import robotran.world.Template
 import robotran.world.Wall
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 
 /** Worlds and states for pictures. */
 internal object SheetScenes {

@@ -4,9 +4,9 @@ import androidx.compose.ui.graphics.PixelMap
 import androidx.compose.ui.graphics.luminance
 import androidx.compose.ui.graphics.toPixelMap
 import robotran.ui.theme.RobotranColours
-import robotran.world.BuiltInWorlds
-import robotran.world.Point
 import robotran.world.Template
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertTrue
 

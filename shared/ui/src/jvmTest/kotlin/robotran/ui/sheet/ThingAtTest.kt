@@ -1,8 +1,8 @@
 package robotran.ui.sheet
 
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull

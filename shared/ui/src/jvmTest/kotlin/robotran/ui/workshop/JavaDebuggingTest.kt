@@ -2,8 +2,8 @@ package robotran.ui.workshop
 
 import kotlinx.coroutines.runBlocking
 import robotran.rcxrom.StepKind
+import robotran.simulation.Breakpoint
 import robotran.ui.openWorkshop
-import robotran.world.Breakpoint
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull

@@ -2,12 +2,12 @@ package robotran.ui.workshop
 
 import kotlinx.coroutines.runBlocking
 import robotran.projects.Project
+import robotran.simulation.Breakpoint
 import robotran.ui.openWorkshop
-import robotran.world.Breakpoint
 import robotran.world.LightFacing
-import robotran.world.Pose
 import robotran.world.RobotColour
 import robotran.world.RobotPlace
+import robotran.world.geometry.Pose
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals

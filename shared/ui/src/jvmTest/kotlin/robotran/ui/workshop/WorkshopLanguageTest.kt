@@ -5,8 +5,8 @@ import robotran.language.Language
 import robotran.projects.Project
 import robotran.rcxrom.BrickButton
 import robotran.ui.openWorkshop
-import robotran.world.BuiltInWorlds
 import robotran.world.Goal
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals

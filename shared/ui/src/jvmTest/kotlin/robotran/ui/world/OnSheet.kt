@@ -9,6 +9,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.runDesktopComposeUiTest
 import kotlinx.coroutines.runBlocking
 import robotran.projects.Project
+import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.RobotranApp
 import robotran.ui.screen.pass
 import robotran.ui.sheet.SheetCamera
@@ -19,14 +20,13 @@ import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.Lamp
 import robotran.world.Paper
-import robotran.world.Point
 import robotran.world.PortSensor
-import robotran.world.Pose
 import robotran.world.RobotColour
 import robotran.world.RobotPlace
-import robotran.world.Shape
 import robotran.world.World
-import robotran.world.physics.loadPhysicsEngine
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 
 /** A world with one of everything that a hand can reach. */
 internal val handyWorld = World(

@@ -11,6 +11,8 @@ import androidx.compose.ui.unit.LayoutDirection
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.projects.Project
+import robotran.simulation.Session
+import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.ui.sheet.SheetCamera
@@ -26,12 +28,10 @@ import robotran.ui.workshop.Settings
 import robotran.ui.workshop.SheetEvent
 import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.WorkshopEvent
-import robotran.world.Point
-import robotran.world.Session
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.readWorld
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
+import robotran.world.geometry.Point
 import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -61,7 +61,7 @@ class WorldPanePictures {
         for ((name, colours) in listOf("light" to SheetColours.LIGHT, "dark" to SheetColours.of(RobotranColours.DARK))) {
             val sheets = worlds.map { file ->
                 val world = world(file.name.removeSuffix(".world.json"))
-                val session = Session(world, emptyList<robotran.world.RobotLoad>(), physics)
+                val session = Session(world, emptyList<robotran.simulation.RobotLoad>(), physics)
                 renderSheet(world, session.state, TILE, colours = colours).also { session.close() }
             }
             val contact = contactSheet(sheets)

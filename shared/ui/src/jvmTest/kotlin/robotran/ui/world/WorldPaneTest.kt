@@ -19,11 +19,11 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.swipe
 import androidx.compose.ui.test.withKeyDown
+import robotran.simulation.SessionInput
 import robotran.ui.sheet.SheetLayer
 import robotran.ui.sheet.SheetThing
 import robotran.ui.sheet.SheetThingKind
-import robotran.world.Pose
-import robotran.world.SessionInput
+import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull

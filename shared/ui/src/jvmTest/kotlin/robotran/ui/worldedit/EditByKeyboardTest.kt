@@ -6,8 +6,8 @@ import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import robotran.world.MarkFigure
-import robotran.world.Pose
-import robotran.world.Shape
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Thing

@@ -9,11 +9,11 @@ import robotran.ui.screen.pass
 import robotran.ui.workshop.LearningEvent
 import robotran.ui.workshop.LearningPage
 import robotran.ui.workshop.WorldEditEvent
-import robotran.world.BuiltInWorlds
 import robotran.world.MarkFigure
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import robotran.worldediting.Edit
 import robotran.worldediting.Grip
 import robotran.worldediting.PaletteItem

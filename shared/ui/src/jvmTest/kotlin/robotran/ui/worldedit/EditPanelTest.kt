@@ -7,10 +7,10 @@ import robotran.ui.screen.pass
 import robotran.world.Goal
 import robotran.world.LightFacing
 import robotran.world.MarkFigure
-import robotran.world.Point
 import robotran.world.RobotColour
 import robotran.world.Shade
-import robotran.world.Shape
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Thing

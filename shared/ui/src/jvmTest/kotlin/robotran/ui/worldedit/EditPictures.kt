@@ -10,7 +10,7 @@ import robotran.ui.workshop.Settings
 import robotran.ui.workshop.SettingsEvent
 import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.WorldEditEvent
-import robotran.world.Point
+import robotran.world.geometry.Point
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.piece

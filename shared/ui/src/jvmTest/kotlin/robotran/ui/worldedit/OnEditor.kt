@@ -20,8 +20,8 @@ import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.workshop.Workshop
 import robotran.ui.workshop.WorldEditEvent
-import robotran.world.Point
 import robotran.world.World
+import robotran.world.geometry.Point
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Snapping

@@ -1,7 +1,7 @@
 package robotran.world.file
 
-import robotran.world.Point
-import robotran.world.RADIANS_PER_DEGREE
+import robotran.world.geometry.Point
+import robotran.world.geometry.RADIANS_PER_DEGREE
 import kotlin.math.floor
 
 /**

@@ -7,8 +7,8 @@ import robotran.json.ObjectBuilder
 import robotran.json.decimal
 import robotran.json.jsonObject
 import robotran.world.Goal
-import robotran.world.Shape
 import robotran.world.TouchKind
+import robotran.world.geometry.Shape
 
 internal fun elementOf(goal: Goal): JsonObject = jsonObject(goal.unknown.members) {
     when (goal) {

@@ -1,11 +1,11 @@
 package robotran.world.file
 
-import robotran.world.Outline
-import robotran.world.Point
-import robotran.world.Shape
-import robotran.world.cross
-import robotran.world.distance
-import robotran.world.side
+import robotran.world.geometry.Outline
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
+import robotran.world.geometry.cross
+import robotran.world.geometry.distance
+import robotran.world.geometry.side
 
 /** Whether two edges of the polygon cross or touch where they are not neighbours, or neighbours fold back onto each other. */
 fun edgesCross(corners: List<Point>): Boolean {

@@ -5,11 +5,11 @@ import robotran.json.JsonPlace
 import robotran.json.nearestDecimal
 import robotran.world.Paper
 import robotran.world.PortSensor
-import robotran.world.Pose
 import robotran.world.RobotColour
 import robotran.world.RobotPlace
 import robotran.world.WorldLimits
-import robotran.world.normalHeading
+import robotran.world.geometry.Pose
+import robotran.world.geometry.normalHeading
 
 internal fun readRobot(place: JsonPlace, paper: Paper) = RobotPlace(
     start = readStart(place.member("start"), paper),

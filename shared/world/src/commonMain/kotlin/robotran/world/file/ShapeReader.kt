@@ -1,10 +1,10 @@
 package robotran.world.file
 
 import robotran.json.JsonPlace
-import robotran.world.Point
-import robotran.world.Shape
 import robotran.world.WorldLimits
-import robotran.world.signedArea
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
+import robotran.world.geometry.signedArea
 import kotlin.math.abs
 
 /** Reads points and shapes, and counts the points of a whole file. */

@@ -1,13 +1,13 @@
 package robotran.world.file
 
 import robotran.json.JsonPlace
-import robotran.world.Outline
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.Wall
 import robotran.world.World
-import robotran.world.length
+import robotran.world.geometry.Outline
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.length
 
 /** Refuses a robot that would start in something that stops it, or in another robot. */
 internal fun checkStarts(world: World, file: JsonPlace) {

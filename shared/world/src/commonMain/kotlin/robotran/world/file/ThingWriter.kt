@@ -9,10 +9,10 @@ import robotran.world.Block
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Point
 import robotran.world.Shade
-import robotran.world.Shape
 import robotran.world.Wall
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 
 internal fun elementOf(wall: Wall) = jsonObject(wall.unknown.members) {
     put("from", point(wall.from))

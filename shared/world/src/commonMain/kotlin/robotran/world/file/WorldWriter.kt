@@ -7,12 +7,12 @@ import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.decimal
 import robotran.json.jsonObject
 import robotran.world.Light
-import robotran.world.Point
 import robotran.world.PortSensor
-import robotran.world.Pose
 import robotran.world.RobotColour
 import robotran.world.RobotPlace
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 
 /** Lists of lines of text. */
 val TALL_LISTS: Set<String> = setOf("program", "rows")

@@ -1,8 +1,5 @@
 package robotran.world.file
 
-import robotran.world.BuiltInWorlds
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertTrue

@@ -1,6 +1,5 @@
 package robotran.world.file
 
-import robotran.world.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

@@ -1,7 +1,5 @@
 package robotran.world.file
 
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -1,9 +1,6 @@
 package robotran.world.file
 
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
-import robotran.world.writeWorld
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue

@@ -1,8 +1,6 @@
 package robotran.world.file
 
-import robotran.world.BuiltInWorlds
 import robotran.world.World
-import robotran.world.writeWorld
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -1,12 +1,12 @@
 package robotran.world.goal
 
 import kotlinx.coroutines.test.runTest
+import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
-import robotran.world.GoalStatus
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Point
-import robotran.world.length
+import robotran.world.geometry.Point
+import robotran.world.geometry.length
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -6,25 +6,26 @@ import robotran.rcxrom.RcxMemory
 import robotran.rcxrom.RunState
 import robotran.rcxrom.SoundEvent
 import robotran.rcxrom.TextLcd
+import robotran.simulation.goal.GoalJudge
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.Ink
+import robotran.simulation.state.InkStroke
+import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.RobotState
+import robotran.simulation.state.SessionState
 import robotran.world.Goal
-import robotran.world.GoalProgress
-import robotran.world.GoalStatus
-import robotran.world.Ink
-import robotran.world.InkStroke
 import robotran.world.Paper
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.RobotPlace
-import robotran.world.RobotSnapshot
-import robotran.world.RobotState
-import robotran.world.SessionState
-import robotran.world.Shape
 import robotran.world.TouchKind
 import robotran.world.World
-import robotran.world.length
-import robotran.world.physics.Trigonometry
-import robotran.world.physics.loadPhysicsEngine
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import robotran.world.geometry.Trigonometry
+import robotran.world.geometry.length
 
 /** A sheet with one robot in its middle. */
 internal val sheet = World("A sheet", Paper(100.0, 80.0), listOf(RobotPlace(Pose(50.0, 40.0, 0.0))))

@@ -5,11 +5,11 @@ import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.RobotPlace
-import robotran.world.Shape
 import robotran.world.TouchKind
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

@@ -1,11 +1,11 @@
 package robotran.world.goal
 
 import kotlinx.coroutines.test.runTest
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.GoalStatus.FAILED
+import robotran.simulation.state.GoalStatus.MET
+import robotran.simulation.state.GoalStatus.PENDING
 import robotran.world.Goal
-import robotran.world.GoalStatus
-import robotran.world.GoalStatus.FAILED
-import robotran.world.GoalStatus.MET
-import robotran.world.GoalStatus.PENDING
 import robotran.world.TouchKind
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -1,15 +1,16 @@
 package robotran.world.goal
 
 import kotlinx.coroutines.test.runTest
+import robotran.simulation.config.SimulationLimits
+import robotran.simulation.goal.Tracing
+import robotran.simulation.ink.InkWriter
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.Ink
+import robotran.simulation.state.InkStroke
 import robotran.world.Goal
-import robotran.world.GoalStatus
-import robotran.world.Ink
-import robotran.world.InkStroke
-import robotran.world.InkWriter
 import robotran.world.Paper
-import robotran.world.Point
-import robotran.world.SimulationLimits
 import robotran.world.Template
+import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

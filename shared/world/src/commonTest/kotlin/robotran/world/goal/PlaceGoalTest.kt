@@ -1,13 +1,13 @@
 package robotran.world.goal
 
 import kotlinx.coroutines.test.runTest
+import robotran.simulation.state.GoalStatus
 import robotran.world.Block
 import robotran.world.Goal
-import robotran.world.GoalStatus
-import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.RobotPlace
-import robotran.world.Shape
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertSame

@@ -3,8 +3,8 @@ package robotran.world.goal
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.ProgramFailure
 import robotran.rcxrom.RunState
+import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
-import robotran.world.GoalStatus
 import robotran.world.TouchKind
 import kotlin.test.Test
 import kotlin.test.assertEquals

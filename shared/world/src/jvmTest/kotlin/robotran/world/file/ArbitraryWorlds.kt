@@ -16,18 +16,18 @@ import robotran.world.LightFacing
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
-import robotran.world.Point
 import robotran.world.PortSensor
-import robotran.world.Pose
 import robotran.world.RobotColour
 import robotran.world.RobotPlace
 import robotran.world.Shade
-import robotran.world.Shape
 import robotran.world.Template
 import robotran.world.TouchKind
 import robotran.world.UnknownFields
 import robotran.world.Wall
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.random.Random
 
 /** Worlds of all kinds that a file can hold. */

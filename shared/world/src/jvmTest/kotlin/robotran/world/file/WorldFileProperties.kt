@@ -14,10 +14,6 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 import robotran.json.writeCompactJson
-import robotran.world.BuiltInWorlds
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
-import robotran.world.writeWorld
 
 class WorldFileProperties : StringSpec({
     val files = BuiltInWorlds.texts.values + FULL_WORLD

@@ -9,10 +9,7 @@ import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.writeCompactJson
-import robotran.world.BuiltInWorlds
-import robotran.world.WorldFileResult
 import robotran.world.documentedWorlds
-import robotran.world.readWorld
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

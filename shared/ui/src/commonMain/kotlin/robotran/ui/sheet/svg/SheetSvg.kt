@@ -1,15 +1,15 @@
 package robotran.ui.sheet.svg
 
+import robotran.simulation.state.InkStroke
+import robotran.simulation.state.SessionState
 import robotran.ui.sheet.RobotColours
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.goalRegions
-import robotran.world.InkStroke
 import robotran.world.Lamp
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.SessionState
 import robotran.world.Wall
 import robotran.world.World
+import robotran.world.geometry.Point
 
 /** Writes the sheet with all that lies, stands, shines and drives on it as an SVG picture; a unit is a centimetre, y goes down. */
 internal class SheetSvg(private val world: World, private val state: SessionState) {

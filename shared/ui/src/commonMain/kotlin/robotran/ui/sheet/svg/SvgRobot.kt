@@ -3,11 +3,11 @@ package robotran.ui.sheet.svg
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Color
+import robotran.simulation.state.RobotState
 import robotran.ui.sheet.RobotColours
 import robotran.ui.sheet.RobotPlan
 import robotran.ui.sheet.SheetColours
 import robotran.world.RobotPlace
-import robotran.world.RobotState
 
 /** Writes the penbot from above, the same as on the screen, see [RobotPlan]. */
 internal class SvgRobot(private val svg: SvgWriter) {

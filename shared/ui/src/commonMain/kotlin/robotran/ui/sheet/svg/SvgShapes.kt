@@ -1,7 +1,7 @@
 package robotran.ui.sheet.svg
 
-import robotran.world.Point
-import robotran.world.Shape
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 
 /** Writes shapes and lines of a sheet that is [paperHeight] high. What is turned is turned by the picture's viewer, so nothing has to be rounded. */
 internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Double) {

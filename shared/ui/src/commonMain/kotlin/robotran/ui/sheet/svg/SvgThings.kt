@@ -1,6 +1,7 @@
 package robotran.ui.sheet.svg
 
 import androidx.compose.ui.graphics.Color
+import robotran.simulation.state.LampState
 import robotran.ui.sheet.GoalRegion
 import robotran.ui.sheet.RegionKind
 import robotran.ui.sheet.SeamlessPolygon
@@ -10,15 +11,14 @@ import robotran.ui.sheet.greyColour
 import robotran.ui.sheet.isBlue
 import robotran.ui.sheet.roomiestPlace
 import robotran.world.Lamp
-import robotran.world.LampState
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
 import robotran.world.Template
-import robotran.world.centre
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import robotran.world.geometry.centre
 import kotlin.math.PI
 import kotlin.math.min
 import kotlin.math.sqrt

@@ -2,7 +2,7 @@ package robotran.ui.sheet.svg
 
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.toArgb
-import robotran.world.Point
+import robotran.world.geometry.Point
 import kotlin.math.abs
 import kotlin.math.floor
 

@@ -1,0 +1,74 @@
+package robotran.simulation
+
+import robotran.language.Language
+import robotran.rcxrom.Brick
+import robotran.rcxrom.BrickMessages
+import robotran.rcxrom.InfraredAir
+import robotran.rcxrom.MotorPort
+import robotran.rcxrom.RomLog
+import robotran.simulation.config.TraceHash
+import robotran.simulation.explain.Explanation
+import robotran.simulation.explain.Influence
+import robotran.simulation.explain.InfluenceMessages
+import robotran.simulation.noise.NoiseStreams
+import robotran.simulation.robot.InputPorts
+import robotran.simulation.state.RobotSnapshot
+import robotran.world.LightFacing
+import robotran.world.PortSensor
+import robotran.world.World
+import kotlin.math.floor
+
+/** One robot of a session: its brick, and the machine it is built into. */
+internal class RobotInSession(
+    private val number: Int,
+    private val world: World,
+    load: RobotLoad,
+    private val simulation: Simulation,
+    air: InfraredAir,
+    private val language: Language,
+) {
+    val brick = Brick(load.programs, air, BrickMessages.of(language), load.firstSlot)
+    val machine = simulation.machines[number]
+    val ports = InputPorts(world.robots[number], brick, NoiseStreams(world.seed, number), world.realism)
+    private val facing = world.robots[number].lightFacing ?: load.lightFacing ?: LightFacing.DOWN
+    private var millivolts = 0
+    private var hashedCalls = 0L
+
+    val romLog: RomLog get() = brick.log
+
+    val snapshot: RobotSnapshot
+        get() = RobotSnapshot(brick.state, machine.state, machine.bumps, brick.remarks, romLog.total.toInt())
+
+    /** What has made it stray so far. */
+    fun influences(): List<Influence> {
+        val hasLightSensor = world.robots[number].ports.any { PortSensor.LIGHT in it }
+        val realism = if (hasLightSensor) world.realism else 0.0
+        val bias = if (hasLightSensor) ports.lightBias else 0.0
+        return Explanation(world.robots[number], machine, bias, realism, InfluenceMessages.of(language)).influences()
+    }
+
+    /** Measures what is plugged in; to be done just before the firmware reads it. */
+    fun sense() {
+        ports.measure(machine, simulation.temperature) { active -> simulation.lightOn(number, facing, active) }
+        val now = floor(machine.battery.volts * MILLIVOLTS_PER_VOLT).toInt()
+        if (world.realism > 0 && kotlin.math.abs(now - millivolts) >= MILLIVOLTS_TOLD) {
+            millivolts = now
+            brick.setBattery(now)
+        }
+    }
+
+    /** The motors move on for the millisecond with the number [tick]. */
+    fun moveMotors(tick: Long) = machine.tick(brick.motor(MotorPort.A), brick.motor(MotorPort.B), brick.motor(MotorPort.C), tick)
+
+    /** Adds the ROM calls made since this was done last. */
+    fun addCallsTo(hash: TraceHash) {
+        while (hashedCalls < romLog.total) romLog[hashedCalls++]?.let(hash::add)
+    }
+
+    private companion object {
+        const val MILLIVOLTS_PER_VOLT = 1000
+
+        /** Half of what the brick's converter can tell apart. */
+        const val MILLIVOLTS_TOLD = 14
+    }
+}

@@ -1,0 +1,66 @@
+package robotran.simulation
+
+import robotran.rcxrom.DebuggableRun
+import robotran.rcxrom.Statement
+import robotran.rcxrom.StatementWatch
+import robotran.rcxrom.StepKind
+import robotran.rcxrom.ThreadActivity
+
+/**
+ * Stops [run] at breakpoints and, if a [step] is to be made, behind it. The statement that the run stands before when this is made
+ * belongs to the step.
+ *
+ * @param isPaused whether the run was stopped before that statement, so that it does not ask about it again.
+ */
+internal class Stepping(
+    val run: DebuggableRun,
+    private val breakpoints: Set<Breakpoint>,
+    private val step: StepKind? = null,
+    isPaused: Boolean = false,
+) : StatementWatch {
+    private val thread = run.threads.find { it.isCurrent }
+    private val depth = thread?.callStack.orEmpty().size - 1
+    private var asksOfOwnStatement = step != null && run.isBeforeStatement && !isPaused
+
+    /** Whether there is anything to stop at. */
+    val canStop: Boolean get() = step != null || breakpoints.isNotEmpty()
+
+    /** Why the run was stopped, null as long as it was not. */
+    var reason: StopReason? = null
+        private set
+
+    override fun pausesBefore(statement: Statement): Boolean {
+        val isOwn = statement.thread == thread?.number
+        if (isOwn && asksOfOwnStatement) {
+            asksOfOwnStatement = false
+            return false
+        }
+        val isStepOver = if (isOwn) isStepDone(statement.depth) else isStepGivenUp()
+        reason = when {
+            isStepOver -> StopReason.StepDone
+            isBreakpoint(statement) -> StopReason.Breakpoint(statement.sourceLine, statement.sourceFile)
+            else -> null
+        }
+        return reason != null
+    }
+
+    private fun isStepDone(depth: Int): Boolean = when (step) {
+        StepKind.INTO -> true
+        StepKind.OVER -> depth <= this.depth
+        StepKind.OUT -> depth < this.depth
+        null -> false
+    }
+
+    /** Whether the thread of the step will not come to the step's end, or, for a step into whatever comes next, not now. */
+    private fun isStepGivenUp(): Boolean {
+        if (step == null) return false
+        val activity = thread?.let { run.activityOf(it.number) }
+        return activity == null || (step == StepKind.INTO && activity != ThreadActivity.RUNNABLE)
+    }
+
+    /** A program of one file does not say which it is in. */
+    private fun isBreakpoint(statement: Statement): Boolean = breakpoints.any {
+        val isOfFile = it.sourceFile == null || statement.sourceFile == null || it.sourceFile == statement.sourceFile
+        it.line == statement.sourceLine && isOfFile
+    }
+}

@@ -1,0 +1,150 @@
+package robotran.simulation.goal
+
+import robotran.simulation.state.GoalStatus
+import robotran.world.Goal
+import robotran.world.MarkFigure
+import robotran.world.geometry.Point
+import robotran.world.geometry.length
+
+/** Has the robot's light sensor gone along the line so often? */
+internal class FollowLineJudgement(
+    sentence: String,
+    private val goal: Goal.FollowLine,
+    private val actor: Actor.OfRobots,
+    line: MarkFigure.Line,
+) : SingleJudgement(sentence) {
+    private val laps = if (line.closed) Rounds(LineWay(line).length, goal) else EndToEnd(LineWay(line).length, goal)
+    private val tracker = LineTracker(LineWay(line), goal.tolerance, laps)
+
+    override fun look(scene: Scene) {
+        if (goal.within != null && scene.state.milliseconds > goal.within * MILLISECONDS_PER_SECOND) return tell(GoalStatus.FAILED)
+        tracker.moveTo(scene.lightSensor(actor) ?: return)
+        tell(if (laps.share >= 1.0) GoalStatus.MET else GoalStatus.PENDING, laps.share)
+    }
+}
+
+/**
+ * Knows where on a line somebody is who goes along it. Where the line comes near itself or crosses itself, he is where he can have come to
+ * from where he was.
+ *
+ * @param tolerance how far he may be beside the line.
+ * @param laps is told of his way.
+ */
+internal class LineTracker(private val way: LineWay, private val tolerance: Double, private val laps: Laps) {
+    private val reach = minOf(REACH_IN_TOLERANCES * tolerance, way.length / LEAST_REACHES_IN_LINE)
+    private val longestStray = STRAY_IN_TOLERANCES * tolerance
+
+    /** Where on the line he was last, null before he has met it. */
+    private var at: Double? = null
+    private var place: Point? = null
+
+    /** How far he has gone beside the line since he left it. */
+    private var strayed = 0.0
+    private var searchedAt = -SEARCH_DISTANCE
+
+    fun moveTo(next: Point) {
+        val moved = place?.let { length(next.x - it.x, next.y - it.y) } ?: 0.0
+        if (place != null && moved == 0.0) return
+        place = next
+        val near = at?.let { way.nearest(next, it - reach, it + reach) }
+        if (near != null && near.distance <= tolerance) {
+            goOn(near.at)
+        } else {
+            strayed += moved
+            if (at == null || strayed > longestStray) search(next)
+        }
+    }
+
+    private fun goOn(to: Double) {
+        at = to
+        strayed = 0.0
+        searchedAt = -SEARCH_DISTANCE
+        laps.goOn(to)
+    }
+
+    private fun search(place: Point) {
+        if (strayed - searchedAt < SEARCH_DISTANCE) return
+        searchedAt = strayed
+        val near = way.nearest(place, 0.0, way.length)
+        if (near.distance > tolerance) return
+        laps.beginAnew(near.at)
+        goOn(near.at)
+    }
+
+    private companion object {
+        /** How far along the line he can come in one look: round a bend of 60 degrees that he cuts within the tolerance. */
+        const val REACH_IN_TOLERANCES = 4.0
+        const val LEAST_REACHES_IN_LINE = 4.0
+
+        /** How far he may go beside the line and still only come back where he has left it. */
+        const val STRAY_IN_TOLERANCES = 2.0
+
+        /** All of a line is searched no more often than this, in centimetres of his way. */
+        const val SEARCH_DISTANCE = 0.5
+    }
+}
+
+/** A line as a way with places from 0 to its [length]; on a closed one the places go on with every round, and below 0. */
+internal class LineWay(line: MarkFigure.Line) {
+    private val isClosed = line.closed
+    private val corners = (if (isClosed) line.points + line.points.first() else line.points).withoutRepetition()
+
+    /** The place of each corner. */
+    private val places = DoubleArray(corners.size).also { places ->
+        for (number in 1..<corners.size) places[number] = places[number - 1] + way(corners[number - 1], corners[number])
+    }
+
+    /** In centimetres. */
+    val length: Double = places.last()
+
+    class Nearest(val at: Double, val distance: Double)
+
+    /** The place from [from] to [to] that is nearest to [place]; these may be beyond the ends of an open line, but not both. */
+    fun nearest(place: Point, from: Double, to: Double): Nearest {
+        var offset = if (isClosed) kotlin.math.floor(from / length) * length else 0.0
+        var number = pieceAt(from - offset)
+        var nearest: Nearest? = null
+        while (offset + places[number] <= to) {
+            val candidate = nearestOfPiece(number, place, from - offset, to - offset)
+            if (nearest == null || candidate.distance < nearest.distance) nearest = Nearest(offset + candidate.at, candidate.distance)
+            number++
+            if (number == corners.size - 1) {
+                if (!isClosed) break
+                number = 0
+                offset += length
+            }
+        }
+        return nearest ?: Nearest(from, Double.MAX_VALUE)
+    }
+
+    private fun nearestOfPiece(number: Int, place: Point, from: Double, to: Double): Nearest {
+        val begin = corners[number]
+        val end = corners[number + 1]
+        val along = places[number + 1] - places[number]
+        val directionX = (end.x - begin.x) / along
+        val directionY = (end.y - begin.y) / along
+        val foot = (place.x - begin.x) * directionX + (place.y - begin.y) * directionY
+        val at = foot.coerceIn(0.0, along).coerceAtMost(to - places[number]).coerceAtLeast(minOf(from - places[number], along))
+        return Nearest(
+            places[number] + at,
+            length(place.x - begin.x - at * directionX, place.y - begin.y - at * directionY),
+        )
+    }
+
+    /** The number of the piece between two corners that [place] is on; the nearest one for a place beyond the ends. */
+    private fun pieceAt(place: Double): Int {
+        var low = 0
+        var high = corners.size - 2
+        while (low < high) {
+            val middle = (low + high + 1) / 2
+            if (places[middle] <= place) low = middle else high = middle - 1
+        }
+        return low
+    }
+
+    private companion object {
+        fun way(from: Point, to: Point) = length(to.x - from.x, to.y - from.y)
+
+        fun List<Point>.withoutRepetition() = filterIndexed { number, point -> number == 0 || way(this[number - 1], point) > 0.0 }
+    }
+}

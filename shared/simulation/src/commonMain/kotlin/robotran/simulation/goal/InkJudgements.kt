@@ -1,0 +1,53 @@
+package robotran.simulation.goal
+
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.Ink
+import robotran.world.Goal
+import robotran.world.Template
+
+/** Has so much been drawn? */
+internal class InkLengthJudgement(sentence: String, private val goal: Goal.InkLength) : SingleJudgement(sentence) {
+    private val atLeast = goal.atLeast ?: 0.0
+    private var lengthAtStart = 0.0
+    private var isEnough = false
+
+    override val letsNextBegin: Boolean get() = isEnough && progress.status != GoalStatus.FAILED
+
+    override val statusAtEnd: GoalStatus get() = if (isEnough) GoalStatus.MET else GoalStatus.FAILED
+
+    override fun begin(scene: Scene) {
+        lengthAtStart = scene.state.ink.lengthCentimetres
+    }
+
+    override fun look(scene: Scene) {
+        val length = scene.state.ink.lengthCentimetres - lengthAtStart
+        isEnough = length >= atLeast
+        when {
+            goal.atMost != null && length > goal.atMost -> tell(GoalStatus.FAILED)
+            goal.atMost == null && isEnough -> tell(GoalStatus.MET)
+            atLeast > 0.0 -> tell(GoalStatus.PENDING, length / atLeast)
+        }
+    }
+}
+
+/** Is the template drawn, and not much beside it? */
+internal class DrawTemplateJudgement(
+    sentence: String,
+    private val goal: Goal.DrawTemplate,
+    template: Template,
+) : SingleJudgement(sentence) {
+    private val tracing = Tracing(template, goal.tolerance)
+    private var seen: Ink? = null
+
+    override val letsNextBegin: Boolean get() = tracing.coverage >= goal.coverage && progress.status != GoalStatus.FAILED
+
+    override val statusAtEnd: GoalStatus get() = if (tracing.coverage >= goal.coverage) GoalStatus.MET else GoalStatus.FAILED
+
+    override fun look(scene: Scene) {
+        val ink = scene.state.ink
+        if (ink === seen) return
+        seen = ink
+        tracing.follow(ink)
+        tell(if (tracing.excess > goal.excess) GoalStatus.FAILED else GoalStatus.PENDING, tracing.coverage)
+    }
+}

@@ -1,0 +1,38 @@
+package robotran.simulation.goal
+
+import robotran.simulation.state.GoalStatus
+import robotran.world.Goal
+import robotran.world.TouchKind
+
+/** Judges something that must hold until the run is over. */
+internal abstract class KeepingJudgement(sentence: String) : SingleJudgement(sentence) {
+    override val letsNextBegin: Boolean get() = progress.status != GoalStatus.FAILED
+
+    override val statusAtEnd: GoalStatus get() = GoalStatus.MET
+
+    /** Whether it does not hold now. */
+    protected abstract fun isBroken(scene: Scene): Boolean
+
+    override fun look(scene: Scene) {
+        if (isBroken(scene)) tell(GoalStatus.FAILED)
+    }
+}
+
+/** Has the robot touched nothing of these kinds? */
+internal class NeverTouchJudgement(
+    sentence: String,
+    private val goal: Goal.NeverTouch,
+    private val actor: Actor.OfRobots,
+) : KeepingJudgement(sentence) {
+    /** What was touched before this goal's turn came; of that, only what is touched now can be told. */
+    private var touchedBefore: Set<TouchKind> = emptySet()
+
+    override fun begin(scene: Scene) {
+        touchedBefore = scene.robot(actor)?.robot?.touched.orEmpty()
+    }
+
+    override fun isBroken(scene: Scene): Boolean {
+        val robot = scene.robot(actor)?.robot ?: return false
+        return goal.what.any { it in robot.touching || (it in robot.touched && it !in touchedBefore) }
+    }
+}

@@ -1,0 +1,87 @@
+package robotran.simulation.goal
+
+import robotran.world.Goal
+import robotran.world.Penbot
+import kotlin.math.floor
+
+/** Counts how often somebody goes along a line, from the places where he is on it. */
+internal sealed class Laps {
+    /** How much of what is wanted is done; 1 or more if all is. */
+    abstract val share: Double
+
+    /** He has come to [at] from somewhere else: the lap that he was in does not count. */
+    abstract fun beginAnew(at: Double)
+
+    /** He has gone on to [at], along the line. */
+    abstract fun goOn(at: Double)
+}
+
+/** How far somebody has gone in one direction, whoever goes to and fro. */
+private class Advance {
+    private var lowest = Double.MAX_VALUE
+    private var highest = -Double.MAX_VALUE
+
+    /** The longest way upwards and downwards. */
+    var up = 0.0
+        private set
+    var down = 0.0
+        private set
+
+    fun goOn(at: Double) {
+        lowest = minOf(lowest, at)
+        highest = maxOf(highest, at)
+        up = maxOf(up, at - lowest)
+        down = maxOf(down, highest - at)
+    }
+}
+
+/** Round and round a closed line, in either direction but always the same. */
+internal class Rounds(private val length: Double, goal: Goal.FollowLine) : Laps() {
+    private val givenAway = minOf(goal.tolerance, length / LEAST_PARTS)
+    private val wanted = goal.laps * length - givenAway
+    private var earlierRounds = 0.0
+    private var advance = Advance()
+
+    override val share: Double get() = (earlierRounds * length + maxOf(advance.up, advance.down)) / wanted
+
+    override fun beginAnew(at: Double) {
+        earlierRounds += floor((maxOf(advance.up, advance.down) + givenAway) / length)
+        advance = Advance()
+    }
+
+    override fun goOn(at: Double) = advance.goOn(at)
+}
+
+/** From one end of an open line to the other, and back again. */
+internal class EndToEnd(length: Double, private val goal: Goal.FollowLine) : Laps() {
+    /** The robot may begin with its pen at the end, and it leaves the line when its sensor comes beyond the other. */
+    private val wanted =
+        length - minOf(Penbot.LIGHT_SENSOR_PLACE + goal.tolerance, length / LEAST_PARTS) - minOf(goal.tolerance, length / LEAST_PARTS)
+    private var legs = 0
+    private var advance = Advance()
+    private var mayGoUp = true
+    private var mayGoDown = true
+
+    override val share: Double get() = (legs + leg / wanted) / goal.laps
+
+    private val leg: Double get() = maxOf(if (mayGoUp) advance.up else 0.0, if (mayGoDown) advance.down else 0.0)
+
+    override fun beginAnew(at: Double) {
+        advance = Advance()
+        mayGoUp = true
+        mayGoDown = true
+    }
+
+    override fun goOn(at: Double) {
+        advance.goOn(at)
+        if (leg < wanted) return
+        legs++
+        mayGoUp = !(mayGoUp && advance.up >= wanted)
+        mayGoDown = !mayGoUp
+        advance = Advance()
+        advance.goOn(at)
+    }
+}
+
+/** What is given away is never more than so much of the line. */
+private const val LEAST_PARTS = 4.0

@@ -1,0 +1,62 @@
+package robotran.simulation.goal
+
+import robotran.simulation.state.GoalStatus
+import robotran.world.Goal
+import robotran.world.geometry.Outline
+
+/** Has the robot or block come to the region? */
+internal class ReachJudgement(
+    sentence: String,
+    private val goal: Goal.Reach,
+    private val actor: Actor,
+    private val region: Outline,
+) : SingleJudgement(sentence) {
+    private var distanceAtStart: Double? = null
+
+    override val isDecided: Boolean get() = if (goal.stays) progress.status == GoalStatus.FAILED else super.isDecided
+
+    override fun look(scene: Scene) {
+        val middle = scene.middle(actor) ?: return
+        val distance = region.distanceTo(middle)
+        val atStart = distanceAtStart ?: distance.also { distanceAtStart = it }
+        val isThere = if (goal.whole) scene.footprint(actor)?.isInside(region) == true else distance == 0.0
+        val isTooLate = goal.within != null && scene.state.milliseconds > goal.within * MILLISECONDS_PER_SECOND
+        val wasThere = progress.status == GoalStatus.MET
+        when {
+            isThere && (wasThere || !isTooLate) -> tell(GoalStatus.MET)
+            else -> tell(if (isTooLate) GoalStatus.FAILED else GoalStatus.PENDING, if (atStart > 0) 1 - distance / atStart else 0.0)
+        }
+    }
+}
+
+/** Has the robot or block never come into the region? */
+internal class StayOutJudgement(
+    sentence: String,
+    private val goal: Goal.StayOut,
+    private val actor: Actor,
+    private val region: Outline,
+) : KeepingJudgement(sentence) {
+    override fun isBroken(scene: Scene): Boolean =
+        if (goal.whole) {
+            scene.footprint(actor)?.meets(region) == true
+        } else {
+            scene.middle(actor)?.let { region.contains(it.x, it.y) } == true
+        }
+}
+
+/** Has the robot or block never left the region? */
+internal class StayInJudgement(
+    sentence: String,
+    private val goal: Goal.StayIn,
+    private val actor: Actor,
+    private val region: Outline,
+) : KeepingJudgement(sentence) {
+    override fun isBroken(scene: Scene): Boolean =
+        if (goal.whole) {
+            scene.footprint(actor)?.isInside(region) == false
+        } else {
+            scene.middle(actor)?.let { region.contains(it.x, it.y) } == false
+        }
+}
+
+internal const val MILLISECONDS_PER_SECOND = 1000L

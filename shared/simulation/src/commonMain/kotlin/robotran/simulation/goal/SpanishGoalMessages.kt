@@ -1,0 +1,124 @@
+package robotran.simulation.goal
+
+import robotran.language.listed
+import robotran.language.withComma
+import robotran.world.TouchKind
+
+/** The goals in Spanish; one thing has one word: area - zona, barrier - obstáculo, block - bloque, line - línea, template - plantilla. */
+object SpanishGoalMessages : GoalMessages {
+    override fun reach(who: Mover, region: Region, whole: Boolean, within: Int?, stays: Boolean): String {
+        val verb = if (who is Mover.Block) "Empuja" else "Lleva"
+        val way = if (whole) " entero dentro de" else " hasta"
+        val end = if (stays) ", y que esté allí al final" else ""
+        return "$verb ${name(who)}$way ${name(region)}${within(within)}$end."
+    }
+
+    override fun stayOut(who: Mover, region: Region, whole: Boolean) = "Mantén ${part(who, whole)} fuera de ${name(region)}."
+
+    override fun stayIn(who: Mover, region: Region, whole: Boolean) = "Mantén ${part(who, whole)} dentro de ${name(region)}."
+
+    override fun neverTouch(who: Mover, what: List<TouchKind>): String {
+        val things = if (what.size == TouchKind.entries.size) "nada" else listed(what.map(::name), "ni")
+        return if (who == Mover.OwnRobot) "No toques nunca $things." else "${capital(name(who))} no debe tocar nunca $things."
+    }
+
+    override fun drawTemplate(tolerance: String, coverage: Int) =
+        "Dibuja encima de la plantilla: el $coverage % de ella, y sin salirte más de ${withComma(tolerance)} cm."
+
+    override fun inkLength(atLeast: String?, atMost: String?) = when {
+        atMost == null -> "Dibuja ${withComma(atLeast.orEmpty())} cm o más."
+        atLeast == null -> "No dibujes más de ${withComma(atMost)} cm."
+        atLeast == atMost -> "Dibuja ${withComma(atLeast)} cm."
+        else -> "Dibuja entre ${withComma(atLeast)} y ${withComma(atMost)} cm."
+    }
+
+    override fun followLine(who: Mover, line: String?, closed: Boolean, laps: Double, within: Int?): String {
+        val name = if (line == null) "la línea" else "la línea \"$line\""
+        val begin = if (who == Mover.OwnRobot) "Sigue $name" else "${capital(name(who))} debe seguir $name"
+        val way = when {
+            laps < 1.0 -> " durante el ${withComma(number(laps * HUNDRED))} % de su longitud"
+            closed && laps == 1.0 -> " una vuelta"
+            closed -> " ${withComma(number(laps))} vueltas"
+            laps == 1.0 -> " de un extremo al otro"
+            else -> " de un extremo al otro, ${withComma(number(laps))} veces"
+        }
+        return "$begin$way${within(within)}."
+    }
+
+    override fun endWithin(who: Mover, seconds: Int): String {
+        val program = if (who == Mover.OwnRobot) "Tu programa" else "El programa ${ofName(who)}"
+        return "$program tiene que terminar${within(seconds)}."
+    }
+
+    override fun showOnDisplay(who: Mover, text: String) =
+        "Muestra \"$text\" en la pantalla${if (who == Mover.OwnRobot) "" else " ${ofName(who)}"}."
+
+    override fun playSound(who: Mover, times: Int, lowest: Int?, highest: Int?): String {
+        val sounds = if (times == 1) "un tono" else "$times tonos"
+        val pitch = when {
+            lowest == null && highest == null -> ""
+            lowest == null -> " de $highest hercios o más grave"
+            highest == null -> " de $lowest hercios o más agudo"
+            lowest == highest -> " de $lowest hercios"
+            else -> " de entre $lowest y $highest hercios"
+        }
+        return if (who == Mover.OwnRobot) "Haz sonar $sounds$pitch." else "${capital(name(who))} debe hacer sonar $sounds$pitch."
+    }
+
+    override fun inOrder() = "Haz esto por orden."
+
+    override fun all() = "Haz todo esto."
+
+    override fun anyOf() = "Haz una de estas cosas."
+
+    override fun met() = "conseguida"
+
+    override fun notMet() = "sin conseguir"
+
+    override fun notYet() = "todavía no"
+
+    private fun name(who: Mover): String = when (who) {
+        Mover.OwnRobot -> "tu robot"
+        is Mover.OtherRobot -> "el robot \"${who.name}\""
+        is Mover.Block -> "el bloque \"${who.name}\""
+    }
+
+    private fun ofName(who: Mover): String = when (who) {
+        Mover.OwnRobot -> "de tu robot"
+        is Mover.OtherRobot -> "del robot \"${who.name}\""
+        is Mover.Block -> "del bloque \"${who.name}\""
+    }
+
+    private fun part(who: Mover, whole: Boolean) = if (whole) "todas las partes ${ofName(who)}" else name(who)
+
+    private fun name(region: Region): String = region.name?.let { "la zona \"$it\"" } ?: "la zona marcada ${name(region.place)}"
+
+    private fun name(place: PaperPlace): String = when (place) {
+        PaperPlace.TOP_LEFT -> "de arriba a la izquierda"
+        PaperPlace.TOP -> "de arriba"
+        PaperPlace.TOP_RIGHT -> "de arriba a la derecha"
+        PaperPlace.LEFT -> "de la izquierda"
+        PaperPlace.MIDDLE -> "del centro"
+        PaperPlace.RIGHT -> "de la derecha"
+        PaperPlace.BOTTOM_LEFT -> "de abajo a la izquierda"
+        PaperPlace.BOTTOM -> "de abajo"
+        PaperPlace.BOTTOM_RIGHT -> "de abajo a la derecha"
+    }
+
+    private fun name(kind: TouchKind): String = when (kind) {
+        TouchKind.WALLS -> "una pared"
+        TouchKind.BARRIERS -> "un obstáculo"
+        TouchKind.BLOCKS -> "un bloque"
+        TouchKind.ROBOTS -> "otro robot"
+    }
+
+    private fun capital(words: String) = words.replaceFirstChar { it.uppercaseChar() }
+
+    private fun within(seconds: Int?) = when (seconds) {
+        null -> ""
+        1 -> " en 1 segundo como mucho"
+        else -> " en $seconds segundos como mucho"
+    }
+
+    private const val HUNDRED = 100
+}

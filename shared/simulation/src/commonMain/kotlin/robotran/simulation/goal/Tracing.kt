@@ -1,0 +1,146 @@
+package robotran.simulation.goal
+
+import robotran.simulation.state.Ink
+import robotran.simulation.state.InkStroke
+import robotran.world.Template
+import robotran.world.geometry.Point
+import robotran.world.geometry.length
+
+/**
+ * Compares ink with a template while it is drawn. Both are taken as places at even distances; each place of ink is looked at once, when it is new.
+ *
+ * @param tolerance how far ink may lie beside the template, in centimetres.
+ */
+internal class Tracing(template: Template, private val tolerance: Double) {
+    private val length = template.strokes.sumOf { stroke -> stroke.zipWithNext { from, to -> length(to.x - from.x, to.y - from.y) }.sum() }
+    private val spacing = maxOf(minOf(FINEST_SPACING, tolerance / PLACES_PER_TOLERANCE), length / MOST_PLACES)
+    private val places = PlaceGrid(template.strokes.flatMap { evenly(it) }, tolerance)
+    private val isCovered = BooleanArray(places.size)
+    private var covered = 0
+    private var beside = 0L
+    private val pens = PenFollower(spacing, ::inkAt)
+
+    /** How much of the template has ink within the tolerance, 0..1. */
+    val coverage: Double get() = if (places.size == 0) 0.0 else covered.toDouble() / places.size
+
+    /** How much ink lies beyond the tolerance, as a part of the template's length. */
+    val excess: Double get() = if (length == 0.0) 0.0 else beside * spacing / length
+
+    /** Looks at what is new in [ink]. */
+    fun follow(ink: Ink) = pens.follow(ink)
+
+    private fun inkAt(x: Double, y: Double, isFirst: Boolean) {
+        var isBeside = true
+        places.forEachWithin(x, y, tolerance) { place ->
+            isBeside = false
+            if (!isCovered[place]) {
+                isCovered[place] = true
+                covered++
+            }
+        }
+        // The first place of a stroke adds nothing to its length.
+        if (isBeside && !isFirst) beside++
+    }
+
+    private fun evenly(stroke: List<Point>): List<Point> = buildList {
+        val walk = EvenWalk(spacing)
+        walk.begin(stroke.first())
+        add(stroke.first())
+        for (number in 1..<stroke.size) walk.to(stroke[number], isCorner = true) { x, y -> add(Point(x, y)) }
+    }
+
+    private companion object {
+        /** In centimetres, less than a pen's line is wide. */
+        const val FINEST_SPACING = 0.25
+
+        /** So that a place beside the template is not mistaken by more than a hundredth of the tolerance. */
+        const val PLACES_PER_TOLERANCE = 4.0
+
+        /** Of the template, so that a long one stays cheap. */
+        const val MOST_PLACES = 40_000.0
+    }
+}
+
+/** Walks along lines and calls at places with an even distance between them. */
+internal class EvenWalk(private val spacing: Double) {
+    private var corner = Point(0.0, 0.0)
+
+    /** How far the last place is behind the corner; negative if it lies beyond it, on the piece that is not finished yet. */
+    private var behind = 0.0
+
+    fun begin(place: Point) {
+        corner = place
+        behind = 0.0
+    }
+
+    /** Goes on to [end]; if that is no corner, the piece may still become longer, and the next call is for the same piece. */
+    inline fun to(end: Point, isCorner: Boolean, call: (x: Double, y: Double) -> Unit) {
+        val alongX = end.x - corner.x
+        val alongY = end.y - corner.y
+        val whole = length(alongX, alongY)
+        if (whole == 0.0) return
+        var at = spacing - behind
+        while (at <= whole) {
+            call(corner.x + alongX * at / whole, corner.y + alongY * at / whole)
+            at += spacing
+        }
+        val last = at - spacing
+        if (isCorner) {
+            behind = whole - last
+            corner = end
+        } else {
+            behind = -last
+        }
+    }
+}
+
+/** Follows strokes while they are drawn; of each pen the last one may still grow, its last point may still move. */
+private class PenFollower(private val spacing: Double, private val inkAt: (x: Double, y: Double, isFirst: Boolean) -> Unit) {
+    /** So many strokes at the beginning are finished and done with. */
+    private var done = 0
+    private val pens = mutableMapOf<Int, Pen>()
+
+    fun follow(ink: Ink) {
+        pens.values.forEach { it.passed = 0 }
+        for (number in done..<ink.strokes.size) {
+            val stroke = ink.strokes[number]
+            pens.getOrPut(stroke.robot) { Pen() }.meet(stroke)
+        }
+        while (done < ink.strokes.size) {
+            val pen = pens.getValue(ink.strokes[done].robot)
+            if (pen.finished == 0) break
+            pen.finished--
+            done++
+        }
+    }
+
+    /** One robot's pen. */
+    private inner class Pen {
+        /** How many of its strokes behind those that are [done] are finished, and how many of them were met in this round. */
+        var finished = 0
+        var passed = 0
+        private val walk = EvenWalk(spacing)
+        private var corners = 0
+
+        fun meet(stroke: InkStroke) {
+            val number = passed++
+            if (number < finished) return
+            if (number > finished) {
+                finished = number
+                corners = 0
+            }
+            go(stroke.points)
+        }
+
+        private fun go(points: List<Point>) {
+            if (corners == 0) {
+                val first = points.first()
+                walk.begin(first)
+                inkAt(first.x, first.y, true)
+                corners = 1
+            }
+            while (corners < points.size - 1) walk.to(points[corners++], isCorner = true) { x, y -> inkAt(x, y, false) }
+            if (corners < points.size) walk.to(points[corners], isCorner = false) { x, y -> inkAt(x, y, false) }
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package robotran.simulation.light
+
+import robotran.simulation.physics.PhysicsWorld
+import robotran.simulation.state.LampState
+import robotran.world.Lamp
+import robotran.world.Light
+import robotran.world.geometry.Point
+import robotran.world.geometry.RADIANS_PER_DEGREE
+import robotran.world.geometry.Trigonometry
+import robotran.world.geometry.length
+
+/** The lamps and the light around, and how much of it comes to a place. */
+internal class LightField(lamps: List<Lamp>, var ambient: Double, private val physics: PhysicsWorld, trigonometry: Trigonometry) {
+    private val cones = lamps.map { Cone(it, trigonometry) }
+
+    /** How the lamps stand and shine now, in the world's order. */
+    var lamps: List<LampState> = lamps.map { LampState(it.place, it.on) }
+        private set
+
+    /** Changes whenever a lamp or the light around does. */
+    var version = 0
+        private set
+
+    fun change(lamp: Int, state: LampState) {
+        lamps = lamps.toMutableList().also { it[lamp] = state }
+        version++
+    }
+
+    fun changeAmbient(light: Double) {
+        ambient = light
+        version++
+    }
+
+    /**
+     * How much light comes to a sensor at [place] that looks in the direction [cosine], [sine].
+     *
+     * @param body the sensor's own robot, which does not stand in its light.
+     * @param beacons the lamps on other robots: where they are and how bright.
+     */
+    fun ahead(place: Point, cosine: Double, sine: Double, body: Int, beacons: List<Pair<Point, Double>>): Double {
+        var amount = ambient
+        for (number in lamps.indices) {
+            if (!lamps[number].on) continue
+            val lamp = lamps[number].place
+            amount += arriving(place, cosine, sine, lamp, cones[number].brightnessTowards(lamp, place), body)
+        }
+        for ((lamp, brightness) in beacons) amount += arriving(place, cosine, sine, lamp, brightness, NOBODY_IN_THE_WAY)
+        return amount
+    }
+
+    /** What comes back of the sensor's own light from the nearest thing ahead. */
+    fun echo(place: Point, cosine: Double, sine: Double, body: Int): Double {
+        val far = Light.FARTHEST_ECHO
+        val free = physics.freeWay(body, place, Point(place.x + far * cosine, place.y + far * sine))
+        if (free >= far) return 0.0
+        val part = Light.ECHO_DISTANCE / (Light.ECHO_DISTANCE + free)
+        return Light.OWN_LAMP * Light.THINGS * part * part
+    }
+
+    /** @param body whose robot is not in the way; with [NOBODY_IN_THE_WAY] no other is either: a beacon stands above all robots. */
+    private fun arriving(place: Point, cosine: Double, sine: Double, lamp: Point, brightness: Double, body: Int): Double {
+        val wayX = lamp.x - place.x
+        val wayY = lamp.y - place.y
+        val distance = maxOf(length(wayX, wayY), Light.NEAREST)
+        // The lens looks ahead: what comes from the side counts less, from behind not at all.
+        val facing = (wayX * cosine + wayY * sine) / distance
+        if (facing <= 0 || brightness == 0.0) return 0.0
+        val ratio = Light.LAMP_DISTANCE / distance
+        val amount = Light.LAMP * brightness * ratio * ratio * facing * facing
+        if (amount < IMPERCEPTIBLE) return 0.0
+        if (body != NOBODY_IN_THE_WAY && physics.freeWay(body, place, lamp) < length(wayX, wayY) - TOUCHING) return 0.0
+        return amount
+    }
+
+    private class Cone(private val lamp: Lamp, trigonometry: Trigonometry) {
+        private val cosine = trigonometry.cosine(lamp.direction * RADIANS_PER_DEGREE)
+        private val sine = trigonometry.sine(lamp.direction * RADIANS_PER_DEGREE)
+        private val edge = trigonometry.cosine(lamp.cone / 2 * RADIANS_PER_DEGREE)
+
+        fun brightnessTowards(from: Point, place: Point): Double {
+            if (lamp.cone >= Lamp.ALL_ROUND) return lamp.brightness
+            val wayX = place.x - from.x
+            val wayY = place.y - from.y
+            return if (wayX * cosine + wayY * sine >= edge * length(wayX, wayY)) lamp.brightness else 0.0
+        }
+    }
+
+    private companion object {
+        /** Changes the raw value by less than half of one. */
+        const val IMPERCEPTIBLE = 0.0005
+        const val NOBODY_IN_THE_WAY = -1
+
+        /** A lamp that stands at a barrier is not hidden by it. */
+        const val TOUCHING = 0.01
+    }
+}

@@ -1,0 +1,19 @@
+package robotran.simulation.noise
+
+import robotran.world.geometry.Pose
+import robotran.world.geometry.normalHeading
+
+/** Where a robot really stands that was to be put down at [planned]: nobody does that to the millimetre. */
+internal fun putDown(planned: Pose, streams: NoiseStreams, realism: Double): Pose {
+    if (realism == 0.0) return planned
+
+    fun error(name: String, deviation: Double) =
+        realism * deviation * streams.named("start: $name").normal().coerceIn(-MOST_DEVIATIONS, MOST_DEVIATIONS)
+    return Pose(
+        planned.x + error("x", Realism.START_PLACE),
+        planned.y + error("y", Realism.START_PLACE),
+        normalHeading(planned.heading + error("heading", Realism.START_HEADING)),
+    )
+}
+
+private const val MOST_DEVIATIONS = 2.0

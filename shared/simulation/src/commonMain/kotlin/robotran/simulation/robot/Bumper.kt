@@ -1,0 +1,44 @@
+package robotran.simulation.robot
+
+import robotran.simulation.noise.NoiseStream
+import robotran.simulation.noise.Realism
+import robotran.world.Penbot
+
+/**
+ * A bumper's switch: in at the first touch, out again a moment after the last. Its contact bounces for some milliseconds whenever it closes or opens,
+ * the longer the more realistic the world is.
+ */
+internal class Bumper(private val stream: NoiseStream, private val realism: Double) {
+    private var untilOut = 0
+    private var bounces = 0
+
+    /** Whether the bumper is pushed in. */
+    val isPressed: Boolean get() = untilOut > 0
+
+    /** Whether its contact is closed, as the brick measures it. */
+    var isClosed = false
+        private set
+
+    /** How often its contact has bounced. */
+    var bounceCount = 0
+        private set
+
+    /** Lets one tick pass. */
+    fun tick(touching: Boolean) {
+        if (!touching && untilOut == 0 && bounces == 0 && !isClosed) return
+        val wasPressed = isPressed
+        untilOut = if (touching) Penbot.BUMPER_RETURN else maxOf(0, untilOut - 1)
+        if (isPressed != wasPressed && realism > 0) bounces = (realism * Realism.BOUNCE_MILLISECONDS * stream.share()).toInt() + 1
+        val wasClosed = isClosed
+        isClosed = isPressed
+        if (bounces > 0) {
+            bounces--
+            if (stream.share() < HALF) isClosed = !isPressed
+            if (isClosed != wasClosed && isClosed != isPressed) bounceCount++
+        }
+    }
+
+    private companion object {
+        const val HALF = 0.5
+    }
+}

@@ -1,0 +1,88 @@
+package robotran.simulation.robot
+
+import robotran.rcxrom.Brick
+import robotran.rcxrom.RotationSensor
+import robotran.rcxrom.SensorCode
+import robotran.rcxrom.TemperatureSensor
+import robotran.rcxrom.TouchSensor
+import robotran.simulation.noise.NoiseStreams
+import robotran.simulation.noise.Realism
+import robotran.world.Penbot
+import robotran.world.PortSensor
+import robotran.world.RobotPlace
+import kotlin.math.floor
+
+/** What is plugged into a brick's input ports, measured as often as the firmware reads it. */
+internal class InputPorts(
+    private val place: RobotPlace,
+    private val brick: Brick,
+    streams: NoiseStreams,
+    private val realism: Double,
+) {
+    private val lightNoise = streams.named("light sensor: noise")
+    private val temperatureNoise = streams.named("temperature sensor: noise")
+
+    /** By how much this light sensor always measures too high, in raw units. */
+    val lightBias = realism * Realism.LIGHT_BIAS * streams.named("light sensor: bias").normal()
+
+    /** The ports whose touch sensor a finger presses. */
+    private val pressed = BooleanArray(SensorCode.PORTS)
+    private var temperature = Double.NaN
+    private var temperatureRaw = SensorCode.OPEN_RAW
+
+    /** A finger presses the touch sensor on a [port], from 0, or lets it go. */
+    fun touch(port: Int, press: Boolean) {
+        if (port in pressed.indices) pressed[port] = press
+    }
+
+    /**
+     * Measures all ports.
+     *
+     * @param celsius the temperature.
+     * @param light what the light sensor measures, before noise, if it is powered or is not.
+     */
+    fun measure(machine: RobotMachine, celsius: Double, light: (active: Boolean) -> Double) {
+        for (port in place.ports.indices) {
+            if (place.ports[port].isEmpty()) continue
+            var raw = SensorCode.OPEN_RAW
+            for (sensor in place.ports[port]) raw = minOf(raw, raw(sensor, port, machine, celsius, light))
+            brick.setRawSensorValue(port, raw)
+        }
+    }
+
+    private fun raw(sensor: PortSensor, port: Int, machine: RobotMachine, celsius: Double, light: (active: Boolean) -> Double): Int =
+        when (sensor) {
+            PortSensor.LEFT_BUMPER -> TouchSensor.raw(machine.leftBumper.isClosed)
+            PortSensor.RIGHT_BUMPER -> TouchSensor.raw(machine.rightBumper.isClosed)
+            PortSensor.TOUCH -> TouchSensor.raw(pressed[port])
+            PortSensor.LIGHT -> rounded(light(brick.sensorIsActive(port)) + lightNoise())
+            PortSensor.LEFT_ROTATION -> rotation(machine.leftWheel, port)
+            PortSensor.RIGHT_ROTATION -> rotation(machine.rightWheel, port)
+            PortSensor.TEMPERATURE -> temperature(celsius)
+        }
+
+    private fun lightNoise() = if (realism == 0.0) 0.0 else lightBias + realism * Realism.LIGHT_NOISE * lightNoise.normal()
+
+    private fun rotation(wheel: Wheel, port: Int): Int {
+        val count = floor(wheel.turned / Penbot.WHEEL_CIRCUMFERENCE * RotationSensor.COUNTS_PER_TURN).toInt()
+        return RotationSensor.raw(count, brick.sensorIsActive(port))
+    }
+
+    private fun temperature(celsius: Double): Int {
+        if (celsius != temperature) {
+            temperature = celsius
+            temperatureRaw = TemperatureSensor.raw(celsius)
+        }
+        return if (realism == 0.0) {
+            temperatureRaw
+        } else {
+            rounded(temperatureRaw + realism * Realism.TEMPERATURE_NOISE * temperatureNoise.normal())
+        }
+    }
+
+    private fun rounded(raw: Double): Int = floor(raw + HALF).toInt().coerceIn(0, SensorCode.OPEN_RAW)
+
+    private companion object {
+        const val HALF = 0.5
+    }
+}
