@@ -12,7 +12,7 @@ kotlin {
         commonMain.dependencies {
             implementation(project(":shared:programs"))
             implementation(project(":shared:lejos-library"))
-            implementation(project(":shared:world"))
+            implementation(project(":shared:simulation"))
             implementation(libs.coroutines.core)
             // The compiler of Compose, which the benchmarks of the screen take, asks for it on every target.
             implementation(libs.compose.runtime)

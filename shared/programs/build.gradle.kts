@@ -22,7 +22,7 @@ kotlin {
             implementation(project(":shared:lejos-library"))
         }
         commonTest.dependencies {
-            implementation(project(":shared:world"))
+            implementation(project(":shared:simulation"))
         }
     }
 }

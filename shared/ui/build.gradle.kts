@@ -21,7 +21,7 @@ kotlin {
             api(project(":shared:rcx-rom"))
             api(project(":shared:robolang"))
             api(project(":shared:programs"))
-            api(project(":shared:world"))
+            api(project(":shared:simulation"))
             api(project(":shared:run-control"))
             api(project(":shared:projects"))
             api(project(":shared:learning"))

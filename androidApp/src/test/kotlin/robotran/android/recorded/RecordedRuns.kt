@@ -35,7 +35,7 @@ internal class RecordedRuns(private val tree: File) {
         val physics = loadPhysicsEngine()
         val reader = ProgramReader(calibration)
         val robolang = files("examples", ".robo").map { file ->
-            compare(example(reader, ProgramSource.Robolang(file.name, file.readText()), physics), file, "shared/world")
+            compare(example(reader, ProgramSource.Robolang(file.name, file.readText()), physics), file, "shared/simulation")
         }
         val java = files("examples/lejos", ".java").map { file ->
             val source = ProgramSource.Java(file.name, listOf(SourceFile(file.name, file.readText())))

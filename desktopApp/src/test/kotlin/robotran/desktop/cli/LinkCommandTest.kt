@@ -27,7 +27,7 @@ class LinkCommandTest : CommandTest() {
 
     private fun file(name: String, text: String): String = folder.resolve(name).apply { writeText(text) }.toString()
 
-    private val squareReport = tree.resolve("shared/world/src/commonTest/resources/runs/square.report.json").readText().trimEnd()
+    private val squareReport = tree.resolve("shared/simulation/src/commonTest/resources/runs/square.report.json").readText().trimEnd()
 
     @Test
     fun `a world becomes a link to the same world`() {

@@ -15,7 +15,7 @@ import kotlin.test.assertTrue
 class RunCommandTest : CommandTest() {
     private fun run(vararg arguments: String) = commandLine.execute(listOf("run") + arguments)
 
-    private fun recorded(ending: String) = tree.resolve("shared/world/src/commonTest/resources/runs/square$ending").readText()
+    private fun recorded(ending: String) = tree.resolve("shared/simulation/src/commonTest/resources/runs/square$ending").readText()
 
     @Test
     fun `the square leaves the recorded report and ROM log`() {

@@ -53,7 +53,7 @@ class DesktopPlugin : Plugin<Project> {
     private companion object {
         val PACKAGES = listOf("deb", "msi", "dmg")
         const val VERSION = "0.1.0"
-        val RECORDED_RUNS = listOf("shared/world/src/commonTest/resources/runs", "shared/programs/src/commonTest/resources/runs")
+        val RECORDED_RUNS = listOf("shared/simulation/src/commonTest/resources/runs", "shared/programs/src/commonTest/resources/runs")
         const val TEST_PROGRAMS = "shared/robolang/src/commonTest/resources/programs"
     }
 }

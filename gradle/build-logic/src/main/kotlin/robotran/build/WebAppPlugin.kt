@@ -62,7 +62,7 @@ class WebAppPlugin : Plugin<Project> {
             // Solutions need the worlds that they are for, which the page does not open.
             task.examples.from(project.rootProject.fileTree("examples") { it.exclude("solutions/**") })
             task.expectedProjectRuns.set(project.rootProject.file("shared/projects/src/commonTest/resources/runs"))
-            task.expectedRuns.set(project.rootProject.file("shared/world/src/commonTest/resources/runs"))
+            task.expectedRuns.set(project.rootProject.file("shared/simulation/src/commonTest/resources/runs"))
             task.expectedJavaRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/runs"))
             task.results.set(project.layout.buildDirectory.dir("test-results/${task.name}"))
         }

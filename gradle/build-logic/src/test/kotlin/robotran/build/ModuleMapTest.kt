@@ -12,7 +12,7 @@ class ModuleMapTest {
 
             | module | package | holds | may use | kind |
             |---|---|---|---|---|
-            | `shared/rom` | `robotran.rcxrom` | the brick | - | core |
+            | `shared/rom` | `robotran.rom` | the brick | - | core |
             | `shared/world` | `robotran.world` | the world | `shared/rom` | core |
             | `app` | `robotran.app` | the app | `shared/rom`, `shared/world` | app |
 
@@ -28,24 +28,24 @@ class ModuleMapTest {
 
     @Test
     fun `a module may import itself and what the map allows it`() {
-        val text = "package robotran.world.ink\n\nimport robotran.rcxrom.Rom\nimport robotran.world.geometry.Pose\n"
+        val text = "package robotran.world.ink\n\nimport robotran.rom.Rom\nimport robotran.world.Pose\n"
         assertEquals(emptyList(), violations("shared/world", "src/commonMain/kotlin/Ink.kt", text))
     }
 
     @Test
     fun `a module may not import what the map does not allow it`() {
-        val text = "package robotran.rom\n\nimport robotran.world.geometry.Pose\n"
+        val text = "package robotran.rom\n\nimport robotran.world.Pose\n"
         assertEquals(
-            listOf("shared/rom/src/commonMain/kotlin/Brick.kt: imports robotran.world.geometry.Pose, but shared/rom may not use shared/world"),
+            listOf("shared/rom/src/commonMain/kotlin/Brick.kt: imports robotran.world.Pose, but shared/rom may not use shared/world"),
             violations("shared/rom", "src/commonMain/kotlin/Brick.kt", text),
         )
     }
 
     @Test
     fun `a test may import any module`() {
-        val text = "package robotran.rom\n\nimport robotran.world.geometry.Pose\n"
+        val text = "package robotran.rom\n\nimport robotran.world.Pose\n"
         assertEquals(emptyList(), violations("shared/rom", "src/commonTest/kotlin/BrickTest.kt", text))
-        assertEquals(emptyList(), violations("app", "src/test/kotlin/AppTest.kt", "package robotran.app\n\nimport robotran.rcxrom.Rom\n"))
+        assertEquals(emptyList(), violations("app", "src/test/kotlin/AppTest.kt", "package robotran.app\n\nimport robotran.rom.Rom\n"))
     }
 
     @Test

@@ -16,7 +16,6 @@ import robotran.world.Template
 import robotran.world.TouchKind
 import robotran.world.Wall
 import robotran.world.World
-import robotran.world.documentedWorlds
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape

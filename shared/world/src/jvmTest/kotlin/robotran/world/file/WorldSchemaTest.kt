@@ -9,7 +9,6 @@ import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.writeCompactJson
-import robotran.world.documentedWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

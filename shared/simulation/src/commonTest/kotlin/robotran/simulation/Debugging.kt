@@ -1,0 +1,38 @@
+package robotran.simulation
+
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.RunState
+import robotran.rcxrom.StepKind
+import robotran.robolang.RobolangResult
+import robotran.robolang.readRobolang
+import robotran.robolang.robot.Calibration
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.world.Penbot
+import robotran.world.file.BuiltInWorlds
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+
+/** A session in which the Robolang program [source], called `test`, has just been started. */
+internal suspend fun startedForDebugging(source: String): Session {
+    val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+    val program = assertIs<RobolangResult.Ready>(readRobolang("test", source, calibration)).program
+    return Session(BuiltInWorlds.plain, listOf(program), loadPhysicsEngine()).apply {
+        apply(SessionInput.Press(BrickButton.RUN))
+        apply(SessionInput.Release(BrickButton.RUN))
+    }
+}
+
+/** The line that the program is at. */
+internal fun Session.line(): Int = assertIs<RunState.Running>(state.brick.run).sourceLine
+
+/** The lines before which [steps] stop, one after the other. */
+internal fun Session.lines(vararg steps: StepKind): List<Int> = steps.map { step ->
+    assertEquals(StopReason.StepDone, stepStatement(step))
+    line()
+}
+
+/** Goes on to a breakpoint on [line]. */
+internal fun Session.runTo(line: Int) {
+    breakpoints = setOf(Breakpoint(line))
+    assertEquals(StopReason.Breakpoint(line), runUntilStop(10_000))
+}

@@ -1,0 +1,36 @@
+package robotran.simulation
+
+import robotran.rcxrom.ProgramRun
+import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.Rom
+import robotran.rcxrom.RomCall
+
+/** Sends a message, if there is one, and waits for ever for one. */
+class MessageProgram(private val sends: List<Int>) : RcxProgram {
+    override val name = "message"
+
+    /** Whether any message has come. */
+    var hasHeard = false
+        private set
+
+    override fun start(rom: Rom): ProgramRun = object : ProgramRun {
+        override val sourceLine = 1
+
+        init {
+            rom.call(RomCall(0x30d0, listOf(0, 0, 1, 1)), sourceLine)
+            sends.forEachIndexed { place, byte -> rom.memory.writeByte(BUFFER + place, byte) }
+            if (sends.isNotEmpty()) rom.call(RomCall(0x343e, listOf(0x1775, 0, BUFFER, sends.size)), sourceLine)
+        }
+
+        override fun resume(steps: Int): ProgramStatus {
+            if (rom.hasMessage) hasHeard = true
+            return ProgramStatus.Waiting(rom.milliseconds + 1)
+        }
+    }
+
+    private companion object {
+        /** Somewhere in the memory that programs may use. */
+        const val BUFFER = 0x9000
+    }
+}

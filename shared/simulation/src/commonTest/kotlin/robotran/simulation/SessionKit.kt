@@ -1,0 +1,26 @@
+package robotran.simulation
+
+import robotran.rcxrom.BrickButton
+import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.RunState
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.world.World
+import robotran.world.file.BuiltInWorlds
+
+/** Starts [program] on a robot in [world] by a press of Run, and lets it run to its end and half a second on, a minute at most. */
+suspend fun runToEnd(program: RcxProgram, world: World = BuiltInWorlds.plain): Session {
+    val session = startRun(program, world)
+    while (session.state.brick.run is RunState.Running && session.state.milliseconds < 60_000) session.advance(10)
+    session.advance(500)
+    return session
+}
+
+/** A session in which Run has just been pressed and let go. */
+suspend fun startRun(program: RcxProgram, world: World = BuiltInWorlds.plain): Session {
+    val session = Session(world, listOf(program), loadPhysicsEngine())
+    session.apply(SessionInput.Press(BrickButton.RUN))
+    session.advance(100)
+    session.apply(SessionInput.Release(BrickButton.RUN))
+    session.advance(1)
+    return session
+}
