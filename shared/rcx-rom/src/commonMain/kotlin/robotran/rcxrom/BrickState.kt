@@ -36,9 +36,6 @@ data class BrickState(
  */
 data class InfraredState(val sending: Boolean, val range: InfraredRange)
 
-/** The four buttons on the brick's face. */
-enum class BrickButton { ON_OFF, VIEW, PRGM, RUN }
-
 /** What the brick is doing with its program. */
 sealed interface RunState {
     /** No program has been started since the brick was switched on. */
@@ -58,20 +55,3 @@ sealed interface RunState {
     /** The program could not go on. */
     data class Failed(val failure: ProgramFailure) : RunState
 }
-
-/** The output ports; [code] is the number the ROM knows the motor by. */
-enum class MotorPort(val code: Int) { A(0x2000), B(0x2001), C(0x2002) }
-
-/** What a motor is told to do; [code] is the ROM's number for it. */
-enum class MotorMode(val code: Int) { FORWARD(1), BACKWARD(2), BRAKE(3), FLOAT(4) }
-
-/**
- * What an output port is told to do.
- *
- * @property power 0..7; the port is switched on in power + 1 of 8 milliseconds.
- */
-data class MotorState(
-    val port: MotorPort,
-    val mode: MotorMode,
-    val power: Int,
-)

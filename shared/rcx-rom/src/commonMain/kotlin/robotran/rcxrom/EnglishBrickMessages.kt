@@ -118,7 +118,7 @@ object EnglishBrickMessages : BrickMessages {
         RomCode.SEGMENT_DOWNLOAD -> "download dots"
         RomCode.SEGMENT_UPLOAD -> "upload dots"
         RomCode.SEGMENT_ALL -> "everything"
-        else -> LcdSegmentRoutines.iconOf(code)?.words ?: hexadecimal(code)
+        else -> SegmentIcons.of(code)?.words ?: hexadecimal(code)
     }
 
     private fun bytes(count: Int) = if (count == 1) "1 byte" else "$count bytes"

@@ -167,7 +167,7 @@ object GermanBrickMessages : BrickMessages {
         RomCode.SEGMENT_DOWNLOAD -> "Punkte fürs Laden"
         RomCode.SEGMENT_UPLOAD -> "Punkte fürs Senden"
         RomCode.SEGMENT_ALL -> "alles"
-        else -> LcdSegmentRoutines.iconOf(code)?.let(::icon) ?: hexadecimal(code)
+        else -> SegmentIcons.of(code)?.let(::icon) ?: hexadecimal(code)
     }
 
     private fun bytes(count: Int) = if (count == 1) "1 Byte" else "$count Bytes"

@@ -48,16 +48,6 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
         get() = (LcdLayout.DIGITS - 1 downTo 0).map { LcdGlyphs.read(digit(it)) }.joinToString("").trim()
 
     /**
-     * Everything there is to see, for somebody who cannot: the [text] and the names of the [iconsBesideText], such as
-     * `9.0 0, standing man`; empty on a clear display.
-     */
-    val description: String get() = describe(EnglishBrickMessages)
-
-    /** The same in another language. */
-    fun describe(messages: BrickMessages): String =
-        (listOf(text) + iconsBesideText.map(messages::icon)).filter { it.isNotEmpty() }.joinToString()
-
-    /**
      * Whether a reader would say that the display shows [text], which a program has shown as a number or as a text: `42` also where leJOS
      * writes `0042`, `1.5` also where there are more decimals, letters small or large as seven segments can form them. Blanks around
      * the text do not count, nor what is beyond five characters. The program digit beside a number is no part of it.

@@ -24,7 +24,7 @@ internal class LcdSegmentRoutines(
             RomCode.SEGMENT_INFRARED_SHORT -> showOneOf(INFRARED, LcdIcon.INFRARED_SHORT)
             RomCode.SEGMENT_INFRARED_LONG -> INFRARED.forEach { lcd.light(it, on = true) }
             RomCode.SEGMENT_ALL -> lcd.lightAll()
-            else -> lcd.light(SINGLE_ICONS[code] ?: return refused(messages.unknownCode(code)), on = true)
+            else -> lcd.light(SegmentIcons.SINGLE[code] ?: return refused(messages.unknownCode(code)), on = true)
         }
         return RomEffect(messages.segment(code, shown = true))
     }
@@ -36,7 +36,7 @@ internal class LcdSegmentRoutines(
             RomCode.SEGMENT_DATALOG -> restart(CIRCLE_STEP, CIRCLE)
             RomCode.SEGMENT_DOWNLOAD, RomCode.SEGMENT_UPLOAD -> restart(DOTS_STEP, DOTS)
             RomCode.SEGMENT_INFRARED_SHORT, RomCode.SEGMENT_INFRARED_LONG -> INFRARED.forEach { lcd.light(it, on = false) }
-            else -> lcd.light(SINGLE_ICONS[code] ?: return refused(messages.unknownCode(code)), on = false)
+            else -> lcd.light(SegmentIcons.SINGLE[code] ?: return refused(messages.unknownCode(code)), on = false)
         }
         return RomEffect(messages.segment(code, shown = false))
     }
@@ -78,20 +78,5 @@ internal class LcdSegmentRoutines(
             LcdIcon.DATALOG_TOP_RIGHT, LcdIcon.DATALOG_BOTTOM_RIGHT, LcdIcon.DATALOG_BOTTOM_LEFT, LcdIcon.DATALOG_TOP_LEFT,
         )
         private val DOTS = listOf(LcdIcon.DOT_1, LcdIcon.DOT_2, LcdIcon.DOT_3, LcdIcon.DOT_4, LcdIcon.DOT_5)
-        private val SINGLE_ICONS: Map<Int, LcdIcon> = buildMap {
-            for (code in RomCode.SEGMENT_SENSOR_1_VIEW..RomCode.SEGMENT_MOTOR_C_FORWARD) {
-                put(code, LcdIcon.entries[LcdIcon.SENSOR_1_VIEW.ordinal + code - RomCode.SEGMENT_SENSOR_1_VIEW])
-            }
-            put(RomCode.SEGMENT_LOW_BATTERY, LcdIcon.LOW_BATTERY)
-        }
-
-        /** The one icon that [code] is about; null for those that stand for several, and for unknown ones. */
-        fun iconOf(code: Int): LcdIcon? = when (code) {
-            RomCode.SEGMENT_STANDING_MAN -> LcdIcon.STANDING_MAN
-            RomCode.SEGMENT_WALKING_MAN -> LcdIcon.WALKING_MAN
-            RomCode.SEGMENT_INFRARED_SHORT -> LcdIcon.INFRARED_SHORT
-            RomCode.SEGMENT_INFRARED_LONG -> LcdIcon.INFRARED_LONG
-            else -> SINGLE_ICONS[code]
-        }
     }
 }

@@ -66,10 +66,7 @@ data class ProgramFailure(
     val methodNumber: Int = sourceLine,
     val exceptionNumber: Int = 0,
     val sourceFile: String? = null,
-) {
-    /** Where it happened in words, such as `Line 7` or `Robot.java, line 7`; null if there is no line. */
-    fun place(messages: BrickMessages = EnglishBrickMessages): String? = placeText(sourceLine, sourceFile, messages)
-}
+)
 
 /**
  * Something a pupil should know about a run, though it goes on.
@@ -78,9 +75,4 @@ data class ProgramFailure(
  * @property sourceLine the line it happened on, from 1; 0 if there is none.
  * @property sourceFile the file it happened in; null if the program has only one.
  */
-data class ProgramRemark(val message: String, val sourceLine: Int, val sourceFile: String? = null) {
-    /** Where it happened in words, as [ProgramFailure.place]. */
-    fun place(messages: BrickMessages = EnglishBrickMessages): String? = placeText(sourceLine, sourceFile, messages)
-}
-
-private fun placeText(line: Int, file: String?, messages: BrickMessages): String? = if (line == 0) null else messages.place(line, file)
+data class ProgramRemark(val message: String, val sourceLine: Int, val sourceFile: String? = null)

@@ -167,7 +167,7 @@ object SpanishBrickMessages : BrickMessages {
         RomCode.SEGMENT_DOWNLOAD -> "los puntos de descarga"
         RomCode.SEGMENT_UPLOAD -> "los puntos de envío"
         RomCode.SEGMENT_ALL -> "todo"
-        else -> LcdSegmentRoutines.iconOf(code)?.let(::icon) ?: hexadecimal(code)
+        else -> SegmentIcons.of(code)?.let(::icon) ?: hexadecimal(code)
     }
 
     private fun bytes(count: Int) = if (count == 1) "1 byte" else "$count bytes"

@@ -73,11 +73,11 @@ class LcdGlassTest {
 
     @Test
     fun `everything there is to see can be told in words`() {
-        assertEquals("9.0 0, standing man", Brick(listOf(endlessProgram())).state.glass.description)
-        assertEquals("", LcdGlass.BLANK.description)
+        assertEquals("9.0 0, standing man", Brick(listOf(endlessProgram())).state.glass.describe())
+        assertEquals("", LcdGlass.BLANK.describe())
         val memory = RcxMemory()
         LcdIcon.LOW_BATTERY.segments.forEach { it.set(memory, on = true) }
-        assertEquals("low battery", LcdGlass.of(memory).description)
+        assertEquals("low battery", LcdGlass.of(memory).describe())
     }
 
     @Test

@@ -131,11 +131,11 @@ class ProgramOnBrickTest {
         val program = ScriptedProgram(emptyList())
         val brick = Brick(listOf(program, null), firstSlot = 1)
         brick.tick(10)
-        assertEquals("9.0 1", brick.state.glass.description)
+        assertEquals("9.0 1", brick.state.glass.describe())
         brick.push(BrickButton.RUN)
         assertEquals(RunState.Idle, brick.state.run)
         brick.push(BrickButton.PRGM)
-        assertEquals("9.0 0, standing man", brick.state.glass.description)
+        assertEquals("9.0 0, standing man", brick.state.glass.describe())
         brick.push(BrickButton.RUN)
         assertEquals(1, program.starts)
     }
