@@ -17,7 +17,7 @@ internal class Lcd(private val memory: RcxMemory) {
 
     /** Clears what the display is sent and the steps of circle and dots, too. */
     fun clearAll() {
-        for (address in LcdLayout.BUS_ADDRESS..LcdSegmentRoutines.CIRCLE_STEP) memory.writeByte(address, 0)
+        for (address in LcdLayout.BUS_ADDRESS..LcdLayout.CIRCLE_STEP) memory.writeByte(address, 0)
     }
 
     fun light(icon: LcdIcon, on: Boolean) {

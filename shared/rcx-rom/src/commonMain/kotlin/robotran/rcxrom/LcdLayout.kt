@@ -40,4 +40,10 @@ internal object LcdLayout {
         val (topLeft, bottomLeft) = left.second.map { LcdSegment(left.first, it) }
         return listOf(middle, topRight, top, topLeft, bottomLeft, bottom, bottomRight)
     }
+
+    /** How many dots of a transfer have been shown, 0..5. */
+    const val DOTS_STEP = 0xEF4E
+
+    /** How many quarters of the circle have been shown, 0..4. */
+    const val CIRCLE_STEP = 0xEF4F
 }

@@ -18,13 +18,13 @@ internal class LcdSegmentRoutines(
         when (code) {
             RomCode.SEGMENT_STANDING_MAN -> showOneOf(MEN, LcdIcon.STANDING_MAN)
             RomCode.SEGMENT_WALKING_MAN -> showOneOf(MEN, LcdIcon.WALKING_MAN)
-            RomCode.SEGMENT_DATALOG -> advance(CIRCLE_STEP, CIRCLE) { lcd.light(CIRCLE[it - 1], on = true) }
-            RomCode.SEGMENT_DOWNLOAD -> advance(DOTS_STEP, DOTS) { lcd.light(DOTS[it - 1], on = true) }
-            RomCode.SEGMENT_UPLOAD -> advance(DOTS_STEP, DOTS, ::shrinkDots)
+            RomCode.SEGMENT_DATALOG -> advance(LcdLayout.CIRCLE_STEP, CIRCLE) { lcd.light(CIRCLE[it - 1], on = true) }
+            RomCode.SEGMENT_DOWNLOAD -> advance(LcdLayout.DOTS_STEP, DOTS) { lcd.light(DOTS[it - 1], on = true) }
+            RomCode.SEGMENT_UPLOAD -> advance(LcdLayout.DOTS_STEP, DOTS, ::shrinkDots)
             RomCode.SEGMENT_INFRARED_SHORT -> showOneOf(INFRARED, LcdIcon.INFRARED_SHORT)
             RomCode.SEGMENT_INFRARED_LONG -> INFRARED.forEach { lcd.light(it, on = true) }
             RomCode.SEGMENT_ALL -> lcd.lightAll()
-            else -> lcd.light(SegmentIcons.SINGLE[code] ?: return refused(messages.unknownCode(code)), on = true)
+            else -> lcd.light(SegmentIcons.single(code) ?: return refused(messages.unknownCode(code)), on = true)
         }
         return RomEffect(messages.segment(code, shown = true))
     }
@@ -33,10 +33,10 @@ internal class LcdSegmentRoutines(
         when (code) {
             RomCode.SEGMENT_STANDING_MAN -> lcd.light(LcdIcon.STANDING_MAN, on = false)
             RomCode.SEGMENT_WALKING_MAN -> lcd.light(LcdIcon.WALKING_MAN, on = false)
-            RomCode.SEGMENT_DATALOG -> restart(CIRCLE_STEP, CIRCLE)
-            RomCode.SEGMENT_DOWNLOAD, RomCode.SEGMENT_UPLOAD -> restart(DOTS_STEP, DOTS)
+            RomCode.SEGMENT_DATALOG -> restart(LcdLayout.CIRCLE_STEP, CIRCLE)
+            RomCode.SEGMENT_DOWNLOAD, RomCode.SEGMENT_UPLOAD -> restart(LcdLayout.DOTS_STEP, DOTS)
             RomCode.SEGMENT_INFRARED_SHORT, RomCode.SEGMENT_INFRARED_LONG -> INFRARED.forEach { lcd.light(it, on = false) }
-            else -> lcd.light(SegmentIcons.SINGLE[code] ?: return refused(messages.unknownCode(code)), on = false)
+            else -> lcd.light(SegmentIcons.single(code) ?: return refused(messages.unknownCode(code)), on = false)
         }
         return RomEffect(messages.segment(code, shown = false))
     }
@@ -66,12 +66,6 @@ internal class LcdSegmentRoutines(
         if (step == 1) DOTS.forEach { lcd.light(it, on = true) } else lcd.light(DOTS[step - 2], on = false)
 
     companion object {
-        /** How many dots of a transfer have been shown, 0..5. */
-        const val DOTS_STEP = 0xEF4E
-
-        /** How many quarters of the circle have been shown, 0..4. */
-        const val CIRCLE_STEP = 0xEF4F
-
         private val MEN = listOf(LcdIcon.STANDING_MAN, LcdIcon.WALKING_MAN)
         private val INFRARED = listOf(LcdIcon.INFRARED_SHORT, LcdIcon.INFRARED_LONG)
         private val CIRCLE = listOf(

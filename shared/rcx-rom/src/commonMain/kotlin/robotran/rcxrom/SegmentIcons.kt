@@ -9,12 +9,15 @@ internal object SegmentIcons {
         put(RomCode.SEGMENT_LOW_BATTERY, LcdIcon.LOW_BATTERY)
     }
 
+    /** The icon that is lit or dark by itself; null where [code] changes several. */
+    fun single(code: Int): LcdIcon? = SINGLE_ICONS[code]
+
     /** The one icon that [code] is about; null for those that stand for several, and for unknown ones. */
     fun of(code: Int): LcdIcon? = when (code) {
         RomCode.SEGMENT_STANDING_MAN -> LcdIcon.STANDING_MAN
         RomCode.SEGMENT_WALKING_MAN -> LcdIcon.WALKING_MAN
         RomCode.SEGMENT_INFRARED_SHORT -> LcdIcon.INFRARED_SHORT
         RomCode.SEGMENT_INFRARED_LONG -> LcdIcon.INFRARED_LONG
-        else -> SINGLE_ICONS[code]
+        else -> single(code)
     }
 }
