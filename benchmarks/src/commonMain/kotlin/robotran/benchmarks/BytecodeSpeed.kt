@@ -1,7 +1,7 @@
 package robotran.benchmarks
 
 import robotran.programs.JavaSettings
-import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.program.ProgramStatus
 import robotran.tinyvm.config.TinyVmSpeed
 
 /** How many bytecodes a second the virtual machine executes in a loop of arithmetic, field access, array elements and calls. */

@@ -5,7 +5,7 @@ import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.program.RcxProgram
 
 /** The Java program [source], which has no mistakes, compiled and linked. */
 internal suspend fun javaProgramOf(

@@ -1,6 +1,6 @@
 package robotran.benchmarks
 
-import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.robot.Calibration
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session

@@ -1,10 +1,10 @@
 package robotran.benchmarks
 
-import robotran.rcxrom.RcxMemory
-import robotran.rcxrom.Rom
-import robotran.rcxrom.RomCall
-import robotran.rcxrom.SensorField
-import robotran.rcxrom.SensorRequest
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.memory.RcxMemory
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.sensors.SensorField
+import robotran.rcxrom.sensors.SensorRequest
 
 /** A ROM behind which there is nothing. */
 internal class SilentRom : Rom {

@@ -1,6 +1,6 @@
 package robotran.benchmarks
 
-import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.program.ProgramStatus
 
 /** How many statements a second the interpreter executes in a loop that counts. */
 internal suspend fun statementSpeed(): Figure {

@@ -9,7 +9,7 @@ import robotran.projects.RobotLoads
 import robotran.projects.lightFacingOf
 import robotran.projects.readProject
 import robotran.projects.readRobotLoads
-import robotran.rcxrom.toLogText
+import robotran.rcxrom.log.toLogText
 import robotran.robolang.robot.Calibration
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session

@@ -6,11 +6,11 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import robotran.projects.elementOf
-import robotran.rcxrom.LcdGlass
-import robotran.rcxrom.MotorState
-import robotran.rcxrom.RunState
-import robotran.rcxrom.SensorState
-import robotran.rcxrom.SoundEvent
+import robotran.rcxrom.controls.MotorState
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.sensors.SensorState
+import robotran.rcxrom.sound.SoundEvent
+import robotran.rcxrom.state.RunState
 import robotran.simulation.Session
 
 /**

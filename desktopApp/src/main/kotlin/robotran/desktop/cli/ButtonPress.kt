@@ -1,6 +1,6 @@
 package robotran.desktop.cli
 
-import robotran.rcxrom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 
 /**
  * A finger on a button of the brick.

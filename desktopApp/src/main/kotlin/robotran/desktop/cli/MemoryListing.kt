@@ -1,7 +1,7 @@
 package robotran.desktop.cli
 
-import robotran.rcxrom.MemoryRegion
-import robotran.rcxrom.MemorySnapshot
+import robotran.rcxrom.memory.MemoryRegion
+import robotran.rcxrom.memory.MemorySnapshot
 
 /** The memory region by region, each with its name and its rows of sixteen bytes; rows of which nothing is set are left out as `*`. */
 internal fun memoryListing(memory: MemorySnapshot): String =

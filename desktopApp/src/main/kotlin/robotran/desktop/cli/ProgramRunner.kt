@@ -6,7 +6,7 @@ import robotran.programs.JavaSettings
 import robotran.programs.ProgramReader
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
-import robotran.rcxrom.RunState
+import robotran.rcxrom.state.RunState
 import robotran.simulation.RecordedInput
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session

@@ -11,7 +11,7 @@ import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
-import robotran.rcxrom.RomGroup
+import robotran.rcxrom.call.RomGroup
 import robotran.world.World
 import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 

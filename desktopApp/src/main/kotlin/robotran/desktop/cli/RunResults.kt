@@ -1,10 +1,12 @@
 package robotran.desktop.cli
 
+import kotlin.math.roundToInt
 import robotran.desktop.files.writeFile
-import robotran.rcxrom.BrickMessages
-import robotran.rcxrom.RomLogFilter
-import robotran.rcxrom.toCsv
-import robotran.rcxrom.toLogText
+import robotran.rcxrom.log.RomLogFilter
+import robotran.rcxrom.log.toCsv
+import robotran.rcxrom.log.toLogText
+import robotran.rcxrom.messages.BrickMessages
+import robotran.rcxrom.messages.place
 import robotran.simulation.GoalReport
 import robotran.simulation.RunReport
 import robotran.simulation.RunStatus
@@ -12,7 +14,6 @@ import robotran.simulation.Session
 import robotran.simulation.report
 import robotran.ui.sheet.worldPicturePng
 import robotran.ui.sheet.worldPictureSvg
-import kotlin.math.roundToInt
 
 /** Writes what a finished run is to leave behind. */
 internal class RunResults(

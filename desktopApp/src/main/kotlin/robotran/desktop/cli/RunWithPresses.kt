@@ -1,6 +1,6 @@
 package robotran.desktop.cli
 
-import robotran.rcxrom.RunState
+import robotran.rcxrom.state.RunState
 import robotran.simulation.RecordedInput
 import robotran.simulation.Session
 import robotran.simulation.SessionInput

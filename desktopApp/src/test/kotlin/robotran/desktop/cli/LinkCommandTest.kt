@@ -6,7 +6,7 @@ import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.openLink
 import robotran.projects.writeProject
-import robotran.rcxrom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.world.file.BuiltInWorlds

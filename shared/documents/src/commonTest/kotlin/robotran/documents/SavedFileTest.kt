@@ -3,7 +3,7 @@ package robotran.documents
 import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectLimits
 import robotran.projects.readProject
-import robotran.rcxrom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import kotlin.test.Test

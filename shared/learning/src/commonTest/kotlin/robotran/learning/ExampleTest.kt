@@ -8,8 +8,8 @@ import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.projects.ProgramLanguage
-import robotran.rcxrom.RcxProgram
-import robotran.rcxrom.RunState
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.state.RunState
 import robotran.robolang.robot.Calibration
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine

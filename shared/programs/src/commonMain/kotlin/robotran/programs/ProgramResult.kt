@@ -1,6 +1,6 @@
 package robotran.programs
 
-import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.program.RcxProgram
 
 /** What came of reading a program. */
 sealed interface ProgramResult {

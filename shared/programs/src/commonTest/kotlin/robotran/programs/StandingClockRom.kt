@@ -1,12 +1,12 @@
 package robotran.programs
 
-import robotran.rcxrom.RcxMemory
-import robotran.rcxrom.Rom
-import robotran.rcxrom.RomAddress
-import robotran.rcxrom.RomCall
-import robotran.rcxrom.SensorCode
-import robotran.rcxrom.SensorField
-import robotran.rcxrom.SensorRequest
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.memory.RcxMemory
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.SensorField
+import robotran.rcxrom.sensors.SensorRequest
 
 /**
  * A ROM that remembers what is called, with a clock that stands still while a program computes, so that programs of different speed can be

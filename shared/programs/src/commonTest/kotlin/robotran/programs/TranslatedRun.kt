@@ -1,12 +1,12 @@
 package robotran.programs
 
 import robotran.rcxrom.Brick
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.ProgramStatus
-import robotran.rcxrom.RcxProgram
-import robotran.rcxrom.RomAddress
-import robotran.rcxrom.RomCall
-import robotran.rcxrom.RunState
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.state.RunState
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang

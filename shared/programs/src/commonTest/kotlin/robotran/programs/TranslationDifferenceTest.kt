@@ -1,7 +1,7 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangProgram
 import robotran.tinyvm.config.TinyVmMode
 import kotlin.test.Test

@@ -7,7 +7,7 @@ import robotran.json.decimal
 import robotran.json.jsonObject
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rcxrom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.world.World

@@ -5,7 +5,7 @@ import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.rcxrom.Brick
-import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.LightSensorFacing
 import robotran.robolang.RobolangProgram
 import robotran.simulation.RobotLoad

@@ -1,6 +1,6 @@
 package robotran.projects
 
-import robotran.rcxrom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.file.wordFor

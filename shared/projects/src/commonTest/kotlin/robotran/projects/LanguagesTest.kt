@@ -6,7 +6,7 @@ import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.robot.Calibration
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session

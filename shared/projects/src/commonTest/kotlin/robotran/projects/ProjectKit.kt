@@ -2,7 +2,7 @@ package robotran.projects
 
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rcxrom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.tinyvm.config.TinyVmMode

@@ -6,7 +6,7 @@ import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.nearestDecimal
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rcxrom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.tinyvm.config.TinyVmMode

@@ -1,5 +1,24 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.controls.MotorMode
+import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.controls.MotorState
+import robotran.rcxrom.infrared.InfraredAir
+import robotran.rcxrom.log.RomLog
+import robotran.rcxrom.memory.MemorySnapshot
+import robotran.rcxrom.messages.BrickMessages
+import robotran.rcxrom.messages.EnglishBrickMessages
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.ProgramRemark
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.routines.Hardware
+import robotran.rcxrom.sensors.Battery
+import robotran.rcxrom.shell.Shell
+import robotran.rcxrom.sound.SoundTrack
+import robotran.rcxrom.state.BrickState
+import robotran.rcxrom.state.InfraredState
+
 /**
  * A virtual RCX with its firmware. It begins switched on, just as if somebody had let go of On-Off at its millisecond 0, so that pressing
  * and releasing [BrickButton.RUN] is all that is needed to start the first program. Time passes only in [tick].

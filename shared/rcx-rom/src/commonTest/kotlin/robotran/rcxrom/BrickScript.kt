@@ -1,5 +1,17 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.infrared.InfraredAir
+import robotran.rcxrom.program.ProgramFailure
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.sensors.SensorField
+import robotran.rcxrom.sound.SoundEvent
+import robotran.rcxrom.state.RunState
+
 /** Does what a script of `resources/scripts` says, as its README describes; [differences] tells where the brick did something else. */
 internal class BrickScript(private val path: String, private val text: String) {
     private val found = mutableListOf<String>()

@@ -1,5 +1,6 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.call.RomTable
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

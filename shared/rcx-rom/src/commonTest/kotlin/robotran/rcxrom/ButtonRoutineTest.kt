@@ -1,5 +1,11 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.log.RomOutcome
+import robotran.rcxrom.routines.Hardware
+import robotran.rcxrom.sensors.Battery
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

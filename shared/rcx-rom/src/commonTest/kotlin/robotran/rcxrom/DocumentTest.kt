@@ -1,5 +1,10 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.call.RomCallText
+import robotran.rcxrom.call.RomGap
+import robotran.rcxrom.call.RomTable
+import robotran.rcxrom.memory.MemoryRegion
+import robotran.rcxrom.sensors.OpenPoints
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

@@ -1,5 +1,8 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.sensors.Battery
+import robotran.rcxrom.sensors.SensorReading
+import robotran.rcxrom.sound.ToneTimer
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

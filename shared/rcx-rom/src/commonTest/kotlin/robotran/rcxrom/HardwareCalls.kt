@@ -1,5 +1,12 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.log.RomLogEntry
+import robotran.rcxrom.routines.Hardware
+import robotran.rcxrom.sound.Sound
+import robotran.rcxrom.sound.SoundEvent
+import robotran.rcxrom.sound.ToneTimer
+
 /** A line for the calls of tests. */
 internal const val TEST_LINE = 7
 

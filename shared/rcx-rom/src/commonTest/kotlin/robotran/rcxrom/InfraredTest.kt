@@ -1,5 +1,8 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.infrared.InfraredAir
+import robotran.rcxrom.infrared.SerialReceiver
+import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

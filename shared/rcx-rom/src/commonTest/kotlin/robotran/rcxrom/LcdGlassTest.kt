@@ -1,5 +1,12 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.display.Lcd
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.display.LcdIcon
+import robotran.rcxrom.display.LcdLayout
+import robotran.rcxrom.display.TextLcd
+import robotran.rcxrom.memory.RcxMemory
+import robotran.rcxrom.messages.describe
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals

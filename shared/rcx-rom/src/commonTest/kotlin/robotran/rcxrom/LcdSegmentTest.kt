@@ -1,5 +1,7 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

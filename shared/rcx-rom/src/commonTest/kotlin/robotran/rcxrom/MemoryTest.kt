@@ -1,5 +1,8 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.memory.MemoryRegion
+import robotran.rcxrom.memory.RcxMemory
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

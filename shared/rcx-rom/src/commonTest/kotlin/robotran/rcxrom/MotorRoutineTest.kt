@@ -1,5 +1,11 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.controls.MotorMode
+import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.controls.MotorState
+import robotran.rcxrom.log.RomOutcome
+import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

@@ -1,5 +1,19 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.controls.MotorMode
+import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.messages.EnglishBrickMessages
+import robotran.rcxrom.messages.describe
+import robotran.rcxrom.program.ProgramFailure
+import robotran.rcxrom.program.ProgramRemark
+import robotran.rcxrom.program.ProgramRun
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.state.RunState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFailsWith

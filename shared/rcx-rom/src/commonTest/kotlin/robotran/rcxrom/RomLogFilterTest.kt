@@ -1,5 +1,16 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.call.RomCallText
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.call.RomGroup
+import robotran.rcxrom.log.RomLogEntry
+import robotran.rcxrom.log.RomLogFilter
+import robotran.rcxrom.log.RomOutcome
+import robotran.rcxrom.log.toCsv
+import robotran.rcxrom.log.toLogText
+import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

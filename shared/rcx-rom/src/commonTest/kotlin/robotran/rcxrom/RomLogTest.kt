@@ -1,5 +1,10 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.log.RomLog
+import robotran.rcxrom.log.RomLogEntry
+import robotran.rcxrom.log.RomOutcome
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFailsWith

@@ -1,5 +1,12 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.call.RomCallText
+import robotran.rcxrom.call.RomTable
+import robotran.rcxrom.controls.MotorMode
+import robotran.rcxrom.log.RomOutcome
+import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -1,5 +1,11 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.program.ProgramRun
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.Rom
+
 /** A program made of actions, one a step; [statusAtEnd] is what it says when none is left. */
 internal class ScriptedProgram(
     private val actions: List<(Rom) -> ProgramStatus>,

@@ -1,5 +1,15 @@
 package robotran.rcxrom
 
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.controls.MotorMode
+import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.display.LcdIcon
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.sound.SystemSounds
+import robotran.rcxrom.state.RunState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

@@ -10,6 +10,16 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 import io.kotest.property.exhaustive.ints
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.routines.Hardware
+import robotran.rcxrom.sensors.Battery
+import robotran.rcxrom.sensors.RotationSensor
+import robotran.rcxrom.sensors.SensorField
+import robotran.rcxrom.sensors.SensorMode
+import robotran.rcxrom.sensors.SensorReading
+import robotran.rcxrom.sensors.SensorRequest
+import robotran.rcxrom.sound.Speaker
 import kotlin.math.abs
 
 private val RAW = 0..1023

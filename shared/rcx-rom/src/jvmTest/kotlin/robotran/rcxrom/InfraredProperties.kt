@@ -8,6 +8,15 @@ import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.call.RomGroup
+import robotran.rcxrom.call.RomTable
+import robotran.rcxrom.infrared.InfraredAir
+import robotran.rcxrom.infrared.InfraredPacket
+import robotran.rcxrom.infrared.SerialReceiver
+import robotran.rcxrom.routines.Hardware
 
 class InfraredProperties : StringSpec({
     val byte = Arb.int(0..0xFF)

@@ -11,6 +11,16 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.call.RomTable
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.controls.MotorMode
+import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.log.toLogText
+import robotran.rcxrom.program.ProgramFailure
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.state.RunState
 
 /** Something that may happen to a brick, whatever it is doing. */
 private typealias Deed = (Brick) -> Unit

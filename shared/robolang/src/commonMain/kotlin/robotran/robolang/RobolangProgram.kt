@@ -1,8 +1,8 @@
 package robotran.robolang
 
-import robotran.rcxrom.DebuggableRun
-import robotran.rcxrom.RcxProgram
-import robotran.rcxrom.Rom
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.Rom
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.messages.RunMessages
 import robotran.robolang.robot.Calibration

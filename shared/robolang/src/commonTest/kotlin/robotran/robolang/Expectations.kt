@@ -1,6 +1,6 @@
 package robotran.robolang
 
-import robotran.rcxrom.RomCall
+import robotran.rcxrom.call.RomCall
 
 /** What the comments of a test program say about it; `resources/programs/README.md` describes them. */
 internal class Expectations(text: String) {

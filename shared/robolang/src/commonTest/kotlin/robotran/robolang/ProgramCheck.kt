@@ -1,8 +1,8 @@
 package robotran.robolang
 
-import robotran.rcxrom.RomAddress
-import robotran.rcxrom.RomCall
-import robotran.rcxrom.RomCode
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.call.RomCode
 import robotran.robolang.diagnostic.Diagnostic
 
 /** Compares what a program does with what its comments say; each difference is a sentence with the program's path. */

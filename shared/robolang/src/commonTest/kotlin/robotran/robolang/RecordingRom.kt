@@ -1,12 +1,12 @@
 package robotran.robolang
 
-import robotran.rcxrom.RcxMemory
-import robotran.rcxrom.Rom
-import robotran.rcxrom.RomAddress
-import robotran.rcxrom.RomCall
-import robotran.rcxrom.SensorCode
-import robotran.rcxrom.SensorField
-import robotran.rcxrom.SensorRequest
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.memory.RcxMemory
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.SensorField
+import robotran.rcxrom.sensors.SensorRequest
 
 /**
  * A ROM that does nothing but remember, with a clock that is set by hand. Its sensors measure what [sensors] says at the time,

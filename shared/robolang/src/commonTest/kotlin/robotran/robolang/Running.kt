@@ -1,8 +1,8 @@
 package robotran.robolang
 
-import robotran.rcxrom.ProgramFailure
-import robotran.rcxrom.ProgramStatus
-import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.program.ProgramFailure
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.robot.Calibration
 

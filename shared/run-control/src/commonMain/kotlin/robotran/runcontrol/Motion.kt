@@ -1,6 +1,6 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.StepKind
+import robotran.rcxrom.program.StepKind
 import robotran.simulation.Breakpoint
 
 /** What a run that is being watched is doing. */

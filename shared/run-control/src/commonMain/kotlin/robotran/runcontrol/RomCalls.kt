@@ -1,8 +1,8 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.RomLog
-import robotran.rcxrom.RomLogEntry
-import robotran.rcxrom.RomLogFilter
+import robotran.rcxrom.log.RomLog
+import robotran.rcxrom.log.RomLogEntry
+import robotran.rcxrom.log.RomLogFilter
 
 /** The first [count] calls of [log]: those that were made up to a moment of a run whose log may be longer. */
 class RomCalls internal constructor(

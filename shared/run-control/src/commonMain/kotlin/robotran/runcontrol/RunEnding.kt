@@ -1,6 +1,6 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.RunState
+import robotran.rcxrom.state.RunState
 import robotran.simulation.state.SessionState
 import robotran.world.World
 

@@ -1,8 +1,8 @@
 package robotran.runcontrol
 
 import robotran.language.Language
-import robotran.rcxrom.SoundTrack
-import robotran.rcxrom.StepKind
+import robotran.rcxrom.program.StepKind
+import robotran.rcxrom.sound.SoundTrack
 import robotran.simulation.Breakpoint
 import robotran.simulation.RecordedInput
 import robotran.simulation.RobotLoad

@@ -1,8 +1,8 @@
 package robotran.runcontrol
 
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.RcxProgram
-import robotran.rcxrom.RunState
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.state.RunState
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration

@@ -1,8 +1,8 @@
 package robotran.runcontrol
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.RomGroup
-import robotran.rcxrom.RomLogFilter
+import robotran.rcxrom.call.RomGroup
+import robotran.rcxrom.log.RomLogFilter
 import robotran.simulation.SessionInput
 import robotran.simulation.state.GoalStatus
 import robotran.world.Goal

@@ -1,8 +1,8 @@
 package robotran.runcontrol
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.DebuggableRun
-import robotran.rcxrom.StepKind
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.StepKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

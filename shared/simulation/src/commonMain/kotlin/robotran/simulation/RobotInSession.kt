@@ -2,10 +2,10 @@ package robotran.simulation
 
 import robotran.language.Language
 import robotran.rcxrom.Brick
-import robotran.rcxrom.BrickMessages
-import robotran.rcxrom.InfraredAir
-import robotran.rcxrom.MotorPort
-import robotran.rcxrom.RomLog
+import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.infrared.InfraredAir
+import robotran.rcxrom.log.RomLog
+import robotran.rcxrom.messages.BrickMessages
 import robotran.simulation.config.TraceHash
 import robotran.simulation.explain.Explanation
 import robotran.simulation.explain.Influence

@@ -1,6 +1,6 @@
 package robotran.simulation
 
-import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.program.RcxProgram
 import robotran.world.LightFacing
 
 /**

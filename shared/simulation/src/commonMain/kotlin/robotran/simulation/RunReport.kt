@@ -3,8 +3,9 @@ package robotran.simulation
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
-import robotran.rcxrom.BrickMessages
-import robotran.rcxrom.RunState
+import robotran.rcxrom.messages.BrickMessages
+import robotran.rcxrom.messages.place
+import robotran.rcxrom.state.RunState
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.world.Thousandths

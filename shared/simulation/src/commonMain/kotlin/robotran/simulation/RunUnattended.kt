@@ -1,7 +1,7 @@
 package robotran.simulation
 
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.RunState
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.RunState
 
 /**
  * Presses Run on all bricks and lets time pass with nobody there, until the first robot's program is over and it stands still, or

@@ -2,15 +2,15 @@ package robotran.simulation
 
 import robotran.language.Language
 import robotran.rcxrom.Brick
-import robotran.rcxrom.CallFrame
-import robotran.rcxrom.MemorySnapshot
-import robotran.rcxrom.ProgramRemark
-import robotran.rcxrom.RcxProgram
-import robotran.rcxrom.RomLog
-import robotran.rcxrom.SoundTrack
-import robotran.rcxrom.StepKind
-import robotran.rcxrom.ThreadView
-import robotran.rcxrom.VariableScope
+import robotran.rcxrom.log.RomLog
+import robotran.rcxrom.memory.MemorySnapshot
+import robotran.rcxrom.program.CallFrame
+import robotran.rcxrom.program.ProgramRemark
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.StepKind
+import robotran.rcxrom.program.ThreadView
+import robotran.rcxrom.program.VariableScope
+import robotran.rcxrom.sound.SoundTrack
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.explain.Influence
 import robotran.simulation.physics.PhysicsEngine

@@ -1,6 +1,6 @@
 package robotran.simulation
 
-import robotran.rcxrom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.roundToThousandths

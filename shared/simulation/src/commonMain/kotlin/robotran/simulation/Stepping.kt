@@ -1,10 +1,10 @@
 package robotran.simulation
 
-import robotran.rcxrom.DebuggableRun
-import robotran.rcxrom.Statement
-import robotran.rcxrom.StatementWatch
-import robotran.rcxrom.StepKind
-import robotran.rcxrom.ThreadActivity
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.Statement
+import robotran.rcxrom.program.StatementWatch
+import robotran.rcxrom.program.StepKind
+import robotran.rcxrom.program.ThreadActivity
 
 /**
  * Stops [run] at breakpoints and, if a [step] is to be made, behind it. The statement that the run stands before when this is made

@@ -1,8 +1,8 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.RunState
-import robotran.rcxrom.StepKind
+import robotran.rcxrom.program.StepKind
+import robotran.rcxrom.state.RunState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -1,8 +1,8 @@
 package robotran.simulation
 
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.RunState
-import robotran.rcxrom.StepKind
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.program.StepKind
+import robotran.rcxrom.state.RunState
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration

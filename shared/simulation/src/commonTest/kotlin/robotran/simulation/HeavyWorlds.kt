@@ -1,7 +1,7 @@
 package robotran.simulation
 
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.noise.NoiseStream
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Barrier

@@ -1,10 +1,10 @@
 package robotran.simulation
 
-import robotran.rcxrom.ProgramRun
-import robotran.rcxrom.ProgramStatus
-import robotran.rcxrom.RcxProgram
-import robotran.rcxrom.Rom
-import robotran.rcxrom.RomCall
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.program.ProgramRun
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.Rom
 
 /** Sends a message, if there is one, and waits for ever for one. */
 class MessageProgram(private val sends: List<Int>) : RcxProgram {

@@ -4,11 +4,11 @@ import kotlinx.coroutines.test.runTest
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
-import robotran.rcxrom.ProgramFailure
-import robotran.rcxrom.ProgramRun
-import robotran.rcxrom.ProgramStatus
-import robotran.rcxrom.RcxProgram
-import robotran.rcxrom.Rom
+import robotran.rcxrom.program.ProgramFailure
+import robotran.rcxrom.program.ProgramRun
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.Rom
 import robotran.world.Goal
 import robotran.world.file.BuiltInWorlds
 import robotran.world.writeThousandths

@@ -1,7 +1,7 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.TouchSensor
+import robotran.rcxrom.sensors.TouchSensor
 import robotran.world.Barrier
 import robotran.world.Lamp
 import robotran.world.LightFacing

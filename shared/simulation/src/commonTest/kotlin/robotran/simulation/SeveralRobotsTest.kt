@@ -1,8 +1,8 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.RunState
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.RunState
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
 import robotran.world.RobotColour

@@ -1,11 +1,11 @@
 package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.CallFrame
-import robotran.rcxrom.StepKind
-import robotran.rcxrom.VariableScope
-import robotran.rcxrom.VariableView
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.program.CallFrame
+import robotran.rcxrom.program.StepKind
+import robotran.rcxrom.program.VariableScope
+import robotran.rcxrom.program.VariableView
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration

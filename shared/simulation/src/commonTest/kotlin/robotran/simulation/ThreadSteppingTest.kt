@@ -2,16 +2,16 @@ package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
 import robotran.lejoslibrary.LejosLibrary
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.CallFrame
-import robotran.rcxrom.DebuggableRun
-import robotran.rcxrom.ProgramStatus
-import robotran.rcxrom.Statement
-import robotran.rcxrom.StatementWatch
-import robotran.rcxrom.StepKind
-import robotran.rcxrom.ThreadActivity
-import robotran.rcxrom.VariableScope
-import robotran.rcxrom.VariableView
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.program.CallFrame
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.Statement
+import robotran.rcxrom.program.StatementWatch
+import robotran.rcxrom.program.StepKind
+import robotran.rcxrom.program.ThreadActivity
+import robotran.rcxrom.program.VariableScope
+import robotran.rcxrom.program.VariableView
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.linkTinyVm

@@ -15,8 +15,8 @@ import io.kotest.property.arbitrary.orNull
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
 import robotran.rcxrom.Brick
-import robotran.rcxrom.RunState
-import robotran.rcxrom.SoundEvent
+import robotran.rcxrom.sound.SoundEvent
+import robotran.rcxrom.state.RunState
 import robotran.simulation.goal.GoalJudge
 import robotran.simulation.goal.isDecided
 import robotran.simulation.ink.InkWriter

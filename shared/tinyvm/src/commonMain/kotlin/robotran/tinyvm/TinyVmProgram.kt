@@ -1,8 +1,8 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.DebuggableRun
-import robotran.rcxrom.RcxProgram
-import robotran.rcxrom.Rom
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.Rom
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.link.LinkedProgram

@@ -1,14 +1,14 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.CallFrame
-import robotran.rcxrom.DebuggableRun
-import robotran.rcxrom.ProgramRemark
-import robotran.rcxrom.ProgramStatus
-import robotran.rcxrom.Rom
-import robotran.rcxrom.StatementWatch
-import robotran.rcxrom.ThreadActivity
-import robotran.rcxrom.ThreadView
-import robotran.rcxrom.VariableScope
+import robotran.rcxrom.program.CallFrame
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.ProgramRemark
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.program.StatementWatch
+import robotran.rcxrom.program.ThreadActivity
+import robotran.rcxrom.program.ThreadView
+import robotran.rcxrom.program.VariableScope
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.debug.Inspector

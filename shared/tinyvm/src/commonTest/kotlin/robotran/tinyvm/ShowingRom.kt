@@ -1,11 +1,11 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.RcxMemory
-import robotran.rcxrom.Rom
-import robotran.rcxrom.RomAddress
-import robotran.rcxrom.RomCall
-import robotran.rcxrom.SensorField
-import robotran.rcxrom.SensorRequest
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.memory.RcxMemory
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.sensors.SensorField
+import robotran.rcxrom.sensors.SensorRequest
 
 /** A ROM that remembers what it is told to show, and all calls; its clock is set by hand. */
 internal class ShowingRom : Rom {

@@ -1,6 +1,6 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.program.ProgramStatus
 import robotran.tinyvm.diagnostic.Refusal
 import robotran.tinyvm.messages.EnglishTinyVmMessages
 import robotran.tinyvm.messages.LackedFeature

@@ -1,18 +1,19 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.Brick
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.CallFrame
-import robotran.rcxrom.DebuggableRun
-import robotran.rcxrom.ProgramStatus
-import robotran.rcxrom.RunState
-import robotran.rcxrom.StatementWatch
-import robotran.rcxrom.VariableView
-import robotran.tinyvm.config.TinyVmMode
-import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
+import robotran.rcxrom.Brick
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.messages.place
+import robotran.rcxrom.program.CallFrame
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.StatementWatch
+import robotran.rcxrom.program.VariableView
+import robotran.rcxrom.state.RunState
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.programs.libraryClassFiles
 
 class DebuggingTest {
     private val source = """

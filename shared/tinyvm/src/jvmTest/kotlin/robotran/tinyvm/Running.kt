@@ -1,8 +1,8 @@
 package robotran.tinyvm
 
-import robotran.rcxrom.DebuggableRun
-import robotran.rcxrom.ProgramFailure
-import robotran.rcxrom.ProgramStatus
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.ProgramFailure
+import robotran.rcxrom.program.ProgramStatus
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.diagnostic.Refusal
 import robotran.tinyvm.programs.libraryClassFiles

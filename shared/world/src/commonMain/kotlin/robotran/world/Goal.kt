@@ -114,7 +114,7 @@ sealed interface Goal {
 
     /**
      * The display must show this text at some time while the program runs, for a hundredth of a second at least. What counts as shown is told at
-     * [robotran.rcxrom.LcdGlass.shows]; what the firmware has left there does not.
+     * [robotran.rcxrom.display.LcdGlass.shows]; what the firmware has left there does not.
      */
     data class ShowOnDisplay(
         val text: String,

@@ -1,6 +1,6 @@
 package robotran.projects.messages
 
-import robotran.rcxrom.ProgramFailure
+import robotran.rcxrom.program.ProgramFailure
 import robotran.simulation.goal.Mover
 import robotran.simulation.goal.PaperPlace
 import robotran.simulation.goal.Region

@@ -4,7 +4,7 @@ import robotran.javacompiler.messages.JavaMessages
 import robotran.json.JsonMessages
 import robotran.language.Language
 import robotran.projects.ProjectMessages
-import robotran.rcxrom.BrickMessages
+import robotran.rcxrom.messages.BrickMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.simulation.explain.InfluenceMessages
 import robotran.simulation.goal.GoalMessages

@@ -1,6 +1,6 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.Rom
+import robotran.rcxrom.program.Rom
 import robotran.robolang.messages.RunMessages
 import robotran.robolang.robot.Calibration
 import robotran.robolang.robot.Durations

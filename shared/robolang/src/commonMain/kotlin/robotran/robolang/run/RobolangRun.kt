@@ -1,13 +1,13 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.CallFrame
-import robotran.rcxrom.DebuggableRun
-import robotran.rcxrom.ProgramFailure
-import robotran.rcxrom.ProgramStatus
-import robotran.rcxrom.Rom
-import robotran.rcxrom.Statement
-import robotran.rcxrom.StatementWatch
-import robotran.rcxrom.VariableScope
+import robotran.rcxrom.program.CallFrame
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.ProgramFailure
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.program.Statement
+import robotran.rcxrom.program.StatementWatch
+import robotran.rcxrom.program.VariableScope
 import robotran.robolang.messages.RunMessages
 import robotran.robolang.robot.Calibration
 

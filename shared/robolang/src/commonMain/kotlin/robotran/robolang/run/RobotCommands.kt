@@ -1,12 +1,12 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.MotorMode
-import robotran.rcxrom.MotorPort
-import robotran.rcxrom.Rom
-import robotran.rcxrom.RomAddress
-import robotran.rcxrom.RomCall
-import robotran.rcxrom.RomCode
-import robotran.rcxrom.TextLcd
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.controls.MotorMode
+import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.display.TextLcd
+import robotran.rcxrom.program.Rom
 import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.PenPosition

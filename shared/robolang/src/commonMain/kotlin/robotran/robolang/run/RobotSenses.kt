@@ -1,11 +1,11 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.Rom
-import robotran.rcxrom.RomAddress
-import robotran.rcxrom.RomCall
-import robotran.rcxrom.RomCode
-import robotran.rcxrom.SensorCode
-import robotran.rcxrom.SensorRequest
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.SensorRequest
 
 /** The one place where sensing becomes what the josx methods named with each do. */
 internal class RobotSenses(private val rom: Rom) {

@@ -1,6 +1,6 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.SensorCode
+import robotran.rcxrom.sensors.SensorCode
 import robotran.robolang.syntax.Sense
 import robotran.robolang.syntax.SyntaxTree
 

@@ -1,7 +1,7 @@
 package robotran.robolang.run
 
-import robotran.rcxrom.VariableScope
-import robotran.rcxrom.VariableView
+import robotran.rcxrom.program.VariableScope
+import robotran.rcxrom.program.VariableView
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.ValueType
 

@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.rcxrom.MotorPort
+import robotran.rcxrom.controls.MotorPort
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.Mistakes
 import robotran.robolang.diagnostic.SourceFix

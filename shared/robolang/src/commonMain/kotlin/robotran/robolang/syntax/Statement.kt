@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.rcxrom.MotorPort
+import robotran.rcxrom.controls.MotorPort
 import robotran.robolang.diagnostic.SourceRange
 
 /** Something to do. A block's [range] is that of its first line. */

@@ -1,11 +1,11 @@
 package robotran.robolang.fuzz
 
-import robotran.rcxrom.ProgramStatus
-import robotran.rcxrom.RcxMemory
-import robotran.rcxrom.Rom
-import robotran.rcxrom.RomCall
-import robotran.rcxrom.SensorField
-import robotran.rcxrom.SensorRequest
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.memory.RcxMemory
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.sensors.SensorField
+import robotran.rcxrom.sensors.SensorRequest
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.diagnostic.Diagnostic

@@ -1,6 +1,6 @@
 package robotran.simulation.config
 
-import robotran.rcxrom.RomLogEntry
+import robotran.rcxrom.log.RomLogEntry
 
 /**
  * A hash of 64 bits over the numbers added. Each is multiplied in as in FNV-1a, but whole instead of byte by byte, and folded over so that its upper half counts for

@@ -1,7 +1,7 @@
 package robotran.simulation.goal
 
-import robotran.rcxrom.LcdGlass
-import robotran.rcxrom.RunState
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.state.RunState
 import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
 

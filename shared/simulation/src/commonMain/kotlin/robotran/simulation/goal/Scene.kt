@@ -1,6 +1,6 @@
 package robotran.simulation.goal
 
-import robotran.rcxrom.SoundEvent
+import robotran.rcxrom.sound.SoundEvent
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
 import robotran.world.Block

@@ -1,6 +1,6 @@
 package robotran.simulation.grade
 
-import robotran.rcxrom.RunState
+import robotran.rcxrom.state.RunState
 import robotran.simulation.Session
 import robotran.simulation.goal.isDecided
 import robotran.simulation.pressRun

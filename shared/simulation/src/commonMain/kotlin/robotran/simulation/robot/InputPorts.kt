@@ -1,10 +1,10 @@
 package robotran.simulation.robot
 
 import robotran.rcxrom.Brick
-import robotran.rcxrom.RotationSensor
-import robotran.rcxrom.SensorCode
-import robotran.rcxrom.TemperatureSensor
-import robotran.rcxrom.TouchSensor
+import robotran.rcxrom.sensors.RotationSensor
+import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.TemperatureSensor
+import robotran.rcxrom.sensors.TouchSensor
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.noise.Realism
 import robotran.world.Penbot

@@ -1,7 +1,7 @@
 package robotran.simulation.state
 
-import robotran.rcxrom.BrickState
-import robotran.rcxrom.ProgramRemark
+import robotran.rcxrom.program.ProgramRemark
+import robotran.rcxrom.state.BrickState
 import robotran.world.Light
 import robotran.world.TouchKind
 import robotran.world.World

@@ -1,11 +1,11 @@
 package robotran.simulation.goal
 
 import robotran.rcxrom.Brick
-import robotran.rcxrom.LcdGlass
-import robotran.rcxrom.RcxMemory
-import robotran.rcxrom.RunState
-import robotran.rcxrom.SoundEvent
-import robotran.rcxrom.TextLcd
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.display.TextLcd
+import robotran.rcxrom.memory.RcxMemory
+import robotran.rcxrom.sound.SoundEvent
+import robotran.rcxrom.state.RunState
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus

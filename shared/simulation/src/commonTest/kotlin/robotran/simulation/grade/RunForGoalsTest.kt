@@ -1,7 +1,7 @@
 package robotran.simulation.grade
 
 import kotlinx.coroutines.test.runTest
-import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.GoalReportStatus
 import robotran.simulation.RobotLoad
 import robotran.simulation.RunStatus

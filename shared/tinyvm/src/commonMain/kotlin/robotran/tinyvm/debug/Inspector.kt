@@ -1,11 +1,11 @@
 package robotran.tinyvm.debug
 
-import robotran.rcxrom.CallFrame
-import robotran.rcxrom.Statement
-import robotran.rcxrom.ThreadActivity
-import robotran.rcxrom.ThreadView
-import robotran.rcxrom.VariableScope
-import robotran.rcxrom.VariableView
+import robotran.rcxrom.program.CallFrame
+import robotran.rcxrom.program.Statement
+import robotran.rcxrom.program.ThreadActivity
+import robotran.rcxrom.program.ThreadView
+import robotran.rcxrom.program.VariableScope
+import robotran.rcxrom.program.VariableView
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.run.Frame
 import robotran.tinyvm.run.Heap

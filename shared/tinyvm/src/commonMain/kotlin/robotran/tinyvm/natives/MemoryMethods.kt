@@ -1,6 +1,6 @@
 package robotran.tinyvm.natives
 
-import robotran.rcxrom.RomCall
+import robotran.rcxrom.call.RomCall
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.run.Machine
 import robotran.tinyvm.run.NativeMethod

@@ -1,10 +1,10 @@
 package robotran.tinyvm.natives
 
-import robotran.rcxrom.RomAddress
-import robotran.rcxrom.RomCall
-import robotran.rcxrom.SensorCode
-import robotran.rcxrom.SensorField
-import robotran.rcxrom.SensorRequest
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.SensorField
+import robotran.rcxrom.sensors.SensorRequest
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.action
 

@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.RcxMemory
+import robotran.rcxrom.memory.RcxMemory
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.brickBytesOf
 

@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.ProgramFailure
+import robotran.rcxrom.program.ProgramFailure
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.messages.RunMessages
 

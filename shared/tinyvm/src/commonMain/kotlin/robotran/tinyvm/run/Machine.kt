@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.Rom
+import robotran.rcxrom.program.Rom
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.config.TinyVmMode

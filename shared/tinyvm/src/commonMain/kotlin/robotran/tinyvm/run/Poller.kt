@@ -1,8 +1,8 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.SensorCode
-import robotran.rcxrom.SensorRequest
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.SensorRequest
 import robotran.tinyvm.link.LinkedClass
 
 /**

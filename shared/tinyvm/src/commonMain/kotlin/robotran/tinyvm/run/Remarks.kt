@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.ProgramRemark
+import robotran.rcxrom.program.ProgramRemark
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.config.TinyVmMode

@@ -1,7 +1,7 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.Statement
-import robotran.rcxrom.StatementWatch
+import robotran.rcxrom.program.Statement
+import robotran.rcxrom.program.StatementWatch
 
 /** Counts the statements of the program and asks somebody who watches before each of them once. */
 internal class StatementGate {

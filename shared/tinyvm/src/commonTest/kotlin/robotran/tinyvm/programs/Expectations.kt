@@ -1,6 +1,6 @@
 package robotran.tinyvm.programs
 
-import robotran.rcxrom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 import robotran.tinyvm.config.TinyVmMode
 
 /** What the comments of a test program expect of it; the notation is in the class library's README. */

@@ -1,9 +1,9 @@
 package robotran.tinyvm.programs
 
 import robotran.lejoslibrary.LejosLibrary
-import robotran.rcxrom.LcdGlass
-import robotran.rcxrom.RcxMemory
-import robotran.rcxrom.TextLcd
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.display.TextLcd
+import robotran.rcxrom.memory.RcxMemory
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.compiledPrograms
 import robotran.tinyvm.config.TinyVmLimits

@@ -1,8 +1,8 @@
 package robotran.tinyvm.programs
 
 import robotran.rcxrom.Brick
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.RunState
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.RunState
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed

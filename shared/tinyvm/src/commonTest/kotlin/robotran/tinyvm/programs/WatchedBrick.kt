@@ -1,16 +1,16 @@
 package robotran.tinyvm.programs
 
 import robotran.rcxrom.Brick
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.LcdGlass
-import robotran.rcxrom.ProgramFailure
-import robotran.rcxrom.ProgramRun
-import robotran.rcxrom.RcxProgram
-import robotran.rcxrom.Rom
-import robotran.rcxrom.RomAddress
-import robotran.rcxrom.RomCall
-import robotran.rcxrom.RomCode
-import robotran.rcxrom.RunState
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.program.ProgramFailure
+import robotran.rcxrom.program.ProgramRun
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.state.RunState
 
 /** What a line showed: how [glass] looked after a refresh, and whether a number had been set before it. */
 internal class Shown(val line: Int, val glass: LcdGlass, val isNumber: Boolean)

@@ -14,8 +14,8 @@ import androidx.compose.ui.semantics.isTraversalGroup
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.BrickState
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.BrickState
 import robotran.ui.resources.Res
 import robotran.ui.resources.brick
 import robotran.world.PortSensor

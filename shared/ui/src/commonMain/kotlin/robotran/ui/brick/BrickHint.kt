@@ -18,7 +18,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.BrickState
+import robotran.rcxrom.state.BrickState
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res

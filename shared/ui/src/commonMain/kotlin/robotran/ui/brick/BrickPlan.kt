@@ -1,8 +1,8 @@
 package robotran.ui.brick
 
 import androidx.compose.ui.geometry.Rect
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.MotorPort
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.controls.MotorPort
 
 /** Where everything is on the brick's face, on a plan of [WIDTH] by [HEIGHT] units, measured on an RCX and widened where a finger must fit. */
 internal object BrickPlan {

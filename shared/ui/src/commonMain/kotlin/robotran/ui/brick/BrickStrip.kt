@@ -10,8 +10,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.BrickState
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.BrickState
 import robotran.ui.theme.RobotranColours
 
 /** The brick where there is no room for it: the numbers of its display, and Run. */

@@ -4,7 +4,7 @@ import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 
-/** Seven segments in [place]; [mask] has the bits of [robotran.rcxrom.LcdGlass.digit]. */
+/** Seven segments in [place]; [mask] has the bits of [robotran.rcxrom.display.LcdGlass.digit]. */
 internal fun DrawScope.drawDigit(mask: Int, place: Rect) {
     segments(place).forEachIndexed { bit, segment -> drawPath(segment, tone(mask shr bit and 1 == 1)) }
 }

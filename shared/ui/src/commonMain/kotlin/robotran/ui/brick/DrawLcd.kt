@@ -7,8 +7,8 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.withTransform
-import robotran.rcxrom.LcdGlass
-import robotran.rcxrom.LcdIcon
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.display.LcdIcon
 
 /** The glass of the display; fills the draw area. Segments that are not lit leave a faint ghost, as on a real one. */
 internal fun DrawScope.drawLcd(glass: LcdGlass) {

@@ -3,7 +3,7 @@ package robotran.ui.brick
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
-import robotran.rcxrom.LcdIcon
+import robotran.rcxrom.display.LcdIcon
 
 private val QUARTERS =
     listOf(LcdIcon.DATALOG_TOP_RIGHT, LcdIcon.DATALOG_BOTTOM_RIGHT, LcdIcon.DATALOG_BOTTOM_LEFT, LcdIcon.DATALOG_TOP_LEFT)

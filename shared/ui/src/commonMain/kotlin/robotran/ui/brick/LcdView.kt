@@ -9,8 +9,9 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.BrickMessages
-import robotran.rcxrom.LcdGlass
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.messages.BrickMessages
+import robotran.rcxrom.messages.describe
 import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.display

@@ -7,7 +7,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.scale
 import org.jetbrains.compose.resources.StringResource
-import robotran.rcxrom.SensorState
+import robotran.rcxrom.sensors.SensorState
 import robotran.ui.resources.Res
 import robotran.ui.resources.left_bumper
 import robotran.ui.resources.light_sensor

@@ -25,9 +25,9 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.MotorMode
-import robotran.rcxrom.MotorState
-import robotran.rcxrom.SensorState
+import robotran.rcxrom.controls.MotorMode
+import robotran.rcxrom.controls.MotorState
+import robotran.rcxrom.sensors.SensorState
 import robotran.ui.resources.Res
 import robotran.ui.resources.motor_backward
 import robotran.ui.resources.motor_brake

@@ -35,10 +35,10 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.RomGroup
-import robotran.rcxrom.RomLogEntry
-import robotran.rcxrom.RomLogFilter
-import robotran.rcxrom.RomOutcome
+import robotran.rcxrom.call.RomGroup
+import robotran.rcxrom.log.RomLogEntry
+import robotran.rcxrom.log.RomLogFilter
+import robotran.rcxrom.log.RomOutcome
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_log_copy
 import robotran.ui.resources.run_log_count

@@ -30,9 +30,9 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.CallFrame
-import robotran.rcxrom.ThreadActivity
-import robotran.rcxrom.ThreadView
+import robotran.rcxrom.program.CallFrame
+import robotran.rcxrom.program.ThreadActivity
+import robotran.rcxrom.program.ThreadView
 import robotran.runcontrol.ShownScope
 import robotran.runcontrol.ShownVariable
 import robotran.ui.resources.Res

@@ -22,7 +22,7 @@ import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.ProgramFailure
+import robotran.rcxrom.program.ProgramFailure
 import robotran.textediting.text.Draft
 import robotran.ui.program.editor.CodeEditor
 import robotran.ui.program.editor.EditorCommand

@@ -21,7 +21,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.ProgramRemark
+import robotran.rcxrom.program.ProgramRemark
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res

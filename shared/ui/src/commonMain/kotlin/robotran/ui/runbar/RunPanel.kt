@@ -29,7 +29,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.StepKind
+import robotran.rcxrom.program.StepKind
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
 import robotran.ui.drawer.word

@@ -19,7 +19,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.StepKind
+import robotran.rcxrom.program.StepKind
 import robotran.simulation.Breakpoint
 import robotran.ui.parts.AppMenu
 import robotran.ui.resources.Res

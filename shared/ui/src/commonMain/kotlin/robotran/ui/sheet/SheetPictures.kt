@@ -6,8 +6,8 @@ import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import kotlinx.coroutines.yield
-import robotran.rcxrom.RcxProgram
-import robotran.rcxrom.RunState
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.state.RunState
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine

@@ -1,6 +1,6 @@
 package robotran.ui.sound
 
-import robotran.rcxrom.SoundEvent
+import robotran.rcxrom.sound.SoundEvent
 
 /**
  * Fits what a brick plays in virtual time into the real time of a [LoudSpeaker].

@@ -1,6 +1,6 @@
 package robotran.ui.sound
 
-import robotran.rcxrom.SoundTrack
+import robotran.rcxrom.sound.SoundTrack
 
 /** Lets [speaker] play what the brick of a running session plays, unless it is [muted]. */
 internal class SoundPlayer(private val speaker: LoudSpeaker) {

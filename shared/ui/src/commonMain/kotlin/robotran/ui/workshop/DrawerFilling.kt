@@ -1,6 +1,6 @@
 package robotran.ui.workshop
 
-import robotran.rcxrom.RomLogFilter
+import robotran.rcxrom.log.RomLogFilter
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.FilteredRomCalls
 import robotran.runcontrol.Motion

@@ -1,10 +1,10 @@
 package robotran.ui.workshop
 
 import androidx.compose.runtime.Immutable
-import robotran.rcxrom.ProgramRemark
-import robotran.rcxrom.RomLogEntry
-import robotran.rcxrom.RomLogFilter
-import robotran.rcxrom.ThreadView
+import robotran.rcxrom.log.RomLogEntry
+import robotran.rcxrom.log.RomLogFilter
+import robotran.rcxrom.program.ProgramRemark
+import robotran.rcxrom.program.ThreadView
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
 import robotran.runcontrol.ShownScope

@@ -2,7 +2,7 @@ package robotran.ui.workshop
 
 import robotran.programs.Mistake
 import robotran.programs.ProgramResult
-import robotran.rcxrom.ProgramFailure
+import robotran.rcxrom.program.ProgramFailure
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 import robotran.textediting.TextEdit

@@ -6,7 +6,7 @@ import robotran.programs.Mistake
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.rcxrom.Brick
-import robotran.rcxrom.RcxProgram
+import robotran.rcxrom.program.RcxProgram
 
 /**
  * The programs of one robot in the order of its brick's slots, and what came of reading them. Robolang is read while it is typed, unless it is very

@@ -1,7 +1,7 @@
 package robotran.ui.workshop
 
 import kotlinx.coroutines.launch
-import robotran.rcxrom.toLogText
+import robotran.rcxrom.log.toLogText
 import robotran.ui.platform.FileKind
 import robotran.ui.platform.Saving
 import robotran.ui.resources.Res

@@ -1,9 +1,9 @@
 package robotran.ui.workshop
 
 import robotran.projects.ProjectSettings
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.RomLogFilter
-import robotran.rcxrom.StepKind
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.log.RomLogFilter
+import robotran.rcxrom.program.StepKind
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint

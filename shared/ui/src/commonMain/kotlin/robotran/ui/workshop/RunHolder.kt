@@ -4,9 +4,9 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.language.Language
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.RunState
-import robotran.rcxrom.StepKind
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.program.StepKind
+import robotran.rcxrom.state.RunState
 import robotran.runcontrol.Motion
 import robotran.runcontrol.RestWatch
 import robotran.runcontrol.RunPlayer

@@ -2,9 +2,9 @@ package robotran.ui.workshop
 
 import androidx.compose.runtime.Immutable
 import robotran.projects.ProjectSettings
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.BrickState
-import robotran.rcxrom.RunState
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.BrickState
+import robotran.rcxrom.state.RunState
 import robotran.runcontrol.RomCallLine
 import robotran.runcontrol.RunSpeed
 import robotran.runcontrol.TimelineMark

@@ -1,6 +1,6 @@
 package robotran.ui.workshop
 
-import robotran.rcxrom.RunState
+import robotran.rcxrom.state.RunState
 import robotran.runcontrol.Motion
 import robotran.runcontrol.RunPlayer
 

@@ -2,10 +2,10 @@ package robotran.ui.workshop
 
 import androidx.compose.runtime.Immutable
 import robotran.programs.Mistake
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.ProgramFailure
-import robotran.rcxrom.ProgramRemark
-import robotran.rcxrom.RunState
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.program.ProgramFailure
+import robotran.rcxrom.program.ProgramRemark
+import robotran.rcxrom.state.RunState
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
 import robotran.world.World

@@ -10,9 +10,9 @@ import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
 import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image
-import robotran.rcxrom.LcdGlass
-import robotran.rcxrom.RcxMemory
-import robotran.rcxrom.TextLcd
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.display.TextLcd
+import robotran.rcxrom.memory.RcxMemory
 import java.io.File
 
 /** [PIXELS] a unit of the [LcdPlan]. */

@@ -8,8 +8,8 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.translate
 import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.rcxrom.LcdGlass
-import robotran.rcxrom.LcdIcon
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.display.LcdIcon
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

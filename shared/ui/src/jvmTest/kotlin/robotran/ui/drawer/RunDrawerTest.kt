@@ -13,7 +13,7 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTextInput
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
-import robotran.rcxrom.RomGroup
+import robotran.rcxrom.call.RomGroup
 import robotran.runcontrol.ChartLane
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet

@@ -4,7 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
-import robotran.rcxrom.StepKind
+import robotran.rcxrom.program.StepKind
 import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph

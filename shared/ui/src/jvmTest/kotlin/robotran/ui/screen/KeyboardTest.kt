@@ -17,7 +17,7 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.withKeyDown
 import androidx.compose.ui.test.withKeysDown
-import robotran.rcxrom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 import robotran.ui.workshop.LearningEvent
 import robotran.ui.workshop.LearningPage
 import robotran.ui.workshop.Pace

@@ -2,7 +2,7 @@ package robotran.ui.screen
 
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.Image
-import robotran.rcxrom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 import robotran.ui.lejosExampleTexts
 import robotran.ui.openWorkshop
 import robotran.ui.sheet.sheetPng

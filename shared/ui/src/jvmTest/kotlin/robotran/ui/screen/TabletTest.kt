@@ -24,8 +24,8 @@ import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.RunState
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.RunState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

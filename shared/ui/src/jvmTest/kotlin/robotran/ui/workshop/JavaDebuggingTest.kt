@@ -1,7 +1,7 @@
 package robotran.ui.workshop
 
 import kotlinx.coroutines.runBlocking
-import robotran.rcxrom.StepKind
+import robotran.rcxrom.program.StepKind
 import robotran.simulation.Breakpoint
 import robotran.ui.openWorkshop
 import kotlin.test.Test

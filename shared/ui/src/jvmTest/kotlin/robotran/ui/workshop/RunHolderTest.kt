@@ -3,9 +3,9 @@ package robotran.ui.workshop
 import kotlinx.coroutines.runBlocking
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.RomLogFilter
-import robotran.rcxrom.StepKind
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.log.RomLogFilter
+import robotran.rcxrom.program.StepKind
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
 import robotran.simulation.SessionInput

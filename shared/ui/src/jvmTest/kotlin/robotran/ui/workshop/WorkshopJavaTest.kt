@@ -1,7 +1,7 @@
 package robotran.ui.workshop
 
 import kotlinx.coroutines.runBlocking
-import robotran.rcxrom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 import robotran.ui.lejosExampleTexts
 import robotran.ui.openWorkshop
 import robotran.ui.resources.Res

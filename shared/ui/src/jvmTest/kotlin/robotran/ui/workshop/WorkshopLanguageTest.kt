@@ -3,7 +3,7 @@ package robotran.ui.workshop
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.projects.Project
-import robotran.rcxrom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 import robotran.ui.openWorkshop
 import robotran.world.Goal
 import robotran.world.file.BuiltInWorlds

@@ -1,8 +1,8 @@
 package robotran.ui.workshop
 
 import kotlinx.coroutines.runBlocking
-import robotran.rcxrom.BrickButton
-import robotran.rcxrom.RunState
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.RunState
 import robotran.ui.openWorkshop
 import kotlin.math.abs
 import kotlin.test.AfterTest

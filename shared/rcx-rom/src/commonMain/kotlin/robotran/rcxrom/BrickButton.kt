@@ -1,4 +1,0 @@
-package robotran.rcxrom
-
-/** The four buttons on the brick's face. */
-enum class BrickButton { ON_OFF, VIEW, PRGM, RUN }

@@ -1,0 +1,34 @@
+package robotran.rcxrom.log
+
+import robotran.rcxrom.call.RomCallText
+import robotran.rcxrom.call.RomGroup
+
+/** The entries as a written log, a line each, see [RomLogEntry.text]. */
+fun Iterable<RomLogEntry>.toLogText(): String = joinToString("") { it.text + "\n" }
+
+/**
+ * The entries as a table for a spreadsheet: comma-separated values after RFC 4180, the first line names the columns. The line of a
+ * firmware call is empty, that of a program with several files has the file before it, as in `Robot.java:7`; codes and pointers are hexadecimal.
+ */
+fun Iterable<RomLogEntry>.toCsv(): String =
+    (listOf(COLUMNS) + map(::cells)).joinToString("") { row -> row.joinToString(",") { quoted(it) } + CSV_LINE_END }
+
+private val COLUMNS = listOf("milliseconds", "group", "address", "arguments", "meaning", "line", "outcome")
+
+private fun cells(entry: RomLogEntry): List<String> {
+    val words = RomCallText.of(entry.call).split(' ')
+    return listOf(
+        entry.milliseconds.toString(),
+        RomGroup.of(entry.call.address).name.lowercase(),
+        words.first(),
+        words.drop(1).joinToString(" "),
+        entry.meaning,
+        entry.sourcePlace,
+        entry.outcome.name.lowercase(),
+    )
+}
+
+private fun quoted(cell: String): String =
+    if (cell.any { it == ',' || it == '"' || it == '\n' || it == '\r' }) "\"${cell.replace("\"", "\"\"")}\"" else cell
+
+private const val CSV_LINE_END = "\r\n"

@@ -1,0 +1,135 @@
+package robotran.rcxrom.sound
+
+import robotran.rcxrom.memory.RcxMemory
+
+/**
+ * The loudspeaker and the sounds that wait for it, in the ROM's own ring in memory. Like the ROM it looks for something new to play every
+ * ten milliseconds. Source of the places in memory: the re-implemented ROM of brickEmu.
+ *
+ * @param clock the brick's milliseconds.
+ */
+internal class Speaker(
+    private val memory: RcxMemory,
+    private val clock: () -> Long,
+) {
+    val track = SoundTrack()
+    private var notesToPlay: List<Note> = emptyList()
+
+    /** Which places of the ring hold a sound of the firmware, and whether the notes to play are of one. */
+    private val placesOfFirmware = BooleanArray(RING_PLACES)
+    private var playsForFirmware = false
+    private var firmwareAsks = false
+
+    /** Whether a tone can be heard now; false in a pause. */
+    var sounding = false
+        private set
+
+    /** How many sounds wait, 0..[QUEUE_PLACES]. */
+    val waitingCount: Int get() = (place(QUEUE_TAIL) - place(QUEUE_HEAD) + RING_PLACES) % RING_PLACES
+
+    /** Does [work], whose sounds are the firmware's own. */
+    fun askedByFirmware(work: () -> Unit) {
+        firmwareAsks = true
+        work()
+        firmwareAsks = false
+    }
+
+    /** Lets [sound] wait for its turn; false if the queue is full and the sound is lost. */
+    fun enqueue(sound: Sound): Boolean {
+        if (waitingCount == QUEUE_PLACES) return false
+        val tail = place(QUEUE_TAIL)
+        memory.writeByte(QUEUE_KINDS + tail, sound.kind)
+        memory.writeByte(QUEUE_VALUES + tail, sound.value)
+        memory.writeByte(QUEUE_CONTROLS + tail, sound.control)
+        placesOfFirmware[tail] = firmwareAsks
+        memory.writeByte(QUEUE_TAIL, (tail + 1) % RING_PLACES)
+        memory.writeByte(PLAYING_FLAG, 1)
+        return true
+    }
+
+    /** Forgets all other sounds, the one that is played too, and lets [sound] begin. */
+    fun playNow(sound: Sound) {
+        silence()
+        enqueue(sound)
+    }
+
+    /** Forgets all sounds, the one that is played too. */
+    fun silence() {
+        if (sounding) track.add(SoundEvent.Cut(clock()))
+        sounding = false
+        notesToPlay = emptyList()
+        memory.writeByte(QUEUE_HEAD, place(QUEUE_TAIL))
+        memory.writeByte(REMAINING, 0)
+        memory.writeByte(TUNE_FLAG, 0)
+        memory.writeByte(PLAYING_FLAG, 0)
+    }
+
+    /** One millisecond. */
+    fun tick() {
+        if (clock() % LOOK_MILLISECONDS != 0L) return
+        val remaining = memory.readByte(REMAINING) - 1
+        if (remaining > 0) {
+            memory.writeByte(REMAINING, remaining)
+        } else {
+            if (notesToPlay.isEmpty()) notesToPlay = nextNotes()
+            begin(notesToPlay.firstOrNull())
+            notesToPlay = notesToPlay.drop(1)
+            memory.writeByte(TUNE_FLAG, if (notesToPlay.isEmpty()) 0 else 1)
+        }
+    }
+
+    private fun nextNotes(): List<Note> {
+        if (waitingCount == 0) return emptyList()
+        val head = place(QUEUE_HEAD)
+        memory.writeByte(QUEUE_HEAD, (head + 1) % RING_PLACES)
+        playsForFirmware = placesOfFirmware[head]
+        placesOfFirmware[head] = false
+        val value = memory.readByte(QUEUE_VALUES + head)
+        return when (val kind = memory.readByte(QUEUE_KINDS + head)) {
+            Sound.PAUSE -> listOf(Note(null, value))
+            Sound.SYSTEM_SOUND -> SystemSounds.notes(value)
+            else -> listOf(Note(ToneTimer.hertz(kind, memory.readByte(QUEUE_CONTROLS + head)), value))
+        }
+    }
+
+    private fun begin(note: Note?) {
+        if (note == null) memory.writeByte(PLAYING_FLAG, 0)
+        memory.writeByte(REMAINING, note?.duration ?: 0)
+        val hertz = note?.hertz.takeIf { note?.duration != 0 }
+        sounding = hertz != null
+        if (hertz != null && note != null) {
+            track.add(SoundEvent.Tone(clock(), hertz, note.duration * LOOK_MILLISECONDS, playsForFirmware))
+        }
+    }
+
+    /** A place in the ring, whatever a program has written there. */
+    private fun place(address: Int): Int = memory.readByte(address) % RING_PLACES
+
+    companion object {
+        /** Where the next sound goes, and which is next to be played. */
+        const val QUEUE_TAIL = 0xEFD6
+        const val QUEUE_HEAD = 0xEFD7
+
+        /** The three bytes of each place of the ring, see [Sound]. */
+        const val QUEUE_KINDS = 0xEFD8
+        const val QUEUE_VALUES = 0xEFE2
+        const val QUEUE_CONTROLS = 0xEFEC
+
+        /** How long the note that is played will go on, in [LOOK_MILLISECONDS]. */
+        const val REMAINING = 0xEFF6
+
+        /** 1 while a system sound has more notes, otherwise 0. */
+        const val TUNE_FLAG = 0xEFFE
+
+        /** 1 while a sound is played or waits, otherwise 0. */
+        const val PLAYING_FLAG = 0xEFFF
+
+        const val RING_PLACES = 10
+
+        /** Nine of the ring's ten places can be used. */
+        const val QUEUE_PLACES = RING_PLACES - 1
+
+        /** The unit of the ROM's durations, and how often it looks whether one is over. */
+        const val LOOK_MILLISECONDS = 10
+    }
+}
