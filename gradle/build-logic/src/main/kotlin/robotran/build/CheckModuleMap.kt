@@ -14,7 +14,7 @@ import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 
-/** Fails if a module imports what the module map in `docs/architecture.md` does not allow it, or is not on the map. */
+/** Fails if a module imports what the module map in `docs/architecture.md` does not allow it, is not on the map, or has packages that lie in a cycle. */
 @CacheableTask
 abstract class CheckModuleMap : DefaultTask() {
     @get:InputFile
@@ -41,7 +41,7 @@ abstract class CheckModuleMap : DefaultTask() {
             files.flatMap { file ->
                 val module = map.modules.find { file.path.startsWith(it.folder + "/") }
                 if (module == null) listOf("${file.path}: its module is not on the map") else map.violations(module, file)
-            }
+            } + PackageGraph(files).cycles()
         report.get().asFile.writeText(
             violations.ifEmpty {
                 listOf("${files.size} files keep to the module map")
