@@ -81,11 +81,11 @@ gradlePlugin {
         }
         create("android") {
             id = "robotran.android"
-            implementationClass = "robotran.build.AndroidPlugin"
+            implementationClass = "robotran.build.android.AndroidPlugin"
         }
         create("androidApp") {
             id = "robotran.android.app"
-            implementationClass = "robotran.build.AndroidAppPlugin"
+            implementationClass = "robotran.build.android.AndroidAppPlugin"
         }
     }
 }

@@ -3,7 +3,6 @@ package robotran.build.android
 import com.android.build.api.dsl.ApkSigningConfig
 import com.android.build.api.dsl.ApplicationExtension
 import org.gradle.api.Project
-import robotran.build.AndroidPlugin
 
 /** What a release of the Android app is: shrunk by R8, and signed with the key that Gradle properties or the environment name. */
 internal object AndroidRelease {

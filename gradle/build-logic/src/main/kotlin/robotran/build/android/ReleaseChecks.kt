@@ -9,7 +9,6 @@ import org.gradle.api.provider.Provider
 import org.gradle.api.tasks.TaskProvider
 import org.gradle.language.base.plugins.LifecycleBasePlugin
 import org.jetbrains.kotlin.gradle.plugin.KotlinPlatformType
-import robotran.build.AndroidPlugin
 import robotran.build.catalog
 
 /** Looks whether the release, as R8 has left it, would run on every Android it is for. */

@@ -5,7 +5,7 @@ import org.gradle.api.Project
 import org.gradle.api.tasks.SourceSetContainer
 import org.gradle.api.tasks.TaskProvider
 import org.gradle.language.base.plugins.LifecycleBasePlugin
-import robotran.build.AndroidPlugin
+import robotran.build.android.AndroidPlugin
 import robotran.build.catalog
 import robotran.build.teavm.CompileToWasm
 import robotran.build.teavm.TeaVmPlugin

@@ -1,4 +1,4 @@
-package robotran.build
+package robotran.build.android
 
 import com.android.build.api.dsl.CommonExtension
 import com.android.build.api.variant.AndroidComponentsExtension

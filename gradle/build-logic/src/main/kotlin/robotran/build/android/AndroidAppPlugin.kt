@@ -1,4 +1,4 @@
-package robotran.build
+package robotran.build.android
 
 import com.android.build.api.artifact.SingleArtifact
 import com.android.build.api.dsl.ApplicationExtension
@@ -8,9 +8,8 @@ import org.gradle.api.Project
 import org.gradle.api.artifacts.VersionCatalogsExtension
 import org.gradle.api.tasks.testing.Test
 import org.gradle.language.base.plugins.LifecycleBasePlugin
-import robotran.build.android.AndroidRelease
-import robotran.build.android.PageAddress
-import robotran.build.android.ReleaseChecks
+import robotran.build.RobolectricArguments
+import robotran.build.VerifyApkTask
 
 /** The Android application: its APKs, the checks of their signatures and of what R8 leaves, and unit tests on Robolectric. */
 class AndroidAppPlugin : Plugin<Project> {
