@@ -12,7 +12,6 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
-import robotran.android.platform.AndroidPlatform
 import robotran.ui.openWorkshop
 import robotran.ui.platform.Arrival
 import robotran.ui.workshop.Workshop

@@ -1,9 +1,12 @@
-package robotran.android.platform
+package robotran.android
 
 import android.content.Context
 import android.content.res.Configuration
 import kotlinx.coroutines.Dispatchers
 import robotran.android.R
+import robotran.android.platform.AndroidFileDesk
+import robotran.android.platform.AndroidSharing
+import robotran.android.platform.ContentFiles
 import robotran.android.sound.audioTrackSpeaker
 import robotran.ui.platform.Arrivals
 import robotran.ui.platform.FolderWorkStore
