@@ -10,6 +10,7 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.length
+import robotran.world.geometry.outline
 
 /** Finds room for blocks that somebody puts down. */
 internal class FreePlaces(private val world: World, trigonometry: Trigonometry) {

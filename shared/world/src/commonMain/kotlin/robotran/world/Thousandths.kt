@@ -18,13 +18,13 @@ typealias Thousandths =
     Double
 
 /** How many thousandths are nearest to [number]. */
-internal fun thousandthsIn(number: Double): Long = floor(number * THOUSAND + HALF).toLong()
+fun thousandthsIn(number: Double): Long = floor(number * THOUSAND + HALF).toLong()
 
 /** The number with three decimals that is nearest to [number]. */
-internal fun roundToThousandths(number: Double): Double = thousandthsIn(number) / THOUSAND
+fun roundToThousandths(number: Double): Double = thousandthsIn(number) / THOUSAND
 
 /** Such as `20.0`, `-0.125` or `79.96`: no more decimals than needed, but at least one. */
-internal fun writeThousandths(number: Double): String {
+fun writeThousandths(number: Double): String {
     val count = thousandthsIn(number)
     val size = abs(count)
     val decimals = (size % WHOLE).toString().padStart(DECIMALS, '0').trimEnd('0').ifEmpty { "0" }

@@ -17,7 +17,7 @@ internal class FollowLineJudgement(
     private val tracker = LineTracker(LineWay(line), goal.tolerance, laps)
 
     override fun look(scene: Scene) {
-        if (goal.within != null && scene.state.milliseconds > goal.within * MILLISECONDS_PER_SECOND) return tell(GoalStatus.FAILED)
+        if (scene.isAfter(goal.within)) return tell(GoalStatus.FAILED)
         tracker.moveTo(scene.lightSensor(actor) ?: return)
         tell(if (laps.share >= 1.0) GoalStatus.MET else GoalStatus.PENDING, laps.share)
     }

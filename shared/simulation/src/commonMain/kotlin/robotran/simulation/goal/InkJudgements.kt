@@ -23,7 +23,7 @@ internal class InkLengthJudgement(sentence: String, private val goal: Goal.InkLe
         val length = scene.state.ink.lengthCentimetres - lengthAtStart
         isEnough = length >= atLeast
         when {
-            goal.atMost != null && length > goal.atMost -> tell(GoalStatus.FAILED)
+            length > (goal.atMost ?: Double.MAX_VALUE) -> tell(GoalStatus.FAILED)
             goal.atMost == null && isEnough -> tell(GoalStatus.MET)
             atLeast > 0.0 -> tell(GoalStatus.PENDING, length / atLeast)
         }

@@ -20,7 +20,7 @@ internal class ReachJudgement(
         val distance = region.distanceTo(middle)
         val atStart = distanceAtStart ?: distance.also { distanceAtStart = it }
         val isThere = if (goal.whole) scene.footprint(actor)?.isInside(region) == true else distance == 0.0
-        val isTooLate = goal.within != null && scene.state.milliseconds > goal.within * MILLISECONDS_PER_SECOND
+        val isTooLate = scene.isAfter(goal.within)
         val wasThere = progress.status == GoalStatus.MET
         when {
             isThere && (wasThere || !isTooLate) -> tell(GoalStatus.MET)
@@ -59,4 +59,3 @@ internal class StayInJudgement(
         }
 }
 
-internal const val MILLISECONDS_PER_SECOND = 1000L

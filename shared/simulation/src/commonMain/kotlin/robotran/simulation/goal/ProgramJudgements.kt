@@ -14,7 +14,7 @@ internal class EndWithinJudgement(
     override fun look(scene: Scene) {
         val run = scene.robot(actor)?.brick?.run
         when {
-            scene.state.milliseconds > goal.seconds * MILLISECONDS_PER_SECOND -> tell(GoalStatus.FAILED)
+            scene.isAfter(goal.seconds) -> tell(GoalStatus.FAILED)
             run is RunState.Ended && !run.stopped -> tell(GoalStatus.MET)
         }
     }

@@ -34,6 +34,9 @@ internal class Scene(
     val newTones: List<List<SoundEvent.Tone>>,
     private val places: Places,
 ) {
+    /** Whether more than [seconds] of the run have gone by; never after null. */
+    fun isAfter(seconds: Int?): Boolean = seconds != null && state.milliseconds > seconds * MILLISECONDS_PER_SECOND
+
     fun robot(actor: Actor.OfRobots): RobotSnapshot? = state.robots.getOrNull(actor.number)
 
     /** The pen of a robot, the centre of a block; null if it is nowhere. */
@@ -123,3 +126,5 @@ private class RestingBlock(block: Block, trigonometry: Trigonometry) {
     val outline = block.shape.outline(trigonometry)
     val centre: Point = block.shape.centre
 }
+
+private const val MILLISECONDS_PER_SECOND = 1000L

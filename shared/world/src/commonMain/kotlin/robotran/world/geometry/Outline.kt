@@ -61,7 +61,8 @@ data class Bounds(
     fun grownBy(margin: Double) = Bounds(left - margin, bottom - margin, right + margin, top + margin)
 }
 
-internal fun Shape.outline(trigonometry: Trigonometry): Outline = when (this) {
+/** The outline of the shape on the sheet, in centimetres; the corners of a polygon go anticlockwise. */
+fun Shape.outline(trigonometry: Trigonometry): Outline = when (this) {
     is Shape.Circle -> Outline.Round(centre, radius)
     is Shape.Polygon -> Outline.Angular(if (signedArea(corners) < 0) corners.reversed() else corners)
     is Shape.Rectangle -> Outline.Angular(corners(trigonometry))
@@ -111,5 +112,6 @@ private fun centroid(corners: List<Point>): Point {
     return Point(first.x + x / (THIRDS * twiceArea), first.y + y / (THIRDS * twiceArea))
 }
 
-internal const val RADIANS_PER_DEGREE = PI / 180.0
+/** One degree in radians. */
+const val RADIANS_PER_DEGREE = PI / 180.0
 private const val THIRDS = 3.0

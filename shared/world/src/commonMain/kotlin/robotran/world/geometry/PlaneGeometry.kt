@@ -24,7 +24,7 @@ internal fun side(from: Point, to: Point, place: Point): Double =
     (to.x - from.x) * (place.y - from.y) - (to.y - from.y) * (place.x - from.x)
 
 /** Whether two lines cross each other in the middle. */
-internal fun cross(from: Point, to: Point, otherFrom: Point, otherTo: Point): Boolean =
+fun cross(from: Point, to: Point, otherFrom: Point, otherTo: Point): Boolean =
     side(from, to, otherFrom) * side(from, to, otherTo) < 0 && side(otherFrom, otherTo, from) * side(otherFrom, otherTo, to) < 0
 
 /** Written out, since `hypot` may round differently from platform to platform and `sqrt` may not. */
