@@ -1,12 +1,19 @@
 package robotran.rcxrom
 
-import robotran.rcxrom.infrared.InfraredAir
-import robotran.rcxrom.infrared.SerialReceiver
-import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.infrared.InfraredAir
+import robotran.rcxrom.infrared.InfraredPacket
+import robotran.rcxrom.infrared.InfraredRange
+import robotran.rcxrom.infrared.SerialReceiver
+import robotran.rcxrom.log.RomLogFilter
+import robotran.rcxrom.log.RomOutcome
+import robotran.rcxrom.routines.Hardware
+import robotran.rcxrom.state.RunState
 
 class InfraredTest {
     private val air = InfraredAir()

@@ -1,15 +1,17 @@
 package robotran.rcxrom
 
-import robotran.rcxrom.call.RomAddress
-import robotran.rcxrom.routines.Hardware
-import robotran.rcxrom.sensors.SensorField
-import robotran.rcxrom.sensors.SensorMode
-import robotran.rcxrom.sensors.SensorRequest
-import robotran.rcxrom.sensors.SensorState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.log.RomOutcome
+import robotran.rcxrom.routines.Hardware
+import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.SensorField
+import robotran.rcxrom.sensors.SensorMode
+import robotran.rcxrom.sensors.SensorRequest
+import robotran.rcxrom.sensors.SensorState
 
 class SensorTest {
     private val hardware = Hardware()

@@ -1,8 +1,9 @@
 package robotran.robolang
 
-import robotran.rcxrom.program.ProgramStatus
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import robotran.rcxrom.program.ProgramStatus
+import robotran.robolang.robot.Calibration
 
 class RobolangRunTest {
     private val rom = RecordingRom()

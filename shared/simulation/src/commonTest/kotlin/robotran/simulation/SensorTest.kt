@@ -1,7 +1,11 @@
 package robotran.simulation
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.sensors.TouchSensor
+import robotran.simulation.state.LampState
 import robotran.world.Barrier
 import robotran.world.Lamp
 import robotran.world.LightFacing
@@ -9,6 +13,7 @@ import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
 import robotran.world.Penbot
+import robotran.world.PortSensor
 import robotran.world.Shade
 import robotran.world.TouchKind
 import robotran.world.World
@@ -16,9 +21,6 @@ import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 
 class SensorTest {
     private val sheet = BuiltInWorlds.plain.copy(walls = emptyList()).withStart(Pose(50.0, 40.0, 0.0))

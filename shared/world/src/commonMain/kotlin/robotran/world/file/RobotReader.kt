@@ -52,4 +52,5 @@ private fun readProgramLine(place: JsonPlace): String {
     return line
 }
 
-internal const val FIRST_ROBOT = "yellow"
+/** What the only robot of a world is called that gives it no name. */
+const val FIRST_ROBOT = "yellow"
