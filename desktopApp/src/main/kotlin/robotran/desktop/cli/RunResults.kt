@@ -1,6 +1,5 @@
 package robotran.desktop.cli
 
-import kotlin.math.roundToInt
 import robotran.desktop.files.writeFile
 import robotran.rcxrom.log.RomLogFilter
 import robotran.rcxrom.log.toCsv
@@ -14,6 +13,7 @@ import robotran.simulation.Session
 import robotran.simulation.report
 import robotran.ui.sheet.worldPicturePng
 import robotran.ui.sheet.worldPictureSvg
+import kotlin.math.roundToInt
 
 /** Writes what a finished run is to leave behind. */
 internal class RunResults(

@@ -1,9 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.infrared.InfraredAir
@@ -14,6 +10,10 @@ import robotran.rcxrom.log.RomLogFilter
 import robotran.rcxrom.log.RomOutcome
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.state.RunState
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 class InfraredTest {
     private val air = InfraredAir()

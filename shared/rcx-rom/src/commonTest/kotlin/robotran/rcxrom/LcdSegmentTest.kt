@@ -1,15 +1,15 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.LcdIcon
 import robotran.rcxrom.log.RomOutcome
 import robotran.rcxrom.routines.Hardware
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 class LcdSegmentTest {
     private val hardware = Hardware()

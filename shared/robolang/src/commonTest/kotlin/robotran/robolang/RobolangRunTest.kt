@@ -1,9 +1,9 @@
 package robotran.robolang
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
 import robotran.rcxrom.program.ProgramStatus
 import robotran.robolang.robot.Calibration
+import kotlin.test.Test
+import kotlin.test.assertEquals
 
 class RobolangRunTest {
     private val rom = RecordingRom()

@@ -1,13 +1,13 @@
 package robotran.simulation
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertSame
-import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Pose
 import robotran.world.geometry.length
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertSame
+import kotlin.test.assertTrue
 
 class DrawingTest {
     @Test

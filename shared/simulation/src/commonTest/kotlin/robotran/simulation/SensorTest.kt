@@ -1,8 +1,5 @@
 package robotran.simulation
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.sensors.TouchSensor
 import robotran.simulation.state.LampState
@@ -21,6 +18,9 @@ import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class SensorTest {
     private val sheet = BuiltInWorlds.plain.copy(walls = emptyList()).withStart(Pose(50.0, 40.0, 0.0))

@@ -1,10 +1,5 @@
 package robotran.simulation
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNotEquals
-import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.state.RunState
@@ -19,6 +14,11 @@ import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotEquals
+import kotlin.test.assertTrue
 
 class SeveralRobotsTest {
     private fun world(vararg starts: Pose) = BuiltInWorlds.plain.copy(

@@ -1,8 +1,5 @@
 package robotran.tinyvm
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 import robotran.rcxrom.Brick
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.messages.place
@@ -14,6 +11,9 @@ import robotran.rcxrom.program.VariableView
 import robotran.rcxrom.state.RunState
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.programs.libraryClassFiles
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 
 class DebuggingTest {
     private val source = """

@@ -1,6 +1,5 @@
 package robotran.javacompiler.diagnose
 
-
 /**
  * What to tell about a problem.
  *

@@ -1,6 +1,5 @@
 package robotran.javacompiler.ecj
 
-
 /** The Eclipse compiler as the platform has it; what it says is not yet in a pupil's words. */
 internal interface Ecj {
     fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>): EcjCompilation

@@ -1,6 +1,5 @@
 package robotran.rcxrom.call
 
-
 /** Writes a call as `0x1a4e 0x2000 1 3`: codes and pointers hexadecimal, numbers decimal and signed. */
 internal object RomCallText {
     fun of(call: RomCall): String {

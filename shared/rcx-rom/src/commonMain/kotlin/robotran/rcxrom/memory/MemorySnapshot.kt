@@ -1,6 +1,5 @@
 package robotran.rcxrom.memory
 
-
 /** The 64 KB of a brick's memory as they were at one moment. Never changes. */
 class MemorySnapshot internal constructor(private val bytes: ByteArray) {
     /** The byte at [address], 0..255; addresses wrap at 0x10000. */

@@ -1,6 +1,5 @@
 package robotran.robolang.syntax
 
-
 /** What digits and points, as the scanner puts them together, amount to. */
 internal sealed interface NumberReading {
     data class Read(val value: NumberValue) : NumberReading

@@ -1,6 +1,5 @@
 package robotran.robolang.syntax
 
-
 /** The one of [candidates] that [word] is probably a slip of, null if none is near enough. The first one wins a draw. */
 internal fun suggestion(word: String, candidates: List<String>): String? {
     if (word.length > RobolangLimits.SUGGESTION_CHARACTERS) return null

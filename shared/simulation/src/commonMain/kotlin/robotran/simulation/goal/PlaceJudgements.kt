@@ -58,4 +58,3 @@ internal class StayInJudgement(
             scene.middle(actor)?.let { region.contains(it.x, it.y) } == false
         }
 }
-

@@ -1,6 +1,5 @@
 package robotran.tinyvm.run
 
-
 /** A method of the class library that the machine itself does. */
 internal fun interface NativeMethod {
     /**
