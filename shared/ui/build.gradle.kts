@@ -2,33 +2,17 @@ plugins {
     id("com.android.library")
     id("robotran.android")
     id("robotran.compose")
-    id("robotran.texts")
-    id("org.jetbrains.kotlin.plugin.serialization")
 }
 
 android {
     namespace = "robotran.ui"
 }
 
-texts {
-    constant("commonMain", "robotran.ui.exampleTexts", "examples", "*.robo")
-    constant("commonMain", "robotran.ui.lejosExampleTexts", "examples/lejos", "*.java")
-}
-
 kotlin {
     sourceSets {
         commonMain.dependencies {
-            api(project(":shared:rcx-rom"))
-            api(project(":shared:robolang"))
-            api(project(":shared:programs"))
-            api(project(":shared:simulation"))
-            api(project(":shared:run-control"))
-            api(project(":shared:projects"))
-            api(project(":shared:learning"))
-            api(project(":shared:text-editing"))
+            api(project(":shared:workshop"))
             implementation(project(":shared:qr-code"))
-            api(project(":shared:world-editing"))
-            api(project(":shared:documents"))
             api(libs.compose.runtime)
             api(libs.compose.foundation)
             api(libs.compose.material3)

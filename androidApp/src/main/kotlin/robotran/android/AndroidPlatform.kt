@@ -8,14 +8,16 @@ import robotran.android.platform.AndroidFileDesk
 import robotran.android.platform.AndroidSharing
 import robotran.android.platform.ContentFiles
 import robotran.android.sound.audioTrackSpeaker
-import robotran.ui.platform.Arrivals
 import robotran.ui.platform.FolderWorkStore
 import robotran.ui.platform.JavaClock
-import robotran.ui.platform.Platform
-import robotran.ui.platform.Sharing
-import robotran.ui.platform.WallClock
-import robotran.ui.platform.WorkStore
-import robotran.ui.sound.LoudSpeaker
+import robotran.ui.sheet.DrawnWorldPictures
+import robotran.workshop.platform.Arrivals
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Sharing
+import robotran.workshop.platform.WallClock
+import robotran.workshop.platform.WorkStore
+import robotran.workshop.platform.WorldPictures
+import robotran.workshop.sound.LoudSpeaker
 import java.util.Locale
 import kotlin.coroutines.CoroutineContext
 import kotlin.coroutines.EmptyCoroutineContext
@@ -24,6 +26,7 @@ import kotlin.coroutines.EmptyCoroutineContext
 class AndroidPlatform(
     private val context: Context,
 ) : Platform {
+    override val pictures: WorldPictures = DrawnWorldPictures()
     override val arrivals = Arrivals()
     override val speaker: LoudSpeaker = audioTrackSpeaker()
     override val store: WorkStore = FolderWorkStore(context.filesDir.toPath().resolve("work"), EmptyCoroutineContext)

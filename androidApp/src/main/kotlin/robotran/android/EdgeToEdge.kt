@@ -19,8 +19,8 @@ import androidx.compose.ui.platform.LocalView
 import robotran.ui.RobotranApp
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
-import robotran.ui.workshop.Pace
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.state.Pace
 
 /** The [workshop] on the whole window of [activity], with nothing to touch under the system's bars, a camera's cut-out or a keyboard. */
 @Composable

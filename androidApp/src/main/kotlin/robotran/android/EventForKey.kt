@@ -2,12 +2,12 @@ package robotran.android
 
 import android.view.KeyEvent
 import robotran.ui.documents.documentShortcut
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
 import androidx.compose.ui.input.key.KeyEvent as ComposeKeyEvent
 
 /** What a key of a keyboard at the tablet does anywhere in the workshop, as in the menus of the desktop; null for nothing. */

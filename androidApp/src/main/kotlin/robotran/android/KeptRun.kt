@@ -7,8 +7,8 @@ import robotran.documents.projectFile
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.RunEvent
 import java.io.File
 import java.io.IOException
 

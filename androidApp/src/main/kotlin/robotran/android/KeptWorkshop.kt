@@ -13,8 +13,8 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 import robotran.ui.openWorkshop
-import robotran.ui.platform.Arrival
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.platform.Arrival
 
 /**
  * Keeps the workshop, and a run in it, when the activity is made anew. When Android ends the whole process in the background, the store of

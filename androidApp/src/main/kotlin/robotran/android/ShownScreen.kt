@@ -3,13 +3,13 @@ package robotran.android
 import android.os.Bundle
 import androidx.core.os.bundleOf
 import androidx.lifecycle.SavedStateHandle
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.Workshop
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.Pane
 
 /** What is on the screen beside the work itself, which [saved] keeps when Android ends the process. */
 internal class ShownScreen(

@@ -12,10 +12,10 @@ import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.ParameterizedRobolectricTestRunner
 import org.robolectric.ParameterizedRobolectricTestRunner.Parameters
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopStatus
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.WorkshopStatus
 
 /** An afternoon with the app, on every kind of device and held either way. */
 @RunWith(ParameterizedRobolectricTestRunner::class)

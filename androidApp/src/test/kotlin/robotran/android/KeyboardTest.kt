@@ -14,7 +14,7 @@ import org.junit.Rule
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
-import robotran.ui.workshop.DocumentDialog
+import robotran.workshop.state.DocumentDialog
 
 /** A keyboard and a mouse at the tablet. */
 @RunWith(RobolectricTestRunner::class)

@@ -17,7 +17,7 @@ import org.robolectric.Shadows.shadowOf
 import robotran.projects.LinkMaking
 import robotran.projects.Project
 import robotran.projects.linkOf
-import robotran.ui.workshop.DocumentDialog
+import robotran.workshop.state.DocumentDialog
 import robotran.world.file.BuiltInWorlds
 import java.io.ByteArrayInputStream
 import java.io.IOException

@@ -19,7 +19,7 @@ import org.robolectric.Robolectric
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.Shadows.shadowOf
 import org.robolectric.android.controller.ActivityController
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
 import java.io.File
 import java.util.concurrent.TimeUnit
 

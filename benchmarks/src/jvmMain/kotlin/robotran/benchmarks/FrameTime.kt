@@ -10,9 +10,9 @@ import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.RobotranApp
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.DrawerTab
 import javax.swing.SwingUtilities
 import kotlin.time.Duration
 import kotlin.time.DurationUnit

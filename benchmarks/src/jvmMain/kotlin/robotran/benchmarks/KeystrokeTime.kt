@@ -10,7 +10,7 @@ import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
-import robotran.ui.workshop.ProgramEvent
+import robotran.workshop.event.ProgramEvent
 import kotlin.time.Duration
 import kotlin.time.DurationUnit
 import kotlin.time.measureTime

@@ -5,7 +5,7 @@ import robotran.desktop.platform.openedFile
 import robotran.desktop.window.showWindows
 import robotran.projects.isLink
 import robotran.ui.language.spokenLanguage
-import robotran.ui.platform.Arrival
+import robotran.workshop.platform.Arrival
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
 

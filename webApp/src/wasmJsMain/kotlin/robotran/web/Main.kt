@@ -8,12 +8,12 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.GlobalScope
 import kotlinx.coroutines.launch
 import robotran.ui.RobotranStart
-import robotran.ui.workshop.Workshop
 import robotran.web.platform.WebPlatform
 import robotran.web.platform.askBeforeLosing
 import robotran.web.platform.onOutOfSight
 import robotran.web.window.PageFonts
 import robotran.web.window.PageWindow
+import robotran.workshop.Workshop
 
 /** Puts the workshop into the page, and takes away the words that are shown while it loads once it is there. */
 fun main() {

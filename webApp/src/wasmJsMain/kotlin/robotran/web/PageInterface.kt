@@ -18,8 +18,8 @@ import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.report
 import robotran.simulation.runUnattended
-import robotran.ui.workshop.PENBOT_CALIBRATION
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.state.PENBOT_CALIBRATION
 import robotran.world.file.BuiltInWorlds
 import kotlin.js.Promise
 

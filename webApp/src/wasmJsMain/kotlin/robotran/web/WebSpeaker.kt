@@ -2,8 +2,8 @@
 
 package robotran.web
 
-import robotran.ui.sound.LoudSpeaker
-import robotran.ui.sound.PlannedTone
+import robotran.workshop.sound.LoudSpeaker
+import robotran.workshop.sound.PlannedTone
 
 /**
  * The browser's loudspeaker. Browsers refuse sounds before somebody has touched the page, so there is no context before that, and

@@ -9,11 +9,11 @@ import androidx.lifecycle.lifecycleScope
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.launch
 import robotran.documents.FileKind
-import robotran.ui.platform.Arrival
-import robotran.ui.platform.Arrivals
-import robotran.ui.platform.FileDesk
-import robotran.ui.platform.OpenedFile
-import robotran.ui.platform.Saving
+import robotran.workshop.platform.Arrival
+import robotran.workshop.platform.Arrivals
+import robotran.workshop.platform.FileDesk
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.platform.Saving
 
 /**
  * Files through Android's own picker (Storage Access Framework); places are content addresses. An activity that shows the workshop attaches

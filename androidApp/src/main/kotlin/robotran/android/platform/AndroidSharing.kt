@@ -4,7 +4,7 @@ import android.content.ClipData
 import android.content.ClipboardManager
 import android.content.Context
 import android.content.Intent
-import robotran.ui.platform.Sharing
+import robotran.workshop.platform.Sharing
 
 /** The clipboard and the share sheet. */
 internal class AndroidSharing(

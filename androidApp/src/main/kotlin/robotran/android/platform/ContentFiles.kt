@@ -7,8 +7,8 @@ import android.provider.DocumentsContract
 import android.provider.OpenableColumns
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
-import robotran.ui.platform.OpenedFile
-import robotran.ui.platform.Saving
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.platform.Saving
 import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.io.InputStream

@@ -3,10 +3,10 @@ package robotran.android.sound
 import android.media.AudioAttributes
 import android.media.AudioFormat
 import android.media.AudioTrack
-import robotran.ui.sound.LoudSpeaker
 import robotran.ui.sound.SampleFeeder
 import robotran.ui.sound.SampleLine
-import robotran.ui.sound.ToneWave
+import robotran.workshop.sound.LoudSpeaker
+import robotran.workshop.sound.ToneWave
 
 /** The loudspeaker of the tablet or phone; its volume keys are those of media. */
 internal fun audioTrackSpeaker(): LoudSpeaker = SampleFeeder(::openAudioTrack)

@@ -13,7 +13,7 @@ import robotran.simulation.Session
 import robotran.simulation.grade.runForGoals
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.runUnattended
-import robotran.ui.workshop.PENBOT_CALIBRATION
+import robotran.workshop.state.PENBOT_CALIBRATION
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 

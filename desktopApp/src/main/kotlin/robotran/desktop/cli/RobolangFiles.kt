@@ -10,7 +10,7 @@ import robotran.robolang.RobolangResult
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.readRobolang
-import robotran.ui.workshop.PENBOT_CALIBRATION
+import robotran.workshop.state.PENBOT_CALIBRATION
 import kotlin.io.path.Path
 import kotlin.io.path.name
 

@@ -21,7 +21,7 @@ import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
 import robotran.robolang.translate.kitFiles
 import robotran.robolang.translate.translateRobolang
-import robotran.ui.workshop.PENBOT_CALIBRATION
+import robotran.workshop.state.PENBOT_CALIBRATION
 import kotlin.io.path.Path
 import kotlin.io.path.name
 import robotran.programs.ProgramResult as Reading

@@ -1,6 +1,6 @@
 package robotran.desktop.platform
 
-import robotran.ui.platform.Sharing
+import robotran.workshop.platform.Sharing
 import java.awt.Toolkit
 import java.awt.datatransfer.StringSelection
 

@@ -1,14 +1,16 @@
 package robotran.desktop.platform
 
 import kotlinx.coroutines.Dispatchers
-import robotran.ui.platform.Arrivals
-import robotran.ui.platform.FileDesk
 import robotran.ui.platform.JavaClock
-import robotran.ui.platform.Platform
-import robotran.ui.platform.Sharing
-import robotran.ui.platform.WallClock
-import robotran.ui.platform.WorkStore
-import robotran.ui.sound.LoudSpeaker
+import robotran.ui.sheet.DrawnWorldPictures
+import robotran.workshop.platform.Arrivals
+import robotran.workshop.platform.FileDesk
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Sharing
+import robotran.workshop.platform.WallClock
+import robotran.workshop.platform.WorkStore
+import robotran.workshop.platform.WorldPictures
+import robotran.workshop.sound.LoudSpeaker
 import kotlin.coroutines.CoroutineContext
 
 /** What this machine offers to one window. */
@@ -19,6 +21,7 @@ internal class DesktopPlatform(
     override val arrivals: Arrivals,
     override val goesOn: Boolean,
 ) : Platform {
+    override val pictures: WorldPictures = DrawnWorldPictures()
     override val sharing: Sharing = Clipboard
     override val clock: WallClock = JavaClock
     override val background: CoroutineContext = Dispatchers.Default

@@ -1,9 +1,9 @@
 package robotran.desktop.sound
 
-import robotran.ui.sound.LoudSpeaker
 import robotran.ui.sound.SampleFeeder
 import robotran.ui.sound.SampleLine
-import robotran.ui.sound.ToneWave
+import robotran.workshop.sound.LoudSpeaker
+import robotran.workshop.sound.ToneWave
 import javax.sound.sampled.AudioFormat
 import javax.sound.sampled.AudioSystem
 import javax.sound.sampled.DataLine

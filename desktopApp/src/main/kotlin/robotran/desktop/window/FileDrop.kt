@@ -11,7 +11,7 @@ import androidx.compose.ui.draganddrop.DragAndDropTarget
 import androidx.compose.ui.draganddrop.awtTransferable
 import robotran.desktop.platform.openedFile
 import robotran.projects.isLink
-import robotran.ui.platform.Arrival
+import robotran.workshop.platform.Arrival
 import java.awt.datatransfer.DataFlavor
 import java.awt.datatransfer.Transferable
 import java.awt.datatransfer.UnsupportedFlavorException

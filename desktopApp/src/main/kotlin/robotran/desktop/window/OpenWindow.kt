@@ -14,12 +14,12 @@ import kotlinx.coroutines.withContext
 import robotran.desktop.platform.DesktopFileDesk
 import robotran.desktop.platform.DesktopPlatform
 import robotran.desktop.sound.soundCardSpeaker
-import robotran.ui.documents.unexpectedNotice
+import robotran.workshop.state.Notice
 import robotran.ui.openWorkshop
-import robotran.ui.platform.Arrival
-import robotran.ui.platform.Arrivals
-import robotran.ui.platform.WorkStore
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.platform.Arrival
+import robotran.workshop.platform.Arrivals
+import robotran.workshop.platform.WorkStore
 import java.awt.Frame
 
 /**
@@ -60,7 +60,7 @@ internal class OpenWindow(
     fun keepAfterTrouble() {
         scope.launch {
             val open = workshop ?: return@launch
-            if (open.keepDocumentNow()) open.say(unexpectedNotice())
+            if (open.keepDocumentNow()) open.say(Notice.Unexpected)
         }
     }
 

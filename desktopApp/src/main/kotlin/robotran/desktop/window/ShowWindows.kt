@@ -7,8 +7,8 @@ import androidx.compose.ui.window.application
 import kotlinx.coroutines.runBlocking
 import robotran.desktop.platform.dataFolder
 import robotran.desktop.platform.openedFile
-import robotran.ui.platform.Arrival
 import robotran.ui.platform.FolderWorkStore
+import robotran.workshop.platform.Arrival
 import java.awt.Desktop
 import kotlin.coroutines.EmptyCoroutineContext
 

@@ -2,7 +2,7 @@ package robotran.desktop.window
 
 import robotran.desktop.ReadArrival
 import robotran.desktop.readArrival
-import robotran.ui.platform.Arrival
+import robotran.workshop.platform.Arrival
 import java.awt.datatransfer.DataFlavor
 import java.awt.datatransfer.StringSelection
 import java.awt.datatransfer.Transferable

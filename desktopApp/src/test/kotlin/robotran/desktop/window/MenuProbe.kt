@@ -17,7 +17,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.ui.desktop.WorkshopMenuBar
 import robotran.ui.openWorkshop
-import robotran.ui.workshop.SettingsEvent
+import robotran.workshop.event.SettingsEvent
 import javax.swing.JMenu
 import javax.swing.JMenuItem
 import javax.swing.SwingUtilities

@@ -8,7 +8,7 @@ import robotran.projects.RobotLoads
 import robotran.projects.forFirstRobot
 import robotran.projects.readRobotLoads
 import robotran.simulation.RobotLoad
-import robotran.ui.workshop.PENBOT_CALIBRATION
+import robotran.workshop.state.PENBOT_CALIBRATION
 import robotran.world.World
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld

@@ -2,15 +2,16 @@ package robotran.ui
 
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import robotran.ui.sheet.DrawnWorldPictures
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.simulation.physics.loadPhysicsEngine
-import robotran.ui.platform.MemoryPlatform
-import robotran.ui.platform.Platform
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.SettingsHolder
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.asProject
+import robotran.workshop.Workshop
+import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.platform.Platform
+import robotran.workshop.programs.asProject
+import robotran.workshop.settings.SettingsHolder
+import robotran.workshop.state.PupilProgram
 import robotran.world.file.BuiltInWorlds
 
 /**
@@ -22,7 +23,7 @@ import robotran.world.file.BuiltInWorlds
  */
 suspend fun openWorkshop(
     programs: List<PupilProgram> = emptyList(),
-    platform: Platform = MemoryPlatform(),
+    platform: Platform = MemoryPlatform(pictures = DrawnWorldPictures()),
     scope: CoroutineScope = CoroutineScope(Dispatchers.Unconfined),
     welcoming: Boolean = false,
 ): Workshop {

@@ -10,7 +10,7 @@ import robotran.ui.language.InLanguage
 import robotran.ui.screen.EmbedScreen
 import robotran.ui.screen.WorkshopScreen
 import robotran.ui.theme.RobotranTheme
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
 
 /**
  * The whole app over [workshop]: its screen, the frames that let its time pass while there is something to see, and the pauses of typing in which Java is

@@ -18,14 +18,15 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.platform.MemoryPlatform
-import robotran.ui.platform.Platform
+import robotran.ui.sheet.DrawnWorldPictures
 import robotran.ui.resources.Res
 import robotran.ui.resources.loading
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.platform.Platform
+import robotran.workshop.state.PupilProgram
 
 /**
  * What every platform's app shows: a word while things get ready, then [RobotranApp] with [programs] or, without any, the square.
@@ -38,7 +39,7 @@ import robotran.ui.workshop.Workshop
 @Composable
 fun RobotranStart(
     programs: List<PupilProgram> = emptyList(),
-    platform: Platform = remember { MemoryPlatform() },
+    platform: Platform = remember { MemoryPlatform(pictures = DrawnWorldPictures()) },
     welcoming: Boolean = false,
     embedded: Boolean = false,
     onOpened: (Workshop) -> Unit = {},

@@ -4,9 +4,9 @@ package robotran.web.platform
 
 import kotlinx.coroutines.await
 import robotran.documents.FileKind
-import robotran.ui.platform.FileDesk
-import robotran.ui.platform.OpenedFile
-import robotran.ui.platform.Saving
+import robotran.workshop.platform.FileDesk
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.platform.Saving
 import kotlin.io.encoding.Base64
 import kotlin.js.Promise
 

@@ -2,21 +2,23 @@
 
 package robotran.web.platform
 
-import androidx.compose.ui.text.font.FontFamily
 import kotlinx.coroutines.await
 import robotran.projects.isLink
-import robotran.ui.platform.Arrival
-import robotran.ui.platform.Arrivals
-import robotran.ui.platform.FileDesk
-import robotran.ui.platform.MemoryStore
-import robotran.ui.platform.NoWindowMemory
-import robotran.ui.platform.Platform
-import robotran.ui.platform.Sharing
-import robotran.ui.platform.WallClock
-import robotran.ui.platform.WindowMemory
-import robotran.ui.platform.WorkStore
-import robotran.ui.sound.LoudSpeaker
+import robotran.ui.sheet.DrawnWorldPictures
+import robotran.ui.sheet.pictureFonts
 import robotran.web.window.PageFonts
+import robotran.workshop.platform.Arrival
+import robotran.workshop.platform.Arrivals
+import robotran.workshop.platform.FileDesk
+import robotran.workshop.platform.MemoryStore
+import robotran.workshop.platform.NoWindowMemory
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Sharing
+import robotran.workshop.platform.WallClock
+import robotran.workshop.platform.WindowMemory
+import robotran.workshop.platform.WorkStore
+import robotran.workshop.platform.WorldPictures
+import robotran.workshop.sound.LoudSpeaker
 import kotlin.js.Promise
 
 /**
@@ -32,7 +34,7 @@ internal class WebPlatform(override val speaker: LoudSpeaker, private val embedd
     override val arrivals: Arrivals = Arrivals()
     override val window: WindowMemory = if (embedded) NoWindowMemory else WebWindowMemory
     override val pageAddress: String = pageAddress()
-    override val pictureFonts: FontFamily.Resolver? get() = fonts.withEmoji ?: super.pictureFonts
+    override val pictures: WorldPictures = DrawnWorldPictures { fonts.withEmoji ?: pictureFonts() }
 
     init {
         prepareReadingOfFiles()

@@ -5,7 +5,7 @@ package robotran.web.platform
 import kotlinx.coroutines.await
 import robotran.documents.StoreResult
 import robotran.documents.WorkClaim
-import robotran.ui.platform.WorkStore
+import robotran.workshop.platform.WorkStore
 import kotlin.js.Promise
 
 /**

@@ -2,7 +2,7 @@
 
 package robotran.web.platform
 
-import robotran.ui.platform.WindowMemory
+import robotran.workshop.platform.WindowMemory
 
 /**
  * What a tab knows of itself after a reload: the id of its work in the browser's `sessionStorage`, which a tab that is duplicated gets a copy of, so

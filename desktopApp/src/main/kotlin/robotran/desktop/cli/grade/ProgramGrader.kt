@@ -17,7 +17,7 @@ import robotran.programs.ProgramReader
 import robotran.projects.isLink
 import robotran.simulation.RobotLoad
 import robotran.simulation.physics.loadPhysicsEngine
-import robotran.ui.workshop.PENBOT_CALIBRATION
+import robotran.workshop.state.PENBOT_CALIBRATION
 import robotran.world.World
 
 /** Grades programs as `robotran grade` does: reads all, runs all, writes the results. */

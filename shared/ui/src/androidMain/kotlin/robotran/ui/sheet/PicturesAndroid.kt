@@ -13,4 +13,4 @@ actual fun pngOf(picture: ImageBitmap): ByteArray = ByteArrayOutputStream().use 
 }
 
 /** An activity has them. */
-internal actual fun pictureFonts(): FontFamily.Resolver? = null
+actual fun pictureFonts(): FontFamily.Resolver? = null

@@ -25,10 +25,10 @@ import robotran.ui.resources.documents_refused_title
 import robotran.ui.resources.documents_refused_worlds
 import robotran.ui.resources.documents_save_as
 import robotran.ui.resources.documents_understood
-import robotran.ui.workshop.DocumentAnswer
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.DocumentState
+import robotran.workshop.state.DocumentAnswer
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.DocumentState
 
 /** What the app asks or shows about the document, if anything. */
 @Composable

@@ -9,7 +9,7 @@ import androidx.compose.ui.input.key.isMetaPressed
 import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
-import robotran.ui.workshop.DocumentEvent
+import robotran.workshop.event.DocumentEvent
 
 /** What a key does with the work as a whole, with Ctrl or, on a Mac, Command held; null for nothing. Browsers keep Ctrl N to themselves. */
 fun documentShortcut(event: KeyEvent): DocumentEvent? {

@@ -36,9 +36,9 @@ import robotran.ui.resources.documents_trouble_full
 import robotran.ui.resources.documents_trouble_long
 import robotran.ui.resources.notice_close
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.DocumentState
-import robotran.ui.workshop.KeepingTrouble
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.DocumentState
+import robotran.workshop.state.KeepingTrouble
 
 /**
  * Says that the work is not being kept, and what can be done; nothing while all is well. It lies over the foot of what there is to be seen, which does not

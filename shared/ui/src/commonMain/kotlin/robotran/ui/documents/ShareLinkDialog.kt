@@ -27,13 +27,14 @@ import robotran.ui.resources.documents_share_no_site
 import robotran.ui.resources.documents_share_site
 import robotran.ui.resources.documents_share_title
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.DocumentEvent
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.DocumentDialog
 
 @Composable
 internal fun ShareLinkDialog(dialog: DocumentDialog.SharingLink, hasShareSheet: Boolean, onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     val link = dialog.link
+    val tooLong = dialog.tooLong
     DialogFrame(
         stringResource(Res.string.documents_share_title),
         close,
@@ -49,7 +50,7 @@ internal fun ShareLinkDialog(dialog: DocumentDialog.SharingLink, hasShareSheet: 
         },
     ) {
         when {
-            dialog.tooLong != null -> Explanation(dialog.tooLong, Modifier.testTag("document-trouble"), bad = true)
+            tooLong != null -> Explanation(tooLong, Modifier.testTag("document-trouble"), bad = true)
             link == null -> Explanation(stringResource(Res.string.documents_share_making))
             else -> LinkItself(link)
         }

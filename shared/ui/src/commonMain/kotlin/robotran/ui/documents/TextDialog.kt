@@ -38,8 +38,8 @@ import robotran.ui.resources.documents_paste_help
 import robotran.ui.resources.documents_paste_title
 import robotran.ui.resources.documents_rename_title
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.DocumentEvent
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.DocumentDialog
 
 @Composable
 internal fun RenameDialog(dialog: DocumentDialog.Renaming, onEvent: (DocumentEvent) -> Unit) {

@@ -43,8 +43,8 @@ import robotran.ui.resources.documents_untitled
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.DocumentState
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.DocumentState
 
 /**
  * The name of the work, which opens the menu with all that can be done with it as a whole. A dot before the name says that not everything is in its

@@ -10,7 +10,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.platform.FileKind
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_drawing
 import robotran.ui.resources.documents_kit
@@ -28,8 +27,9 @@ import robotran.ui.resources.documents_save_as
 import robotran.ui.resources.documents_share
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.DocumentState
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.platform.FileKind
+import robotran.workshop.state.DocumentState
 
 /** All that can be done with the work as a whole, to be put into a menu; [close] closes that. */
 @Composable

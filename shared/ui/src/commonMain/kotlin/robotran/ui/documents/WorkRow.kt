@@ -42,8 +42,8 @@ import robotran.ui.sheet.SheetPictures
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.ShownWork
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.ShownWork
 
 /** One of all works: a picture of its sheet, what it is called, its world and programs, and when it was kept. A touch opens it. */
 @Composable

@@ -27,9 +27,9 @@ import robotran.ui.resources.documents_untitled
 import robotran.ui.resources.documents_works_empty
 import robotran.ui.resources.documents_works_loading
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.ShownWork
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.ShownWork
 
 /** All works: a touch opens one, the cross beside it forgets it once that is confirmed. */
 @Composable

@@ -35,8 +35,8 @@ import robotran.ui.runbar.QuietButton
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.seconds
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.RunPaneState
 
 /** Sensors and motors over time, each in a lane of its own, with their values at the time that is looked at or touched. */
 @Composable

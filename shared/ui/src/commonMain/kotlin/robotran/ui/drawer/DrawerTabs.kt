@@ -47,7 +47,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.DrawerTab
+import robotran.workshop.state.DrawerTab
 
 /** The names of what the drawer holds; the one that is [open] is underlined, and touched again it closes. With [onTwo] there can be another beside it. */
 @Composable

@@ -37,9 +37,9 @@ import robotran.ui.runbar.RunIconView
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.GoalCount
-import robotran.ui.workshop.RunEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.GoalCount
 
 /**
  * How many of the world's goals are met, and a kind word when all are; nothing in a world without goals. A touch shows them. It is always as large as for

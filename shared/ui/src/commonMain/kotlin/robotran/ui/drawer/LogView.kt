@@ -63,8 +63,8 @@ import robotran.ui.runbar.Chip
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.codeStyle
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.LogState
-import robotran.ui.workshop.RunEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.LogState
 
 /** Every ROM call up to now, the newest last, to be searched, filtered, copied and saved. */
 @Composable

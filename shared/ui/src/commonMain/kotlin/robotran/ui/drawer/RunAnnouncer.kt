@@ -23,8 +23,8 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_said_place
 import robotran.ui.runbar.oneDecimal
-import robotran.ui.workshop.Pace
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.state.Pace
+import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToInt
 
 /** Tells those who cannot see it where the robot has come to a stop; never more often than a voice can follow. */

@@ -49,9 +49,9 @@ import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.RunPaneState
 
 /**
  * The drawer under the world: its names are always seen; one that is touched slides up what it holds, which can be made higher or lower.

@@ -31,8 +31,8 @@ import robotran.ui.resources.task_show
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.WorkshopState
 
 /**
  * The ways to what is to be done in the world and to its goals, as far as it has them.

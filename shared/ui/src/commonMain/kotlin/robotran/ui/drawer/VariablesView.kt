@@ -52,8 +52,8 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.codeStyle
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.VariablesState
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.VariablesState
 
 /** The threads and the call stack of the program, and the variables known at the place that is chosen; what has changed since the last stop is lit. */
 @Composable

@@ -21,7 +21,7 @@ import robotran.ui.resources.run_why_line
 import robotran.ui.resources.run_why_remarks
 import robotran.ui.runbar.SectionName
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.state.RunPaneState
 
 /** What made the robot stray, and what there is to learn from the run. */
 @Composable

@@ -8,6 +8,7 @@ import androidx.compose.runtime.staticCompositionLocalOf
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.Language
+import robotran.workshop.platform.spokenLanguage
 
 /**
  * Everything inside is in [language], or in the machine's if that is null.
@@ -32,9 +33,3 @@ val LocalLanguage = staticCompositionLocalOf { Language.ENGLISH }
 
 /** Makes [tag], such as `de`, the language of the process, or again the one that it began with if that is null. */
 internal expect fun speak(tag: String?)
-
-/** The language of the machine as the process began, such as `de-AT`. */
-internal expect fun machineLanguage(): String
-
-/** The language that the app speaks if [chosen] is: of the machine's the best there is, else English. */
-fun spokenLanguage(chosen: Language?): Language = chosen ?: Language.of(machineLanguage()) ?: Language.ENGLISH

@@ -4,7 +4,7 @@ import org.jetbrains.compose.resources.ExperimentalResourceApi
 import org.jetbrains.compose.resources.StringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.allStringResources
-import robotran.ui.workshop.ProgramLanguage
+import robotran.workshop.state.ProgramLanguage
 
 /**
  * What the example [name] does, in a sentence: of `wall-bouncer.robo` and `WallBouncer.java` it is `example_wall_bouncer`, unless the one in Java has

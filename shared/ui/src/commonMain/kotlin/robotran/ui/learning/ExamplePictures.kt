@@ -7,12 +7,12 @@ import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.rcxrom.program.RcxProgram
-import robotran.ui.exampleTexts
-import robotran.ui.lejosExampleTexts
+import robotran.workshop.examples.examples
+import robotran.workshop.state.ProgramLanguage
 import robotran.ui.sheet.PictureRoom
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
-import robotran.ui.workshop.PENBOT_CALIBRATION
+import robotran.workshop.state.PENBOT_CALIBRATION
 import robotran.world.file.BuiltInWorlds
 
 /**
@@ -33,8 +33,8 @@ internal object ExamplePictures : CardPictures<String> {
     }
 
     private suspend fun programOf(name: String): RcxProgram? {
-        val source = exampleTexts[name]?.let { ProgramSource.Robolang(name, it) }
-            ?: lejosExampleTexts[name]?.let { ProgramSource.Java(name, listOf(SourceFile(name, it))) }
+        val source = ProgramLanguage.ROBOLANG.examples[name]?.let { ProgramSource.Robolang(name, it) }
+            ?: ProgramLanguage.JAVA.examples[name]?.let { ProgramSource.Java(name, listOf(SourceFile(name, it))) }
             ?: return null
         val read = try {
             reader.read(source)
@@ -48,5 +48,5 @@ internal object ExamplePictures : CardPictures<String> {
 
     /** The example in Robolang that does the same as the example [name]: `wall-bouncer.robo` for `WallBouncer.java`. */
     private fun twinOf(name: String): String? =
-        exampleTexts.keys.firstOrNull { it == name || it.replace("-", "").removeSuffix(".robo") == name.lowercase().removeSuffix(".java") }
+        ProgramLanguage.ROBOLANG.examples.keys.firstOrNull { it == name || it.replace("-", "").removeSuffix(".robo") == name.lowercase().removeSuffix(".java") }
 }

@@ -28,9 +28,9 @@ import robotran.ui.resources.learning_examples_added
 import robotran.ui.resources.program_examples_java
 import robotran.ui.resources.program_examples_robolang
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.examples
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.examples.examples
+import robotran.workshop.state.ProgramLanguage
 
 /** All programs that come with the app, with what they draw; first those in the language [current], which one works in. */
 @Composable

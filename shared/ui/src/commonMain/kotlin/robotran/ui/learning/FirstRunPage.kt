@@ -42,8 +42,8 @@ import robotran.ui.resources.learning_welcome_title
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningPage
 
 /** What the app is, in one sentence, and three things to try. */
 @Composable

@@ -51,8 +51,8 @@ import robotran.ui.resources.learning_help_none
 import robotran.ui.resources.learning_help_try
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.codeStyle
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningState
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningState
 
 /** The help on one word, or the list of all words, over the lower part of the program; Escape closes it. */
 @Composable

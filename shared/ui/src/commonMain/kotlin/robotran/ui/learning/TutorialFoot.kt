@@ -36,11 +36,11 @@ import robotran.ui.resources.learning_try_step
 import robotran.ui.resources.learning_try_step_help
 import robotran.ui.resources.learning_try_worlds
 import robotran.ui.screen.MenuItem
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.TutorialState
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.TutorialState
 
 /**
  * All that can be done with a step, under its text: try it or run it, begin it again, leave the tutorial, go on. Where all of it would be higher than [most],

@@ -28,9 +28,9 @@ import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_tutorial
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.LearningState
-import robotran.ui.workshop.TutorialState
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningState
+import robotran.workshop.state.TutorialState
 
 /**
  * The step of the tutorial that is shown: what to read, what to try, what to do. Stands beside the program, over it, or in its place. The text scrolls; what

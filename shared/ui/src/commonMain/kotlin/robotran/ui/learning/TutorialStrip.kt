@@ -50,9 +50,9 @@ import robotran.ui.resources.learning_unfold
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningState
-import robotran.ui.workshop.TutorialState
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningState
+import robotran.workshop.state.TutorialState
 
 /**
  * Which step it is and which are done, with the list of all steps behind it; all that is to be seen of a tutorial that is folded away. While something else

@@ -38,9 +38,9 @@ import robotran.ui.resources.learning_task
 import robotran.ui.resources.learning_task_done
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningState
-import robotran.ui.workshop.TutorialState
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningState
+import robotran.workshop.state.TutorialState
 
 /** What is to be done in a step, whether it is done, and help with it. A bar on its left says where it begins and ends. */
 @Composable

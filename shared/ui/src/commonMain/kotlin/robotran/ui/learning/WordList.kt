@@ -32,10 +32,10 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.codeStyle
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningState
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.asCode
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.learning.asCode
+import robotran.workshop.state.LearningState
+import robotran.workshop.state.ProgramLanguage
 
 /** All words of one of the two languages with their sentences, to choose one from. */
 @Composable

@@ -37,8 +37,8 @@ import robotran.ui.resources.learning_worlds_kept
 import robotran.ui.resources.learning_worlds_none
 import robotran.ui.resources.learning_worlds_search
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningState
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningState
 
 /** All worlds that come with the app, to choose one from. */
 @Composable

@@ -29,12 +29,12 @@ import robotran.ui.resources.program_no_room
 import robotran.ui.resources.program_reopen_named
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.ProgramsState
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.state.ProgramsState
 
 /** The button with a plus: a new program in either language, the examples, or one more class for a Java program. */
 @Composable

@@ -29,7 +29,7 @@ import robotran.ui.resources.program_reopen
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.ProgramEvent
+import robotran.workshop.event.ProgramEvent
 
 /**
  * Says that the program or class called [name] was closed, and brings it back if there is [room] for it. It lies over the foot of the program, which does not

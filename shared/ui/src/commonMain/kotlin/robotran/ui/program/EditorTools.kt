@@ -45,8 +45,8 @@ import robotran.ui.resources.editor_undo
 import robotran.ui.resources.editor_unindent
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.ProgramsState
+import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.state.ProgramsState
 
 /** A slim row over the text: what one often does to it, and a menu with the rest. */
 @Composable

@@ -31,7 +31,7 @@ import robotran.ui.resources.mistake_in_line_of_file
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.PupilProgram
+import robotran.workshop.state.PupilProgram
 
 /**
  * Under the text: how many mistakes there are, with a button that goes to the next, and what is wrong at no line of the text that is shown.

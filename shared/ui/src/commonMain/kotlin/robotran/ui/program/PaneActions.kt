@@ -11,12 +11,12 @@ import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSpan
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramsState
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.ProgramsState
+import robotran.workshop.state.Settings
 
 /** What keys and buttons do beside the text itself: finding, going to a line, the size of the text, and what the holders do. */
 internal class PaneActions(

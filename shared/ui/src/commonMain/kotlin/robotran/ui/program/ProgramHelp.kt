@@ -4,7 +4,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import robotran.textediting.complete.WordHelp
 import robotran.ui.language.LocalLanguage
-import robotran.ui.workshop.ProgramLanguage
+import robotran.workshop.state.ProgramLanguage
 import robotran.projects.ProgramLanguage as ProjectLanguage
 
 /** What the words of a program in [language] are for, in the reader's language. */

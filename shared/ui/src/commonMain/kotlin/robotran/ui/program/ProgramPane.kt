@@ -34,16 +34,16 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.ProgramNote
-import robotran.ui.workshop.ProgramsState
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.code
-import robotran.ui.workshop.noteOf
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.code
+import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.state.ProgramNote
+import robotran.workshop.state.ProgramsState
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.Settings
+import robotran.workshop.state.WorkshopState
+import robotran.workshop.state.noteOf
 
 /**
  * The programs to choose from, the one to write in, what is wrong with it, and its translation.

@@ -22,10 +22,10 @@ import robotran.ui.resources.program_close
 import robotran.ui.resources.program_tab
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramFile
-import robotran.ui.workshop.ProgramsState
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.ProgramFile
+import robotran.workshop.state.ProgramsState
 
 /**
  * The pupil's programs: which is shown, and another one. If there are several, each has the number that the brick's display shows for it, and can be

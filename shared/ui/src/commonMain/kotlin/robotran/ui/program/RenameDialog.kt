@@ -39,9 +39,9 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.WithAddedFonts
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.NameProblem
-import robotran.ui.workshop.ProgramsState
-import robotran.ui.workshop.nameProblem
+import robotran.workshop.programs.NameProblem
+import robotran.workshop.programs.nameProblem
+import robotran.workshop.state.ProgramsState
 
 /** Asks for another name of the file that is shown. One of several classes can also be taken away, by [onRemove]. */
 @Composable

@@ -26,7 +26,7 @@ import robotran.ui.resources.editor_worlds_own
 import robotran.ui.sheet.RobotColours
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
-import robotran.ui.workshop.ProgramsState
+import robotran.workshop.state.ProgramsState
 
 /** Whose programs are shown, where a world has several robots. */
 @Composable

@@ -6,7 +6,7 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import robotran.ui.workshop.ProgramsState
+import robotran.workshop.state.ProgramsState
 
 /** The text, and under it what is wrong: where that comes and goes only the text, from which nothing is pushed away, becomes shorter. */
 @Composable

@@ -12,7 +12,7 @@ import robotran.runcontrol.MarkKind
 import robotran.runcontrol.RomCallLine
 import robotran.runcontrol.TimelineMark
 import robotran.ui.theme.RobotranColours
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToLong
 
 /** Where times are on a timeline, in pixels from its left. */

@@ -21,11 +21,11 @@ import robotran.simulation.Breakpoint
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_more
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.Pace
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorkshopStatus
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Pace
+import robotran.workshop.state.WorkshopState
+import robotran.workshop.state.WorkshopStatus
 
 /**
  * Run, Pause, Step, Stop, what is going on, how fast, and the timeline; always in sight. What there is no room for is in a panel behind one button. At its

@@ -54,9 +54,9 @@ import robotran.ui.theme.AppDialog
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.RunPaneState
 
 /** All about how the run goes that is not in the bar, or not on a small screen; over everything else until it is closed. */
 @OptIn(ExperimentalLayoutApi::class)

@@ -49,8 +49,8 @@ import robotran.ui.resources.run_seed_next
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToInt
 
 /** How exact the robot is, what chance is drawn from, and how Java runs; whatever is changed begins the run afresh. */

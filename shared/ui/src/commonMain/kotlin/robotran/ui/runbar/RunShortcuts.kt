@@ -10,7 +10,7 @@ import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
 import robotran.rcxrom.program.StepKind
-import robotran.ui.workshop.RunEvent
+import robotran.workshop.event.RunEvent
 
 /**
  * What a key does with the run, wherever the focus is; null for nothing. Ctrl (on a Mac also Command) with Enter runs, with Shift it stops; F6 pauses, F7 steps:

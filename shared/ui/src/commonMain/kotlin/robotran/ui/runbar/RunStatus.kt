@@ -24,9 +24,9 @@ import robotran.ui.resources.run_clock_of
 import robotran.ui.resources.run_status_past
 import robotran.ui.resources.run_status_seeking
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.Pace
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorkshopStatus
+import robotran.workshop.state.Pace
+import robotran.workshop.state.WorkshopState
+import robotran.workshop.state.WorkshopStatus
 
 /** The room that is kept for what is going on, whatever it is. */
 internal enum class StatusRoom(val lines: Int) {

@@ -23,8 +23,8 @@ import robotran.ui.resources.status_ready
 import robotran.ui.resources.status_running
 import robotran.ui.resources.status_running_line
 import robotran.ui.resources.status_stopped
-import robotran.ui.workshop.GoalCount
-import robotran.ui.workshop.WorkshopStatus
+import robotran.workshop.state.GoalCount
+import robotran.workshop.state.WorkshopStatus
 import kotlin.math.abs
 import kotlin.math.roundToLong
 

@@ -36,7 +36,7 @@ import robotran.ui.resources.run_to_line
 import robotran.ui.resources.run_to_line_help
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
-import robotran.ui.workshop.RunEvent
+import robotran.workshop.event.RunEvent
 
 /** One step of the program, and beside it a menu with other steps. */
 @Composable

@@ -37,7 +37,7 @@ import robotran.ui.resources.run_timeline_place
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.state.RunPaneState
 import kotlin.math.abs
 import kotlin.math.roundToLong
 

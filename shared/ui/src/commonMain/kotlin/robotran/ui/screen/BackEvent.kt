@@ -1,13 +1,13 @@
 package robotran.ui.screen
 
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorldEditEvent
 import robotran.ui.worldedit.escaped
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.WorkshopState
 
 /** What Back closes of the pages that lie over the workshop, the topmost first; menus and dialogs close by themselves. */
 internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildList {

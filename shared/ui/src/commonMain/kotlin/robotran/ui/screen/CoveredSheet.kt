@@ -20,10 +20,10 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.documents.KeepingBanner
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
 import robotran.ui.world.TaskCard
 import robotran.ui.world.WorldPane
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.WorkshopState
 import robotran.world.World
 
 /**

@@ -23,9 +23,9 @@ import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
 import robotran.ui.drawer.TaskAndGoals
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.WorkshopState
 
 /** Paper and brick where there is room for both: the paper gets all that the brick leaves, and nothing that can be pressed ever moves. */
 @Composable

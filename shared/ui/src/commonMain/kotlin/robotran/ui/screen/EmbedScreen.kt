@@ -35,11 +35,11 @@ import robotran.ui.runbar.RunStatus
 import robotran.ui.runbar.StatusRoom
 import robotran.ui.runbar.StopButton
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorkshopStatus
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.WorkshopState
+import robotran.workshop.state.WorkshopStatus
 
 /** World and brick alone, to be looked at and run in the middle of another page; nothing there is changed or kept. */
 @Composable

@@ -41,13 +41,13 @@ import robotran.ui.resources.sound_switch_on
 import robotran.ui.resources.worlds
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
-import robotran.ui.workshop.DocumentState
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.DocumentState
+import robotran.workshop.state.WorkshopState
 
 /** The button with three lines: what is done seldom, and [withWork] a list of its own of what is done with the work as a whole. */
 @Composable

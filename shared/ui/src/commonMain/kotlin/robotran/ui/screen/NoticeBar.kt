@@ -28,19 +28,19 @@ import robotran.ui.resources.notice_close
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.Notice
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Notice
 
 /** What the app has to say, until it is read; it is read out by a screen reader when it comes. */
 @Composable
 internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    val text = notice.text?.let { stringResource(it, *notice.arguments.toTypedArray()) } ?: notice.plain
-    val colour = if (notice.bad) colours.mistake else colours.onPane
+    val text = noticeText(notice)
+    val colour = if (notice.isError) colours.mistake else colours.onPane
     Row(
         modifier
             .fillMaxWidth()
-            .background(if (notice.bad) colours.mistakePane else colours.pane, SHAPE)
+            .background(if (notice.isError) colours.mistakePane else colours.pane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
             // What lies under it is not touched through it.
             .pointerInput(Unit) { }
@@ -52,7 +52,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
         Text(
             text,
             Modifier.weight(1f).padding(vertical = 8.dp).testTag("notice-text").semantics {
-                liveRegion = if (notice.bad) LiveRegionMode.Assertive else LiveRegionMode.Polite
+                liveRegion = if (notice.isError) LiveRegionMode.Assertive else LiveRegionMode.Polite
             },
             color = colour,
             fontSize = 16.sp,
@@ -62,7 +62,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
                 { onEvent(WorkshopEvent.NoticeTaken) },
                 Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("notice-action").focusRing(),
             ) {
-                Text(stringResource(action), color = colours.focus, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
+                Text(stringResource(noticeActionText(action)), color = colours.focus, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
             }
         }
         IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "notice-close", {

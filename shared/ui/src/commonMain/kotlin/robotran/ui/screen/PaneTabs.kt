@@ -26,7 +26,7 @@ import robotran.ui.resources.tab_world
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.Pane
+import robotran.workshop.state.Pane
 
 /** The three panes of a narrow screen. [mistaken] marks the program's tab. Large words do not fit beside each other: then the tabs can be scrolled. */
 @OptIn(ExperimentalMaterial3Api::class)

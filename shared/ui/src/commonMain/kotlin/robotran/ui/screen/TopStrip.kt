@@ -24,11 +24,11 @@ import robotran.ui.resources.worlds
 import robotran.ui.resources.worlds_help
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.WorkshopState
 
 /** At the top of a wide screen: the menu, what the work is called, and the ways to what there is besides. */
 @Composable

@@ -16,10 +16,10 @@ import robotran.ui.parts.BackGesture
 import robotran.ui.runbar.runShortcut
 import robotran.ui.settings.SettingsPage
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
 import robotran.ui.worldedit.WorldEditPane
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.WorkshopState
 
 /** The one screen: beside or over each other where there is room, one pane at a time where there is not; pages lie over it. */
 @Composable

@@ -26,9 +26,9 @@ import robotran.ui.resources.theme_high_contrast
 import robotran.ui.resources.theme_high_contrast_dark
 import robotran.ui.resources.theme_light
 import robotran.ui.resources.theme_system
-import robotran.ui.workshop.AppTheme
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.state.AppTheme
+import robotran.workshop.state.Settings
 import kotlin.math.roundToInt
 
 /** How the app is to look and sound on this machine. What is chosen is seen at once. */

@@ -9,6 +9,7 @@ import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
+import robotran.workshop.state.SheetLayer
 
 /**
  * Paints the desk, the paper and everything that lies, stands, shines and drives on it; fills the draw area. The screen and exported

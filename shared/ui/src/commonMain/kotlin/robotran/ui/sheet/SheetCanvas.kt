@@ -25,6 +25,8 @@ import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import robotran.simulation.state.SessionState
 import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.state.SheetCamera
+import robotran.workshop.state.SheetLayer
 import robotran.world.World
 
 /**

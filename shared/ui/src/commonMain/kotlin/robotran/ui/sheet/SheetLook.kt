@@ -2,6 +2,7 @@ package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
+import robotran.workshop.state.SheetCamera
 import robotran.world.Paper
 
 /**

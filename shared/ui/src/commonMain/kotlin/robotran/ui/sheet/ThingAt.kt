@@ -1,6 +1,8 @@
 package robotran.ui.sheet
 
 import robotran.simulation.state.SessionState
+import robotran.workshop.state.SheetThing
+import robotran.workshop.state.SheetThingKind
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Penbot

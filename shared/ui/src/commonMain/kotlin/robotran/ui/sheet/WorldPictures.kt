@@ -7,6 +7,7 @@ import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.svg.SheetSvg
+import robotran.workshop.platform.WorldPictures
 import robotran.world.World
 
 /**
@@ -22,6 +23,17 @@ fun worldPicturePng(world: World, state: SessionState, fonts: FontFamily.Resolve
  */
 fun worldPictureSvg(world: World, state: SessionState): String = SheetSvg(world, state).write()
 
+/**
+ * The pictures that this module draws.
+ *
+ * @param fonts what names and numbers are written with; null where a platform has none without a screen.
+ */
+class DrawnWorldPictures(private val fonts: () -> FontFamily.Resolver? = ::pictureFonts) : WorldPictures {
+    override fun png(world: World, state: SessionState): ByteArray = worldPicturePng(world, state, fonts())
+
+    override fun svg(world: World, state: SessionState): String = worldPictureSvg(world, state)
+}
+
 /** The picture of [renderSheet] as the bytes of a PNG file; needs no screen. */
 fun sheetPng(world: World, state: SessionState, widthPixels: Int = PICTURE_PIXELS, colours: SheetColours = SheetColours.LIGHT): ByteArray =
     pngOf(renderSheet(world, state, widthPixels, pictureFonts()?.let(::labelsWith), colours))
@@ -30,7 +42,7 @@ fun sheetPng(world: World, state: SessionState, widthPixels: Int = PICTURE_PIXEL
 expect fun pngOf(picture: ImageBitmap): ByteArray
 
 /** The fonts of pictures that are drawn without a screen; null where the platform has them only on a screen. */
-internal expect fun pictureFonts(): FontFamily.Resolver?
+expect fun pictureFonts(): FontFamily.Resolver?
 
 /** Writes in pictures as on a screen. */
 private fun labelsWith(fonts: FontFamily.Resolver) = TextMeasurer(fonts, Density(1f), LayoutDirection.Ltr)

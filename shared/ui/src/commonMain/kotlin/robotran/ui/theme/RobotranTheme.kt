@@ -9,8 +9,8 @@ import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.staticCompositionLocalOf
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Density
-import robotran.ui.workshop.AppTheme
-import robotran.ui.workshop.Settings
+import robotran.workshop.state.AppTheme
+import robotran.workshop.state.Settings
 
 /** Whether things appear at their place at once instead of moving there. */
 val LocalLessMotion = staticCompositionLocalOf { false }

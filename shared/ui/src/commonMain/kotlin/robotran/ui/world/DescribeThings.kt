@@ -16,8 +16,8 @@ import robotran.ui.resources.sheet_place
 import robotran.ui.resources.sheet_pose
 import robotran.ui.resources.sheet_robot
 import robotran.ui.runbar.oneDecimal
-import robotran.ui.sheet.SheetThing
-import robotran.ui.sheet.SheetThingKind
+import robotran.workshop.state.SheetThing
+import robotran.workshop.state.SheetThingKind
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose

@@ -7,8 +7,8 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
-import robotran.ui.sheet.SheetThing
 import robotran.ui.sheet.SheetTransform
+import robotran.workshop.state.SheetThing
 import robotran.world.World
 
 /** A ring around what was chosen, and a handle for turning it, blue on white so that they stand out on everything. */

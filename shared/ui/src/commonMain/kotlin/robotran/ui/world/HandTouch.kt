@@ -2,11 +2,11 @@ package robotran.ui.world
 
 import robotran.simulation.SessionInput
 import robotran.simulation.state.SessionState
-import robotran.ui.sheet.SheetThing
-import robotran.ui.sheet.SheetThingKind
 import robotran.ui.sheet.SheetTouch
 import robotran.ui.sheet.distance
 import robotran.ui.sheet.thingAt
+import robotran.workshop.state.SheetThing
+import robotran.workshop.state.SheetThingKind
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose

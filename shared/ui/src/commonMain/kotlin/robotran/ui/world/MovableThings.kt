@@ -1,11 +1,11 @@
 package robotran.ui.world
 
 import robotran.simulation.state.SessionState
-import robotran.ui.sheet.SheetThing
-import robotran.ui.sheet.SheetThingKind
 import robotran.ui.sheet.corners
 import robotran.ui.sheet.distance
 import robotran.ui.sheet.towards
+import robotran.workshop.state.SheetThing
+import robotran.workshop.state.SheetThingKind
 import robotran.world.Penbot
 import robotran.world.World
 import robotran.world.geometry.Point

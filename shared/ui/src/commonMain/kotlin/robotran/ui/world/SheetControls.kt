@@ -15,10 +15,10 @@ import robotran.ui.resources.sheet_further
 import robotran.ui.resources.sheet_nearer
 import robotran.ui.resources.sheet_whole
 import robotran.ui.sheet.KEY_ZOOM
-import robotran.ui.sheet.SheetCamera
-import robotran.ui.sheet.SheetThingKind
-import robotran.ui.workshop.SheetEvent
-import robotran.ui.workshop.SheetViewState
+import robotran.workshop.state.SheetCamera
+import robotran.workshop.event.SheetEvent
+import robotran.workshop.state.SheetThingKind
+import robotran.workshop.state.SheetViewState
 import robotran.world.World
 
 /**
@@ -56,11 +56,11 @@ internal fun SheetControls(
 @Composable
 private fun ZoomButtons(camera: SheetCamera, onEvent: (SheetEvent) -> Unit) {
     fun zoom(factor: Double) {
-        val zoom = (camera.zoom * factor).coerceIn(SheetCamera.LEAST_ZOOM, SheetCamera.MOST_ZOOM)
+        val zoom = (camera.zoom * factor).coerceIn(SheetCamera.MIN_ZOOM, SheetCamera.MAX_ZOOM)
         onEvent(SheetEvent.CameraMoved(camera.copy(zoom = zoom), pushed = false))
     }
-    val isNearest = camera.zoom >= SheetCamera.MOST_ZOOM
-    val isFurthest = camera.zoom <= SheetCamera.LEAST_ZOOM
+    val isNearest = camera.zoom >= SheetCamera.MAX_ZOOM
+    val isFurthest = camera.zoom <= SheetCamera.MIN_ZOOM
     SheetButton(SheetIcons.NEARER, stringResource(Res.string.sheet_nearer), "sheet-nearer", enabled = !isNearest) { zoom(KEY_ZOOM) }
     SheetButton(SheetIcons.FURTHER, stringResource(Res.string.sheet_further), "sheet-further", enabled = !isFurthest) { zoom(1 / KEY_ZOOM) }
 }

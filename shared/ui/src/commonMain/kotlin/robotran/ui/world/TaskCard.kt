@@ -33,7 +33,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.task_hide
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.world.World
 
 /** What [world] is called and what is to be done there, until it is put away; a long task can be scrolled. */

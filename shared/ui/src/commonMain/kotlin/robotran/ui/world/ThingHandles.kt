@@ -38,11 +38,11 @@ import robotran.ui.resources.sheet_move_right
 import robotran.ui.resources.sheet_move_up
 import robotran.ui.resources.sheet_turn_left
 import robotran.ui.resources.sheet_turn_right
-import robotran.ui.sheet.SheetThing
-import robotran.ui.sheet.SheetThingKind
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
+import robotran.workshop.state.SheetThing
+import robotran.workshop.state.SheetThingKind
 import robotran.world.World
 
 /**

@@ -10,9 +10,9 @@ import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
 import robotran.simulation.SessionInput
-import robotran.ui.sheet.SheetThing
-import robotran.ui.sheet.SheetThingKind
 import robotran.ui.sheet.isSign
+import robotran.workshop.state.SheetThing
+import robotran.workshop.state.SheetThingKind
 import robotran.world.geometry.Pose
 
 /**

@@ -15,17 +15,17 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
-import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetCanvas
-import robotran.ui.sheet.SheetThing
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SheetEvent
-import robotran.ui.workshop.SheetViewState
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SheetEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.SheetCamera
+import robotran.workshop.state.SheetThing
+import robotran.workshop.state.SheetViewState
+import robotran.workshop.state.WorkshopState
 import robotran.world.World
 import robotran.world.geometry.Point
 

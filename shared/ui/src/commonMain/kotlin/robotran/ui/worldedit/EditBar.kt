@@ -54,12 +54,12 @@ import robotran.ui.resources.worldedit_zoom_in
 import robotran.ui.resources.worldedit_zoom_out
 import robotran.ui.screen.MenuDivider
 import robotran.ui.screen.MenuItem
-import robotran.ui.sheet.SheetCamera
+import robotran.workshop.state.SheetCamera
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.event.WorldEditEvent
 import robotran.worldediting.Edit
 import robotran.worldediting.Snapping
 import robotran.worldediting.written

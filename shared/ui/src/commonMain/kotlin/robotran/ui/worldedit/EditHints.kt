@@ -30,8 +30,8 @@ import robotran.ui.resources.notice_close
 import robotran.ui.resources.worldedit_mend_first
 import robotran.ui.resources.worldedit_show_trouble
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.WorldEditEvent
-import robotran.ui.workshop.WorldEditState
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.WorldEditState
 import robotran.worldediting.Edit
 
 /** Why something was not done, or what has to be mended. It lies over the sheet, which does not move, until it is put away or there is something else. */

@@ -27,11 +27,11 @@ import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_sheet
 import robotran.ui.sheet.SheetColours
-import robotran.ui.sheet.SheetLayer
 import robotran.ui.sheet.SheetZoom
 import robotran.ui.sheet.drawSheet
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
+import robotran.workshop.state.SheetLayer
 
 /** The sheet on which the world is built: takes fingers and keys. A screen reader reads out what is chosen. */
 @Composable

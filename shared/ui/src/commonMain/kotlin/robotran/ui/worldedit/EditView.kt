@@ -5,8 +5,11 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
-import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetTransform
+import robotran.ui.sheet.pushedBy
+import robotran.ui.sheet.transform
+import robotran.ui.sheet.zoomedBy
+import robotran.workshop.state.SheetCamera
 import robotran.world.Paper
 import robotran.world.geometry.Point
 

@@ -1,8 +1,8 @@
 package robotran.ui.worldedit
 
 import androidx.compose.runtime.Immutable
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
 import robotran.worldediting.Edit
 import robotran.worldediting.Piece
 import robotran.worldediting.Thing

@@ -47,9 +47,9 @@ import robotran.ui.resources.worldedit_new_title
 import robotran.ui.screen.LocalKeyboardHeight
 import robotran.ui.screen.ScreenLayout
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorldEditState
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.WorkshopState
+import robotran.workshop.state.WorldEditState
 import robotran.worldediting.Thing
 import robotran.worldediting.ThingKind
 import kotlin.math.roundToInt

@@ -1,12 +1,11 @@
 package robotran.ui.language
 
+import robotran.workshop.platform.machineLanguage
 import java.util.Locale
 
-private val machine: Locale = Locale.getDefault()
-
 internal actual fun speak(tag: String?) {
-    val wanted = tag?.let(Locale::forLanguageTag) ?: machine
+    // Asks for the machine's language before the default is changed for the first time.
+    val ofMachine = machineLanguage()
+    val wanted = Locale.forLanguageTag(tag ?: ofMachine)
     if (Locale.getDefault() != wanted) Locale.setDefault(wanted)
 }
-
-internal actual fun machineLanguage(): String = machine.toLanguageTag()

@@ -4,6 +4,7 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import robotran.documents.StoreResult
 import robotran.documents.WorkClaim
+import robotran.workshop.platform.WorkStore
 import java.io.IOException
 import java.nio.channels.FileChannel
 import java.nio.channels.FileLock

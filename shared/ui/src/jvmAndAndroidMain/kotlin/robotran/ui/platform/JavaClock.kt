@@ -1,5 +1,6 @@
 package robotran.ui.platform
 
+import robotran.workshop.platform.WallClock
 import java.time.Instant
 import java.time.LocalDate
 import java.time.ZoneId

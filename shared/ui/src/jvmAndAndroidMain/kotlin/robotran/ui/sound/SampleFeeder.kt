@@ -1,5 +1,8 @@
 package robotran.ui.sound
 
+import robotran.workshop.sound.LoudSpeaker
+import robotran.workshop.sound.PlannedTone
+import robotran.workshop.sound.ToneWave
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.util.concurrent.TimeUnit

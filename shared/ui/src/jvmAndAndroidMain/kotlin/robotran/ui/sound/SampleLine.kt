@@ -1,5 +1,7 @@
 package robotran.ui.sound
 
+import robotran.workshop.sound.ToneWave
+
 /**
  * A way for samples to a sound card: sixteen bits with the low byte first, one channel, [ToneWave.SAMPLE_RATE] a second. Used by one thread,
  * but for [discard].

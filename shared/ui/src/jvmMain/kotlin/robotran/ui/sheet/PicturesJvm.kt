@@ -11,4 +11,4 @@ actual fun pngOf(picture: ImageBitmap): ByteArray = Image.makeFromBitmap(picture
     checkNotNull(image.encodeToData(EncodedImageFormat.PNG)) { "Skia could not encode the picture" }.bytes
 }
 
-internal actual fun pictureFonts(): FontFamily.Resolver? = createFontFamilyResolver()
+actual fun pictureFonts(): FontFamily.Resolver? = createFontFamilyResolver()

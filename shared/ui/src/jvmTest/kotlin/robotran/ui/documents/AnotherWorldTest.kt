@@ -5,16 +5,16 @@ import robotran.learning.Tutorial
 import robotran.learning.WorldGallery
 import robotran.projects.LinkMaking
 import robotran.projects.linkOf
-import robotran.ui.platform.OpenedFile
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_kept_before
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorldEditEvent
+import robotran.ui.program.text
+import robotran.workshop.Workshop
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.file.writeWorld
@@ -28,6 +28,7 @@ import kotlin.test.assertFalse
 import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
+import kotlin.test.assertIs
 
 /** Another world comes onto the desk: from the gallery, a file or a link. */
 class AnotherWorldTest {
@@ -42,7 +43,7 @@ class AnotherWorldTest {
         val own = workshop.build()
         workshop.handle(LearningEvent.WorldChosen("square"))
         assertEquals("square", WorldGallery.find(workshop.state.world)?.name)
-        assertEquals(Res.string.documents_kept_before, workshop.state.notice?.text)
+        assertIs<Notice.EarlierProjectSaved>(workshop.state.notice)
         assertEquals(listOf("A square", "My first work"), workshop.works().map { it.entry.name }.sorted())
         workshop.handle(WorkshopEvent.NoticeTaken)
         assertEquals(own, workshop.state.world)

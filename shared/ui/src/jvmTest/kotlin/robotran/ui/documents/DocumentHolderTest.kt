@@ -6,23 +6,17 @@ import robotran.projects.LinkResult
 import robotran.projects.ProjectFileResult
 import robotran.projects.openLink
 import robotran.projects.readProject
-import robotran.ui.platform.Arrival
-import robotran.ui.platform.OpenedFile
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_back
-import robotran.ui.resources.documents_open_elsewhere
-import robotran.ui.resources.documents_save_full
-import robotran.ui.resources.documents_saved
-import robotran.ui.resources.documents_work_elsewhere
-import robotran.ui.workshop.DocumentAnswer
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.KeepingTrouble
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Workshop
-import java.io.ByteArrayInputStream
-import java.util.zip.ZipInputStream
+import robotran.ui.program.text
+import robotran.workshop.Workshop
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.platform.Arrival
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.state.DocumentAnswer
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.KeepingTrouble
+import robotran.workshop.state.Notice
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertContentEquals
@@ -32,6 +26,8 @@ import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
+import java.io.ByteArrayInputStream
+import java.util.zip.ZipInputStream
 
 class DocumentHolderTest {
     private val machine = Machine()
@@ -41,7 +37,7 @@ class DocumentHolderTest {
         machine.window().write("forward 7")
         val killed = machine.afterKill()
         assertEquals("forward 7", killed.state.programText)
-        assertEquals(Res.string.documents_back, killed.state.notice?.text)
+        assertIs<Notice.ProjectRestored>(killed.state.notice)
     }
 
     @Test
@@ -75,7 +71,7 @@ class DocumentHolderTest {
         val second = machine.window()
         val other = machine.works(second).single()
         second.handle(DocumentEvent.WorkOpened(other.entry.id))
-        assertEquals(Res.string.documents_work_elsewhere, second.state.notice?.text)
+        assertEquals(Notice.ProjectOpenElsewhere, second.state.notice)
         assertContains(second.state.programText, "forward 20")
     }
 
@@ -135,7 +131,7 @@ class DocumentHolderTest {
         workshop.handle(DocumentEvent.SaveWanted)
         assertTrue(workshop.state.document.saved)
         assertContains(assertNotNull(machine.files.disk["/home/town.robotran"]).decodeToString(), "forward 8")
-        assertEquals(Res.string.documents_saved, workshop.state.notice?.text)
+        assertIs<Notice.FileSaved>(workshop.state.notice)
     }
 
     @Test
@@ -166,7 +162,7 @@ class DocumentHolderTest {
     fun `two windows on the same file warn`() {
         machine.window(Arrival.OfFiles(listOf(projectFile("beep"))))
         val second = machine.window(Arrival.OfFiles(listOf(projectFile("beep"))))
-        assertEquals(Res.string.documents_open_elsewhere, second.state.notice?.text)
+        assertIs<Notice.FileOpenElsewhere>(second.state.notice)
     }
 
     @Test
@@ -218,7 +214,7 @@ class DocumentHolderTest {
         machine.files.full = true
         val workshop = machine.window()
         workshop.handle(DocumentEvent.SaveAsWanted)
-        assertEquals(Res.string.documents_save_full, workshop.state.notice?.text)
+        assertTrue(assertIs<Notice.FileNotSaved>(workshop.state.notice).isFull)
     }
 
     @Test

@@ -1,13 +1,13 @@
 package robotran.ui.documents
 
 import robotran.language.Language
-import robotran.ui.platform.Arrival
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.platform.Arrival
 import kotlin.test.Test
 
 /** Writes pictures of the dialogs about the work into build/pictures, to be looked at. */

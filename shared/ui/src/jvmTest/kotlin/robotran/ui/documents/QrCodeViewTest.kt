@@ -16,11 +16,11 @@ import robotran.ui.RobotranApp
 import robotran.ui.screen.onEventThread
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.pass
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.state.DocumentDialog
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -1,18 +1,18 @@
 package robotran.ui.documents
 
 import kotlinx.coroutines.runBlocking
-import robotran.ui.platform.Arrival
-import robotran.ui.resources.Res
-import robotran.ui.resources.documents_back
-import robotran.ui.resources.documents_own_elsewhere
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
+import robotran.ui.program.text
+import robotran.workshop.Workshop
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.platform.Arrival
+import robotran.workshop.state.Notice
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertNull
+import kotlin.test.assertIs
 
 /** Several tabs of a browser, which are loaded anew. */
 class TabsTest {
@@ -74,7 +74,7 @@ class TabsTest {
         val first = machine.tab(memory).also { it.write("forward 1") }
         val twin = machine.tab(TabMemory(memory.workId))
         assertContains(twin.state.programText, "forward 20")
-        assertEquals(Res.string.documents_own_elsewhere, twin.state.notice?.text)
+        assertEquals(Notice.OwnProjectOpenElsewhere, twin.state.notice)
         twin.write("forward 2")
         assertEquals("forward 1", first.state.programText)
         assertEquals(2, first.works().size)
@@ -87,7 +87,7 @@ class TabsTest {
         assertNull(reloaded.state.notice)
         reloaded.close()
         memory.hasEnded = false
-        assertEquals(Res.string.documents_back, machine.tab(memory).state.notice?.text)
+        assertIs<Notice.ProjectRestored>(machine.tab(memory).state.notice)
     }
 
     @Test

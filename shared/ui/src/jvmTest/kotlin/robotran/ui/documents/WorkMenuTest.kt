@@ -19,12 +19,12 @@ import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.runDesktopComposeUiTest
-import robotran.ui.platform.Arrival
 import robotran.ui.theme.RobotranTheme
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.platform.Arrival
+import robotran.workshop.state.DocumentDialog
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -18,11 +18,11 @@ import robotran.runcontrol.ChartLane
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.asProject
+import robotran.workshop.Workshop
+import robotran.workshop.event.RunEvent
+import robotran.workshop.programs.asProject
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.PupilProgram
 import robotran.world.Goal
 import robotran.world.PortSensor
 import robotran.world.file.BuiltInWorlds

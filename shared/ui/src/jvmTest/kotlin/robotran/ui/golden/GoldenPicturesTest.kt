@@ -4,17 +4,17 @@ import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.ui.openWorkshop
 import robotran.ui.screen.photograph
-import robotran.ui.workshop.AppTheme
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.AppTheme
+import robotran.workshop.state.Pane
+import robotran.workshop.state.Settings
 import kotlin.test.Test
 
 /** Every part of the app on every size of screen in every look, as it was looked at and found good. */

@@ -16,8 +16,8 @@ import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 import robotran.ui.screen.pass
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.ProgramEvent
 
 internal fun Workshop.write(text: String, caret: Int = text.length, anchor: Int = caret) =
     handle(ProgramEvent.Written(Draft(text, TextSelection(anchor, caret)), EditKind.OTHER))

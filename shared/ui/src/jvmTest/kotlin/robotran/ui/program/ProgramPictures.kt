@@ -9,17 +9,18 @@ import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
-import robotran.ui.lejosExampleTexts
+import robotran.workshop.examples.examples
 import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.Workshop
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 
 /** Writes pictures of the program pane into build/pictures, to be looked at. */
@@ -45,7 +46,7 @@ class ProgramPictures {
 
     @Test
     fun `what is offered can be photographed`() = photograph("offered", List(12) { Key.Tab }) { workshop ->
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("WallBouncer.java", lejosExampleTexts.getValue("WallBouncer.java"))))
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("WallBouncer.java", ProgramLanguage.JAVA.examples.getValue("WallBouncer.java"))))
         val draft = workshop.state.programs.draft
         val place = draft.text.indexOf("Motor.A.") + "Motor.A.".length
         workshop.handle(ProgramEvent.Written(Draft(draft.text).withCaret(place), EditKind.OTHER))

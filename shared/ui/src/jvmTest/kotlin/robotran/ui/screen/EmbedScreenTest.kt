@@ -15,9 +15,9 @@ import org.jetbrains.skia.EncodedImageFormat
 import robotran.language.Language
 import robotran.ui.RobotranApp
 import robotran.ui.openWorkshop
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.SettingsEvent
 import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertFalse

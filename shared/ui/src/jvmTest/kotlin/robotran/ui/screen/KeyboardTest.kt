@@ -18,10 +18,10 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.withKeyDown
 import androidx.compose.ui.test.withKeysDown
 import robotran.rcxrom.controls.BrickButton
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.Pace
-import robotran.ui.workshop.SettingsEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.state.Pace
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

@@ -7,8 +7,8 @@ import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import robotran.language.Language
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

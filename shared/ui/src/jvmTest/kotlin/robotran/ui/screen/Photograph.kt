@@ -6,7 +6,7 @@ import org.jetbrains.skia.Bitmap
 import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image
 import robotran.ui.RobotranApp
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
 import java.io.File
 import kotlin.test.assertTrue
 

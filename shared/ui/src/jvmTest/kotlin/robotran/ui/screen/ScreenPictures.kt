@@ -3,17 +3,17 @@ package robotran.ui.screen
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.Image
 import robotran.rcxrom.controls.BrickButton
-import robotran.ui.lejosExampleTexts
+import robotran.workshop.examples.examples
 import robotran.ui.openWorkshop
 import robotran.ui.sheet.sheetPng
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.Workshop
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 
 /** Writes pictures of the screen into build/pictures, to be looked at. */
@@ -75,7 +75,7 @@ class ScreenPictures {
                 val name = "${screen.name.lowercase()}-${if (dark) "dark" else "light"}-java"
                 val workshop = newWorkshop()
                 val example = "WallBouncer.java"
-                workshop.handle(ProgramEvent.ProgramAdded(PupilProgram(example, lejosExampleTexts.getValue(example))))
+                workshop.handle(ProgramEvent.ProgramAdded(PupilProgram(example, ProgramLanguage.JAVA.examples.getValue(example))))
                 workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
                 workshop.handle(ProgramEvent.ClassAdded)
                 workshop.handle(ProgramEvent.FileChosen(0))

@@ -8,6 +8,7 @@ import robotran.simulation.state.InkStroke
 import robotran.simulation.state.LampState
 import robotran.simulation.state.TrailPiece
 import robotran.ui.sheet.SheetScenes.with
+import robotran.workshop.state.SheetLayer
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Goal

@@ -1,5 +1,8 @@
 package robotran.ui.sound
 
+import robotran.workshop.sound.LoudSpeaker
+import robotran.workshop.sound.PlannedTone
+
 /** A speaker whose clock is set by the test and that keeps what it was told. */
 internal class RememberingSpeaker : LoudSpeaker {
     override var milliseconds = 0.0

@@ -1,5 +1,7 @@
 package robotran.ui.sound
 
+import robotran.workshop.sound.PlannedTone
+import robotran.workshop.sound.ToneWave
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit

@@ -7,6 +7,8 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
 import robotran.rcxrom.sound.SoundEvent
+import robotran.workshop.sound.PlannedTone
+import robotran.workshop.sound.SoundPlan
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -4,6 +4,8 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.double
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
+import robotran.workshop.sound.PlannedTone
+import robotran.workshop.sound.ToneWave
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.cos

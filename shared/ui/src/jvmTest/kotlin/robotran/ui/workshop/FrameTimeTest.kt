@@ -3,6 +3,9 @@ package robotran.ui.workshop
 import kotlinx.coroutines.runBlocking
 import robotran.rcxrom.controls.BrickButton
 import robotran.ui.openWorkshop
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.WorkshopStatus
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals

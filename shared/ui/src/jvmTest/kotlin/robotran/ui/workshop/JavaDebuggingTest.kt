@@ -4,6 +4,13 @@ import kotlinx.coroutines.runBlocking
 import robotran.rcxrom.program.StepKind
 import robotran.simulation.Breakpoint
 import robotran.ui.openWorkshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.Pace
+import robotran.workshop.state.ProgramFile
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.WorkshopStatus
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull

@@ -5,6 +5,10 @@ import robotran.projects.ProjectLimits
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.ui.openWorkshop
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.state.PupilProgram
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals

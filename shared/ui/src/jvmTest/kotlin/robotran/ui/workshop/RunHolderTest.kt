@@ -11,8 +11,15 @@ import robotran.simulation.Breakpoint
 import robotran.simulation.SessionInput
 import robotran.tinyvm.config.TinyVmMode
 import robotran.ui.openWorkshop
-import robotran.ui.platform.MemoryPlatform
-import robotran.ui.platform.Sharing
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.platform.Sharing
+import robotran.workshop.programs.asProject
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.Pace
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.WorkshopStatus
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Pose
 import kotlin.test.AfterTest

@@ -1,18 +1,22 @@
 package robotran.ui.workshop
 
-import kotlinx.coroutines.runBlocking
-import robotran.projects.Project
-import robotran.simulation.Breakpoint
-import robotran.ui.openWorkshop
-import robotran.world.LightFacing
-import robotran.world.RobotColour
-import robotran.world.RobotPlace
-import robotran.world.geometry.Pose
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
+import kotlinx.coroutines.runBlocking
+import robotran.projects.Project
+import robotran.simulation.Breakpoint
+import robotran.ui.openWorkshop
+import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.programs.ProgramsHolder
+import robotran.world.LightFacing
+import robotran.world.RobotColour
+import robotran.world.RobotPlace
+import robotran.world.geometry.Pose
 
 class SeveralRobotsTest {
     private val workshop = runBlocking { openWorkshop() }

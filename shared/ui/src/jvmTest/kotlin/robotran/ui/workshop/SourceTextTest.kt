@@ -2,6 +2,10 @@ package robotran.ui.workshop
 
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
+import robotran.workshop.state.withPlainLineEnds
+import robotran.workshop.state.mendedBy
+import robotran.workshop.state.offsetOf
+import robotran.workshop.state.withPlainLineEnds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull

@@ -2,10 +2,19 @@ package robotran.ui.workshop
 
 import kotlinx.coroutines.runBlocking
 import robotran.rcxrom.controls.BrickButton
-import robotran.ui.lejosExampleTexts
 import robotran.ui.openWorkshop
-import robotran.ui.resources.Res
-import robotran.ui.resources.program_fix_gone
+import robotran.ui.program.text
+import robotran.workshop.Workshop
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.examples.examples
+import robotran.workshop.state.Notice
+import robotran.workshop.state.ProgramFile
+import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.state.ProgramReading
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.WorkshopStatus
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -14,7 +23,7 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class WorkshopJavaTest {
-    private val firstDrive = PupilProgram("FirstDrive.java", lejosExampleTexts.getValue("FirstDrive.java"))
+    private val firstDrive = PupilProgram("FirstDrive.java", ProgramLanguage.JAVA.examples.getValue("FirstDrive.java"))
     private val sleepingLine = firstDrive.files.single().text.lines().indexOfFirst { "Thread.sleep" in it } + 1
 
     @Test
@@ -118,10 +127,10 @@ class WorkshopJavaTest {
         workshop.handle(ProgramEvent.FixApplied(mistake))
         workshop.readPrograms()
         assertEquals(mended, workshop.state.programText)
-        assertEquals(Res.string.program_fix_gone, workshop.state.notice?.text)
+        assertEquals(Notice.FixOutdated, workshop.state.notice)
         workshop.handle(WorkshopEvent.NoticeDismissed)
         workshop.handle(ProgramEvent.FixApplied(mistake))
-        assertEquals(mended to Res.string.program_fix_gone, workshop.state.programText to workshop.state.notice?.text)
+        assertEquals(mended to Notice.FixOutdated, workshop.state.programText to workshop.state.notice)
     }
 
     @Test

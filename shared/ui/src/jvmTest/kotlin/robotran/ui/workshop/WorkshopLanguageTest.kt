@@ -5,6 +5,9 @@ import robotran.language.Language
 import robotran.projects.Project
 import robotran.rcxrom.controls.BrickButton
 import robotran.ui.openWorkshop
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
 import robotran.world.Goal
 import robotran.world.file.BuiltInWorlds
 import kotlin.test.AfterTest

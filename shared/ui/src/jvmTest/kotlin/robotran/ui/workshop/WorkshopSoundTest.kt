@@ -1,15 +1,18 @@
 package robotran.ui.workshop
 
-import kotlinx.coroutines.runBlocking
-import robotran.rcxrom.controls.BrickButton
-import robotran.ui.openWorkshop
-import robotran.ui.platform.MemoryPlatform
-import robotran.ui.sound.RememberingSpeaker
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
+import kotlinx.coroutines.runBlocking
+import robotran.rcxrom.controls.BrickButton
+import robotran.ui.openWorkshop
+import robotran.ui.sound.RememberingSpeaker
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.state.PupilProgram
 
 class WorkshopSoundTest {
     private val speaker = RememberingSpeaker()

@@ -1,9 +1,5 @@
 package robotran.ui.workshop
 
-import kotlinx.coroutines.runBlocking
-import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.state.RunState
-import robotran.ui.openWorkshop
 import kotlin.math.abs
 import kotlin.test.AfterTest
 import kotlin.test.Test
@@ -11,6 +7,15 @@ import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
+import kotlinx.coroutines.runBlocking
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.RunState
+import robotran.ui.openWorkshop
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.WorkshopStatus
 
 class WorkshopTest {
     private val workshop = runBlocking { openWorkshop() }

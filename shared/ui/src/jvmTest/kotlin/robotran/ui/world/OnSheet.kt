@@ -12,9 +12,10 @@ import robotran.projects.Project
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.RobotranApp
 import robotran.ui.screen.pass
-import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetTransform
-import robotran.ui.workshop.Workshop
+import robotran.ui.sheet.transform
+import robotran.workshop.Workshop
+import robotran.workshop.state.SheetCamera
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Goal

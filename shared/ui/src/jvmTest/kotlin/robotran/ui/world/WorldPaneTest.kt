@@ -20,9 +20,9 @@ import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.swipe
 import androidx.compose.ui.test.withKeyDown
 import robotran.simulation.SessionInput
-import robotran.ui.sheet.SheetLayer
-import robotran.ui.sheet.SheetThing
-import robotran.ui.sheet.SheetThingKind
+import robotran.workshop.state.SheetLayer
+import robotran.workshop.state.SheetThing
+import robotran.workshop.state.SheetThingKind
 import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -259,7 +259,7 @@ class WorldPaneTest {
             .withStart(Pose(45.0, 10.0, 0.0))
         onSheet(facing) {
             onNodeWithTag("bump").assertContentDescriptionContains("")
-            workshop.handle(robotran.ui.workshop.RunEvent.RunPressed)
+            workshop.handle(robotran.workshop.event.RunEvent.RunPressed)
             pass(2_000)
             onNodeWithTag("bump").assertContentDescriptionContains("Bump 1: yellow ran into a barrier")
         }

@@ -6,9 +6,9 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTouchInput
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.event.WorldEditEvent
 import robotran.world.MarkFigure
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point

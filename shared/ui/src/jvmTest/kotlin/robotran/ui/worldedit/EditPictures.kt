@@ -5,11 +5,11 @@ import robotran.language.Language
 import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
-import robotran.ui.workshop.AppTheme
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.Workshop
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.AppTheme
+import robotran.workshop.state.Settings
 import robotran.world.geometry.Point
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem

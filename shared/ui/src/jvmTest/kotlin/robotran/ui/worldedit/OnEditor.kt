@@ -16,10 +16,11 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.withKeyDown
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
-import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetTransform
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorldEditEvent
+import robotran.ui.sheet.transform
+import robotran.workshop.Workshop
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.SheetCamera
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.worldediting.Edit

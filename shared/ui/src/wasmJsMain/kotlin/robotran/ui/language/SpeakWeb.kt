@@ -3,10 +3,9 @@
 package robotran.ui.language
 
 import robotran.language.Language
+import robotran.workshop.platform.spokenLanguage
 
 internal actual fun speak(tag: String?) = overrideLanguages(tag, spokenLanguage(tag?.let(Language::of)).tag)
-
-internal actual fun machineLanguage(): String = languageOfBrowser()
 
 /** Compose asks the browser for its languages, so that is where it has to be told another; screen readers ask the page, which is told [spoken]. */
 private fun overrideLanguages(tag: String?, spoken: String): Unit =
@@ -20,5 +19,3 @@ private fun overrideLanguages(tag: String?, spoken: String): Unit =
         }
     }""",
     )
-
-private fun languageOfBrowser(): String = js("navigator.language || 'en'")

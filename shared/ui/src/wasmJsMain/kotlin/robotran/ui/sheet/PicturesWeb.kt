@@ -16,4 +16,4 @@ actual fun pngOf(picture: ImageBitmap): ByteArray {
     }
 }
 
-internal actual fun pictureFonts(): FontFamily.Resolver? = createFontFamilyResolver()
+actual fun pictureFonts(): FontFamily.Resolver? = createFontFamilyResolver()

@@ -31,7 +31,7 @@ import robotran.textediting.text.TextLines
 import robotran.textediting.text.TextSelection
 import robotran.textediting.text.TextSpan
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.ProgramNote
+import robotran.workshop.state.ProgramNote
 
 /**
  * The text of a program to write in: only what is in sight is laid out and drawn, so that a long program is as quick to write in as a short one.

@@ -26,7 +26,7 @@ import robotran.programs.Mistake
 import robotran.ui.resources.Res
 import robotran.ui.resources.mistake
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.ProgramNote
+import robotran.workshop.state.ProgramNote
 
 /**
  * What is told about a line, under it, with a button that mends it where that is possible.

@@ -5,7 +5,7 @@ import robotran.robolang.RobolangResult
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.readRobolang
-import robotran.ui.workshop.PENBOT_CALIBRATION
+import robotran.workshop.state.PENBOT_CALIBRATION
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

@@ -1,0 +1,294 @@
+package robotran.workshop
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import robotran.language.Language
+import robotran.projects.Project
+import robotran.projects.ProjectSettings
+import robotran.simulation.RecordedInput
+import robotran.simulation.RunReport
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.state.SessionState
+import robotran.workshop.documents.DocumentHolder
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.SheetEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.learning.LearningHolder
+import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.spokenLanguage
+import robotran.workshop.programs.ProgramsHolder
+import robotran.workshop.run.RunHolder
+import robotran.workshop.service.Bench
+import robotran.workshop.settings.SettingsHolder
+import robotran.workshop.sheet.SheetHolder
+import robotran.workshop.state.Notice
+import robotran.workshop.state.NoticeAction
+import robotran.workshop.state.Pane
+import robotran.workshop.state.ProgramReading
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.Settings
+import robotran.workshop.state.WorkshopState
+import robotran.workshop.worldedit.WorldEditHolder
+import robotran.world.World
+
+/**
+ * What happens behind the screen: takes [WorkshopEvent]s to the holders of its panes, lets virtual time pass, and shows the result as one
+ * [WorkshopState]. Not safe for use by several threads.
+ *
+ * @param project what is on the desk to begin with; with the square where it has no program.
+ * @param settings what was chosen for this machine before.
+ */
+class Workshop(
+    project: Project,
+    physics: PhysicsEngine,
+    override val platform: Platform = MemoryPlatform(),
+    settings: Settings = Settings(),
+    override val scope: CoroutineScope = CoroutineScope(Dispatchers.Unconfined),
+) : Bench {
+    private var opened = project
+    private var pane by mutableStateOf(Pane.WORLD)
+    private var taskShown by mutableStateOf(false)
+    private var notice: Notice? by mutableStateOf(null)
+
+    private val settingsHolder = SettingsHolder(this, settings)
+    private val programs: ProgramsHolder = ProgramsHolder(project, this, ::programsRead)
+    private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this, project.inputs).also { it.hear(settings.soundOn) }
+    private val sheet = SheetHolder()
+    private val worldEdit = WorldEditHolder(this)
+    private val document = DocumentHolder(this)
+    private val learning = LearningHolder(this)
+
+    /** What is to be seen now. Compose notices when it changes. */
+    val state: WorkshopState
+        get() = WorkshopState(
+            programs = programs.state,
+            run = run.state,
+            sheet = sheet.state,
+            worldEdit = worldEdit.state,
+            document = document.state,
+            settings = settingsHolder.state,
+            learning = learning.state,
+            pane = pane,
+            taskShown = taskShown,
+            notice = notice,
+            settingsShown = settingsHolder.shown,
+            siteWanted = settingsHolder.siteWanted,
+            hasPage = platform.pageAddress.isNotEmpty(),
+        )
+
+    override val project: Project get() = opened.copy(robots = programs.projectRobots(opened.world), inputs = emptyList())
+    override val shownProgram: PupilProgram get() = programs.state.program
+
+    /** What was done to the session that is on the desk, so far. */
+    val inputs: List<RecordedInput> get() = run.inputs
+    override val replay: Project
+        get() {
+            val first = opened.world.robots.map { it.name }.zip(run.startedPrograms).toMap()
+            val now = project
+            return now.copy(robots = now.robots.map { it.copy(firstProgram = first[it.name] ?: 0) }, inputs = inputs)
+        }
+    override val session: SessionState get() = run.state.session
+    override val settings: Settings get() = settingsHolder.state
+    override val language: Language get() = spokenLanguage(settings.language)
+
+    /** Something a person does. */
+    fun handle(event: WorkshopEvent) {
+        when (event) {
+            is ProgramEvent -> handleProgram(event)
+            is RunEvent -> handleRun(event)
+            is SheetEvent -> sheet.handle(event)
+            is WorldEditEvent -> handleWorldEdit(event)
+            is DocumentEvent -> document.handle(event)
+            is SettingsEvent -> handleSettings(event)
+            is LearningEvent -> learning.handle(event)
+            is WorkshopEvent.PaneChosen -> pane = event.pane
+            is WorkshopEvent.TaskShown -> taskShown = event.shown
+            WorkshopEvent.NoticeDismissed -> notice = null
+            WorkshopEvent.NoticeTaken -> takeNotice()
+        }
+        document.lookAgain()
+    }
+
+    /**
+     * Brings back the work that was open last, or opens what was brought to this window, and goes on with learning; to be called once, before anything is
+     * shown. Where there is no work yet and nobody has been before, says what there is to be tried if [welcoming].
+     */
+    suspend fun start(welcoming: Boolean) {
+        document.start()
+        learning.start(welcoming && document.isFresh)
+    }
+
+    /** Compiles Java programs in the pauses of typing, for ever; to be called once, for as long as the workshop is on a screen. */
+    suspend fun keepReading() = programs.keepReading()
+
+    /** Keeps the work as it changes, for ever; to be called once, for as long as the workshop is on a screen. */
+    suspend fun keepDocument() = document.keepKeeping()
+
+    /** Keeps what has changed at once; false if it cannot be kept. */
+    suspend fun keepDocumentNow(): Boolean {
+        keepSettings()
+        return document.keepNow()
+    }
+
+    /** Keeps what has changed at once, since the window is out of sight and may be gone without a word. */
+    suspend fun restDocument() {
+        document.rest()
+        keepSettings()
+    }
+
+    /** Keeps what has changed at once; see [DocumentHolder.close] about the rest. */
+    suspend fun closeDocument(onLoss: () -> Unit): Boolean {
+        keepSettings()
+        return document.close(onLoss)
+    }
+
+    private suspend fun keepSettings() {
+        settingsHolder.keepNow()
+        learning.keepNow()
+    }
+
+    /** Reads all programs that were not read yet, and does what waited for it. */
+    suspend fun readPrograms() = programs.readPrograms()
+
+    /** A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards: virtual time follows it while [WorkshopState.awake]. */
+    fun frame(nanoseconds: Long) {
+        run.frame(nanoseconds)
+        learning.look(run.state.session)
+    }
+
+    /** Lets [milliseconds] of virtual time pass at once, too quickly to be heard. */
+    fun advance(milliseconds: Int) {
+        run.advance(milliseconds)
+        learning.look(run.state.session)
+    }
+
+    /** What came of the run up to now. */
+    fun report(): RunReport = run.report()
+
+    /** Gives back what the session holds and what the document has claimed. Nothing may be called afterwards. */
+    fun close() {
+        document.release()
+        run.close()
+    }
+
+    override fun openProject(project: Project) {
+        learning.leaveDesk()
+        worldEdit.leave()
+        opened = project
+        programs.open(project)
+        run.changeWorld(project.worldToRun, project.inputs)
+        worldChanged(isAnother = true)
+    }
+
+    override fun beginWork(name: String, project: Project, into: String?, onBegun: (left: String?, begun: String?) -> Unit) =
+        document.beginWork(name, project, into, onBegun)
+
+    override fun openWorld(world: World) {
+        document.openWorld(world)
+    }
+
+    override fun takeUpWork(id: String?, next: () -> Unit) = document.takeUpWork(id, next)
+
+    override fun changeWorld(world: World, isAnother: Boolean) {
+        learning.leaveDesk()
+        if (isAnother) worldEdit.leave()
+        val before = run.state.world
+        opened = opened.copy(world = world)
+        programs.worldChanged(world)
+        run.changeWorld(opened.worldToRun)
+        worldChanged(isAnother || before.title != world.title || before.task != world.task)
+    }
+
+    override fun keepWorld(world: World) {
+        learning.leaveDesk()
+        val before = opened.world.robots
+        opened = opened.copy(world = world)
+        // A robot with another name would be one without programs.
+        val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
+        if (isRenamed) programs.worldChanged(world)
+        document.lookAgain()
+    }
+
+    override fun changeProjectSettings(settings: ProjectSettings) {
+        opened = opened.copy(settings = settings)
+        programs.runJava(settings.java)
+        run.changeWorld(opened.worldToRun)
+        document.lookAgain()
+    }
+
+    override fun addProgram(program: PupilProgram, replacing: Boolean) {
+        val place = programs.state.programs.indexOfFirst { it.name == program.name }
+        if (!replacing || place < 0 || program.files.size > 1) return handle(ProgramEvent.ProgramAdded(program))
+        handle(ProgramEvent.ProgramChosen(place))
+        handle(ProgramEvent.ProgramEdited(program.files.single().text))
+    }
+
+    override fun perform(event: WorkshopEvent) = handle(event)
+
+    override fun say(notice: Notice) {
+        this.notice = notice
+    }
+
+    override fun show(pane: Pane) {
+        this.pane = pane
+    }
+
+    /** The world on the desk is one that was not there before, or says something else if [isAnother]. */
+    private fun worldChanged(isAnother: Boolean) {
+        learning.deskChanged()
+        if (isAnother) taskShown = state.hasTask
+        if (taskShown) pane = Pane.WORLD
+        sheet.worldChanged()
+        document.lookAgain()
+    }
+
+    private fun handleWorldEdit(event: WorldEditEvent) {
+        // Help would lie over the palette.
+        if (event == WorldEditEvent.EditorOpened && learning.state.page != null) learning.handle(LearningEvent.PageLeft)
+        worldEdit.handle(event)
+    }
+
+    /** Whoever runs the program wants to see the whole sheet. */
+    private fun handleRun(event: RunEvent) {
+        if (event == RunEvent.RunPressed) taskShown = false
+        run.handle(event)
+    }
+
+    private fun handleProgram(event: ProgramEvent) {
+        val before = programs.written
+        programs.handle(event)
+        // Whoever only looks around, or moves the caret, does not disturb a run.
+        if (programs.written != before || event is ProgramEvent.BreakpointToggled) run.programsChanged()
+    }
+
+    private fun handleSettings(event: SettingsEvent) {
+        val before = language
+        settingsHolder.handle(event)
+        run.hear(settingsHolder.state.soundOn)
+        if (language == before) return
+        programs.speak(language)
+        run.programsRead(programs.state.reading)
+        run.speak(language)
+    }
+
+    private fun programsRead(reading: ProgramReading) = run.programsRead(reading)
+
+    private fun takeNotice() {
+        val taken = notice ?: return
+        notice = null
+        when (val action = taken.action) {
+            NoticeAction.ShowProjects -> document.handle(DocumentEvent.WorksWanted)
+            is NoticeAction.GoBack -> document.handle(DocumentEvent.WorkOpened(action.project))
+            null -> Unit
+        }
+    }
+}

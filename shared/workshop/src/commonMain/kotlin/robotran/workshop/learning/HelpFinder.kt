@@ -1,0 +1,77 @@
+package robotran.workshop.learning
+
+import robotran.learning.WordHelp
+import robotran.learning.helpOn
+import robotran.learning.javaToTry
+import robotran.learning.wordAt
+import robotran.rcxrom.Brick
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.state.code
+import robotran.workshop.examples.examples
+import robotran.workshop.programs.pupilPrograms
+import robotran.workshop.service.Bench
+import robotran.workshop.state.HelpState
+import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
+import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.state.PupilProgram
+import robotran.projects.ProgramLanguage as CodeLanguage
+
+/** Finds the help on words, and lets their examples be tried. */
+internal class HelpFinder(private val bench: Bench) {
+    /** What the program that is shown is written in. */
+    val shownCode: ProgramLanguage get() = bench.shownProgram.language
+
+    /** The help on the word at [offset] of the program [text]. */
+    fun at(text: String, offset: Int): HelpState {
+        val code = if (JAVA_CLASS.containsMatchIn(text)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
+        return HelpState(code, wordAt(text, offset), helpOn(bench.language, code.asCode(), text, offset))
+    }
+
+    /** The help on [word]; the list of all words without one. */
+    fun on(code: ProgramLanguage, word: String?): HelpState =
+        HelpState(code, word, word?.let { WordHelp.of(bench.language, code.asCode(), it) })
+
+    /** Puts the example of [help] into a tab and runs nothing; false if there is no example, or no room for it, which is then said. */
+    fun tryExample(help: HelpState): Boolean {
+        val example = help.found?.example ?: return false
+        val program = when (help.code) {
+            ProgramLanguage.ROBOLANG -> PupilProgram("try.robo", example)
+            ProgramLanguage.JAVA -> PupilProgram("Try.java", javaToTry(example))
+        }
+        return put(program)
+    }
+
+    /** Puts the example [name] into a tab and runs nothing; false if there is no room for it, which is then said. */
+    fun addExample(language: ProgramLanguage, name: String): Boolean {
+        val program = PupilProgram(name, language.examples[name] ?: return false)
+        val place = bench.project.pupilPrograms.indexOf(program)
+        if (place < 0) return put(program, replacing = false)
+        // It is there as it came.
+        bench.perform(ProgramEvent.ProgramChosen(place))
+        bench.show(Pane.PROGRAM)
+        return true
+    }
+
+    private fun put(program: PupilProgram, replacing: Boolean = true): Boolean {
+        val programs = bench.project.pupilPrograms
+        if (programs.size >= Brick.MOST_PROGRAMS && !(replacing && programs.any { it.name == program.name })) {
+            bench.say(Notice.NoSlotForExample)
+            return false
+        }
+        bench.addProgram(program, replacing)
+        bench.show(Pane.PROGRAM)
+        return true
+    }
+
+    private companion object {
+        /** Only Java has it; Robolang has no such brackets. */
+        val JAVA_CLASS = Regex("\\b(class|interface)\\s+\\w+[^\\n]*\\{")
+    }
+}
+
+/** The same language as the projects name it. */
+fun ProgramLanguage.asCode(): CodeLanguage = when (this) {
+    ProgramLanguage.ROBOLANG -> CodeLanguage.ROBOLANG
+    ProgramLanguage.JAVA -> CodeLanguage.JAVA
+}

@@ -1,0 +1,46 @@
+package robotran.workshop.programs
+
+import robotran.workshop.state.ProgramFile
+import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.state.PupilProgram
+
+/** A program to begin with in [language], with a name that none of [others] has. */
+internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>): PupilProgram {
+    val taken = others.flatMap { it.files }.map { it.name }
+    return when (language) {
+        ProgramLanguage.ROBOLANG -> PupilProgram(freeName("program", language, taken), "")
+
+        ProgramLanguage.JAVA -> freeName("Program", language, taken).let {
+            PupilProgram(it, firstJava(it.removeSuffix(language.extension)))
+        }
+    }
+}
+
+/** A file with one more class for the Java program [program]. */
+internal fun newClass(program: PupilProgram): ProgramFile {
+    val name = freeName("Helper", ProgramLanguage.JAVA, program.files.map { it.name })
+    return ProgramFile(name, "import josx.platform.rcx.*;\n\nclass ${name.removeSuffix(ProgramLanguage.JAVA.extension)} {\n\n}\n")
+}
+
+private fun freeName(name: String, language: ProgramLanguage, taken: List<String>): String =
+    generateSequence(1) { it + 1 }.map {
+        if (it == 1) {
+            "$name${language.extension}"
+        } else {
+            "$name$it${language.extension}"
+        }
+    }.first { it !in taken }
+
+private fun firstJava(className: String) = """
+    import josx.platform.rcx.*;
+
+    public class $className {
+        public static void main(String[] args) throws InterruptedException {
+            Motor.A.forward();
+            Motor.C.forward();
+            Thread.sleep(2000);
+            Motor.A.stop();
+            Motor.C.stop();
+        }
+    }
+    """.trimIndent()

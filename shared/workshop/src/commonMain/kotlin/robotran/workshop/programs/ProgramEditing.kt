@@ -1,0 +1,181 @@
+package robotran.workshop.programs
+
+import robotran.rcxrom.Brick
+import robotran.robolang.format.FormatResult
+import robotran.robolang.format.formatRobolang
+import robotran.textediting.EditKind
+import robotran.textediting.code.formatJava
+import robotran.textediting.editBetween
+import robotran.textediting.text.Draft
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.withPlainLineEnds
+
+/**
+ * What a person does with the programs of the robot that is chosen.
+ *
+ * @param shown the robot's programs.
+ * @param sayTooLong tells that a program would become longer than it can be.
+ * @param sayFixGone tells that a fix does not fit the program any more.
+ * @param bringToFront shows the pane with the programs.
+ */
+internal class ProgramEditing(
+    private val shown: () -> RobotPrograms,
+    private val sayTooLong: () -> Unit,
+    sayFixGone: () -> Unit,
+    private val bringToFront: () -> Unit,
+) {
+    /** Whether somebody wanted to run a program with mistakes since it was last edited. */
+    var mistakePointedOut = false
+        private set
+
+    /** Whether something is to be done as soon as the program was read. */
+    val waitsForReading: Boolean get() = fixes.waitsForReading
+
+    private val fixes = MistakeFixes(sayFixGone) { robot, text -> write(robot, robot.memory.draft.changedTo(text), EditKind.OTHER) }
+
+    fun handle(event: ProgramEvent) {
+        val robot = shown()
+        when (event) {
+            is ProgramEvent.ProgramEdited -> write(robot, robot.memory.draft.changedTo(event.text), EditKind.OTHER)
+            is ProgramEvent.Written -> write(robot, event.draft, event.kind)
+            ProgramEvent.Undone -> robot.memory.undone()?.let { remember(robot, it) }
+            ProgramEvent.Redone -> robot.memory.redone()?.let { remember(robot, it) }
+            ProgramEvent.Formatted -> format(robot)
+            is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
+            is ProgramEvent.FixApplied -> fixes.apply(robot, event.mistake)
+            is ProgramEvent.ProgramChosen -> if (event.slot in robot.shelf.entries.indices) choose(robot, event.slot)
+            is ProgramEvent.FileChosen -> if (event.place in robot.entry.memories.indices) robot.shownFile = event.place
+            is ProgramEvent.ProgramAdded -> add(robot, ShelfEntry(event.program.withPlainLineEnds()))
+            is ProgramEvent.ProgramBegun -> add(robot, ShelfEntry(newProgram(event.language, robot.shelf.programs)))
+            ProgramEvent.ClassAdded -> addClass(robot)
+            is ProgramEvent.FileRenamed -> rename(robot, event)
+            is ProgramEvent.FileClosed -> closeFile(robot, event.place)
+            is ProgramEvent.ProgramClosed -> close(robot, event.slot)
+            ProgramEvent.ProgramReopened -> reopen(robot)
+            ProgramEvent.ClosedRead -> robot.closedShown = false
+            ProgramEvent.FindingWanted, ProgramEvent.FindingBegun -> Unit
+            is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> forgetWhatWas()
+        }
+    }
+
+    /** Shows what is wrong with the program in [slot]. */
+    fun pointOutMistakes(robot: RobotPrograms, slot: Int) {
+        if (slot != robot.shownProgram) choose(robot, slot)
+        val mistake = robot.shelf.mistakes(slot).firstOrNull()
+        val place = robot.entry.program.files.indexOfFirst { it.name == mistake?.file }
+        if (place >= 0) robot.shownFile = place
+        mistake?.range?.let { range ->
+            val draft = robot.memory.draft
+            if (range.line > draft.lines.count) return@let
+            write(robot, draft.withCaret(draft.lines.offset(range.line - 1, range.column - 1)), EditKind.OTHER)
+        }
+        mistakePointedOut = true
+        bringToFront()
+    }
+
+    private fun write(robot: RobotPrograms, draft: Draft, kind: EditKind) {
+        if (!robot.entry.program.hasRoomFor(robot.shownFile, draft)) return sayTooLong()
+        val plain = draft.text.withPlainLineEnds()
+        val written = if (plain == draft.text) draft else Draft(plain, draft.selection)
+        val within = written.copy(selection = written.selection.within(written.text.length))
+        if (within.text != robot.memory.draft.text) forgetWhatWas()
+        remember(robot, robot.memory.written(within, kind))
+    }
+
+    private fun remember(robot: RobotPrograms, memory: ProgramFileMemory) {
+        robot.shelf.change(robot.shownProgram, robot.entry.with(robot.shownFile, memory))
+    }
+
+    private fun format(robot: RobotPrograms) {
+        val draft = robot.memory.draft
+        val text = when (robot.entry.program.language) {
+            ProgramLanguage.JAVA -> formatJava(draft.text)
+            ProgramLanguage.ROBOLANG -> (formatRobolang(draft.text) as? FormatResult.Formatted)?.text ?: return
+        }
+        val line = draft.lines.lineOf(draft.selection.caret)
+        val laidOut = Draft(text)
+        val column = draft.lines.columnOf(draft.selection.caret)
+        write(robot, laidOut.withCaret(laidOut.lines.offset(minOf(line, laidOut.lines.count - 1), column)), EditKind.OTHER)
+    }
+
+    /** The programs were read, or cannot be: does what waited for it. */
+    fun programsRead() = fixes.programsRead(shown())
+
+    private fun forgetWhatWas() {
+        mistakePointedOut = false
+        fixes.forget()
+    }
+
+    private fun choose(robot: RobotPrograms, slot: Int) {
+        robot.shownProgram = slot
+        robot.shownFile = 0
+        forgetWhatWas()
+    }
+
+    private fun add(robot: RobotPrograms, entry: ShelfEntry) {
+        if (robot.shelf.entries.size >= Brick.MOST_PROGRAMS) return
+        robot.shelf.insert(robot.shelf.entries.size, entry)
+        choose(robot, robot.shelf.entries.lastIndex)
+        bringToFront()
+    }
+
+    private fun addClass(robot: RobotPrograms) {
+        val entry = robot.entry
+        if (entry.program.language != ProgramLanguage.JAVA) return
+        val file = newClass(entry.program)
+        val files = entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(Draft(file.text)))
+        robot.shelf.change(robot.shownProgram, entry.withFiles(files))
+        robot.shownFile = robot.entry.memories.lastIndex
+    }
+
+    private fun rename(robot: RobotPrograms, event: ProgramEvent.FileRenamed) {
+        val entry = robot.entry
+        if (event.place !in entry.memories.indices) return
+        if (nameProblem(robot.shelf.programs, robot.shownProgram, event.place, event.name) != null) return
+        robot.shelf.change(robot.shownProgram, entry.withFileRenamed(event.place, fileNameFor(event.name, entry.program.language)))
+    }
+
+    private fun closeFile(robot: RobotPrograms, place: Int) {
+        val files = robot.entry.program.files.zip(robot.entry.memories)
+        if (place !in files.indices || files.size == 1) return
+        robot.closed = ClosedFile.OfProgram(robot.shownProgram, place, files[place].first, files[place].second)
+        robot.shelf.change(robot.shownProgram, robot.entry.withFiles(files.filterIndexed { index, _ -> index != place }))
+        robot.shownFile = robot.shownFile.let { if (it > place) it - 1 else it }.coerceAtMost(files.size - 2)
+    }
+
+    private fun close(robot: RobotPrograms, slot: Int) {
+        val entries = robot.shelf.entries
+        if (slot !in entries.indices || entries.size == 1) return
+        robot.closed = ClosedFile.Program(entries[slot])
+        robot.shelf.remove(slot)
+        choose(robot, robot.shownProgram.let { if (it > slot || it > robot.shelf.entries.lastIndex) it - 1 else it })
+    }
+
+    private fun reopen(robot: RobotPrograms) {
+        if (!robot.canReopen) return
+        val closed = robot.closed ?: return
+        robot.closed = null
+        when (closed) {
+            is ClosedFile.Program -> {
+                add(robot, closed.entry)
+            }
+
+            is ClosedFile.OfProgram -> {
+                val entry = robot.shelf.entries[closed.slot]
+                val files = entry.program.files.zip(entry.memories).toMutableList()
+                files.add(minOf(closed.place, files.size), closed.file to closed.memory)
+                robot.shelf.change(closed.slot, entry.withFiles(files))
+                robot.shownProgram = closed.slot
+                robot.shownFile = minOf(closed.place, files.lastIndex)
+            }
+        }
+    }
+}
+
+/** This draft with [text] in place of its own, and the caret at what it was at. */
+private fun Draft.changedTo(text: String): Draft {
+    val edit = editBetween(this.text, text.withPlainLineEnds()) ?: return this
+    return Draft(edit.applyTo(this.text)).withCaret(edit.moved(selection.caret))
+}

@@ -1,0 +1,23 @@
+package robotran.workshop.programs
+
+import robotran.programs.SourceFile
+import robotran.projects.Project
+import robotran.projects.ProjectProgram
+import robotran.workshop.state.ProgramFile
+import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.state.PupilProgram
+
+/** The program as a project keeps it. */
+fun PupilProgram.asProject(): ProjectProgram {
+    val language = when (language) {
+        ProgramLanguage.ROBOLANG -> robotran.projects.ProgramLanguage.ROBOLANG
+        ProgramLanguage.JAVA -> robotran.projects.ProgramLanguage.JAVA
+    }
+    return ProjectProgram(name, language, files.map { SourceFile(it.name, it.text) })
+}
+
+internal fun ProjectProgram.asPupil(): PupilProgram = PupilProgram(files.map { ProgramFile(it.name, it.text) })
+
+/** The programs that the first robot has been given. */
+internal val Project.pupilPrograms: List<PupilProgram>
+    get() = robots.firstOrNull { it.name == world.robots.first().name }?.programs.orEmpty().map { it.asPupil() }

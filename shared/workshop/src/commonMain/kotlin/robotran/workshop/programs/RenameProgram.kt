@@ -1,0 +1,55 @@
+package robotran.workshop.programs
+
+import robotran.textediting.EditKind
+import robotran.textediting.code.isJavaName
+import robotran.textediting.code.renamedInJava
+import robotran.workshop.state.ProgramFile
+import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.state.PupilProgram
+
+/** Why a file cannot be called so. */
+enum class NameProblem { EMPTY, TAKEN, NO_CLASS_NAME, STRANGE_CHARACTER }
+
+/** The file name that [typed], with or without its ending, stands for in [language]. */
+internal fun fileNameFor(typed: String, language: ProgramLanguage): String =
+    typed.trim().removeSuffix(language.extension) + language.extension
+
+/**
+ * What is wrong with calling the file [place] of a program [typed]; null if nothing is.
+ *
+ * @param programs all programs of the robot.
+ * @param slot which of them it is.
+ */
+fun nameProblem(programs: List<PupilProgram>, slot: Int, place: Int, typed: String): NameProblem? {
+    val program = programs[slot]
+    val name = fileNameFor(typed, program.language)
+    val bare = name.removeSuffix(program.language.extension)
+    val others = programs.filterIndexed { index, _ -> index != slot }.map { it.name } +
+        program.files.filterIndexed { index, _ -> index != place }.map { it.name }
+    return when {
+        bare.isBlank() -> NameProblem.EMPTY
+        name in others -> NameProblem.TAKEN
+        program.language == ProgramLanguage.JAVA && !isJavaName(bare) -> NameProblem.NO_CLASS_NAME
+        bare.length > MOST_CHARACTERS || bare.any { it in FORBIDDEN || it < ' ' } -> NameProblem.STRANGE_CHARACTER
+        else -> null
+    }
+}
+
+/** This program with the file [place] called [name]; the class of a Java file is renamed with it, in all files. */
+internal fun ShelfEntry.withFileRenamed(place: Int, name: String): ShelfEntry {
+    val old = program.files[place].name.removeSuffix(program.language.extension)
+    val new = name.removeSuffix(program.language.extension)
+    return withFiles(
+        program.files.mapIndexed { index, file ->
+            val text = if (program.language == ProgramLanguage.JAVA) renamedInJava(file.text, old, new) else file.text
+            val memory = memories[index]
+            val draft = memory.draft.copy(text = text, selection = memory.draft.selection.within(text.length))
+            ProgramFile(if (index == place) name else file.name, text) to memory.written(draft, EditKind.OTHER)
+        },
+    )
+}
+
+private const val MOST_CHARACTERS = 60
+
+/** What some system does not allow in the name of a file. */
+private const val FORBIDDEN = "/\\:*?\"<>|"

@@ -1,0 +1,25 @@
+package robotran.workshop.run
+
+import robotran.rcxrom.state.RunState
+import robotran.runcontrol.Motion
+import robotran.runcontrol.RunPlayer
+import robotran.workshop.programs.ProgramsHolder
+
+/** Turns to the file that the program of the watched robot has come to a stop in, once at each stop: whoever then looks elsewhere is left alone. */
+internal class StoppedPlace(private val programs: ProgramsHolder) {
+    private var seen: Pair<Long, RunState>? = null
+
+    fun look(player: RunPlayer, robot: String) {
+        val brick = player.state.robots[player.watched].brick
+        val run = brick.run
+        val stop = when {
+            run is RunState.Failed -> 0L to run
+            run is RunState.Running && player.motion == Motion.Still -> player.time to run
+            else -> null
+        }
+        if (stop == seen) return
+        seen = stop
+        val file = (run as? RunState.Failed)?.failure?.sourceFile ?: (run as? RunState.Running)?.sourceFile
+        if (stop != null && file != null) programs.showFile(robot, brick.selectedSlot, file)
+    }
+}

@@ -1,0 +1,62 @@
+package robotran.workshop.state
+
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.projects.ProjectLimits
+import robotran.textediting.text.CodeLanguage
+import robotran.textediting.text.Draft
+
+/**
+ * A program as the pupil writes it.
+ *
+ * @property files one file for Robolang, one or more for Java; never empty.
+ */
+data class PupilProgram(
+    val files: List<ProgramFile>,
+) {
+    constructor(name: String, text: String) : this(listOf(ProgramFile(name, text)))
+
+    /** What the pupil knows it by. */
+    val name: String get() = files.first().name
+
+    val language: ProgramLanguage
+        get() = if (name.endsWith(ProgramLanguage.JAVA.extension)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
+
+    /** Whether there is anything to run. */
+    val isBlank: Boolean get() = files.all { it.text.isBlank() }
+
+    /** How long all its files are together. */
+    val characters: Int get() = files.sumOf { it.text.length }
+
+    /** Whether the file at [place] can be [written]; one that does not become longer always can. */
+    fun hasRoomFor(place: Int, written: Draft): Boolean {
+        val now = files[place].text.length
+        if (written.text.length <= now) return true
+        val isShort = characters - now + written.text.length <= ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS
+        return isShort && written.lines.count <= ProjectLimits.MAXIMUM_LINES
+    }
+
+    internal fun source(): ProgramSource = when (language) {
+        ProgramLanguage.ROBOLANG -> ProgramSource.Robolang(name, files.first().text)
+        ProgramLanguage.JAVA -> ProgramSource.Java(name, files.map { SourceFile(it.name, it.text) })
+    }
+
+    internal fun withText(file: Int, text: String): PupilProgram =
+        copy(files = files.mapIndexed { place, old -> if (place == file) old.copy(text = text) else old })
+}
+
+/**
+ * What a program is written in.
+ *
+ * @property extension how the names of its files end.
+ */
+enum class ProgramLanguage(val extension: String) { ROBOLANG(".robo"), JAVA(".java") }
+
+fun PupilProgram.withPlainLineEnds(): PupilProgram = copy(files = files.map { it.copy(text = it.text.withPlainLineEnds()) })
+
+/** The language as an editor knows it. */
+val ProgramLanguage.code: CodeLanguage
+    get() = when (this) {
+        ProgramLanguage.ROBOLANG -> CodeLanguage.ROBOLANG
+        ProgramLanguage.JAVA -> CodeLanguage.JAVA
+    }

@@ -1,0 +1,86 @@
+package robotran.workshop.state
+
+import androidx.compose.runtime.Immutable
+import robotran.projects.ProjectSettings
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.BrickState
+import robotran.rcxrom.state.RunState
+import robotran.runcontrol.RomCallLine
+import robotran.runcontrol.RunSpeed
+import robotran.runcontrol.TimelineMark
+import robotran.simulation.state.SessionState
+import robotran.world.World
+
+/**
+ * The run as it is shown.
+ *
+ * @property world what it takes place in.
+ * @property session the run at the time that is looked at.
+ * @property drawn the same as it is best drawn: in slow motion with what moves between two steps of the physics.
+ * @property changed whether the programs differ from those in the brick.
+ * @property down the buttons of the brick that somebody holds; the brick itself may not have noticed them.
+ * @property untouched true until a program is run for the first time.
+ * @property awake whether time has to go on, because something moves, sounds or waits.
+ * @property pace what time does.
+ * @property time where in the run it is, in milliseconds.
+ * @property length how much of the run is known, in milliseconds.
+ * @property marks what has happened in the run, also after [time].
+ * @property calls when the robot that is [watched] makes its ROM calls, also after [time].
+ * @property watched the number of the robot that is looked into.
+ * @property hasRecording whether the project came with what was done to a run.
+ * @property settings how the programs run.
+ */
+@Immutable
+data class RunPaneState(
+    val world: World,
+    val session: SessionState,
+    val drawn: SessionState = session,
+    val changed: Boolean = false,
+    val down: Set<BrickButton> = emptySet(),
+    val untouched: Boolean = true,
+    val awake: Boolean = true,
+    val pace: Pace = Pace.GOING,
+    val speed: RunSpeed = RunSpeed.REAL_TIME,
+    val time: Long = 0,
+    val length: Long = 0,
+    val marks: List<TimelineMark> = emptyList(),
+    val calls: RomCallLine? = null,
+    val watched: Int = 0,
+    val hasRecording: Boolean = false,
+    val settings: ProjectSettings = ProjectSettings(),
+    val drawer: DrawerState = DrawerState(),
+) {
+    /** The brick of the robot that is [watched]. */
+    val brick: BrickState get() = session.robots[watched].brick
+
+    /** Whether a program runs, of whichever robot. */
+    val running: Boolean get() = session.robots.any { it.brick.run is RunState.Running }
+
+    /** Whether there is anything to stop: a program that runs, or that shows why it cannot go on. */
+    val stoppable: Boolean
+        get() = running || session.robots.any { it.brick.run is RunState.Failed && it.brick.explanation != null }
+
+    /** Whether the run had gone on from here before. */
+    val inPast: Boolean get() = time < length
+
+    /** Whether time can be made to stand still, or to go on. */
+    val pausable: Boolean get() = pace != Pace.GOING || running || (awake && inPast)
+
+    /** Whether the line that runs can be followed with the eyes. */
+    val lineIsLit: Boolean get() = pace != Pace.GOING || !speed.isFast
+}
+
+/** What time does. */
+enum class Pace {
+    /** It passes, or would if there were anything to see. */
+    GOING,
+
+    /** It stands still. */
+    PAUSED,
+
+    /** It passes until a step of the program is done. */
+    STEPPING,
+
+    /** It is on its way to another moment of the run. */
+    SEEKING,
+}
