@@ -13,6 +13,8 @@ import robotran.simulation.Session
 import robotran.simulation.grade.runForGoals
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Goal
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
 import robotran.world.Paper
 import robotran.world.Penbot
 import robotran.world.file.BuiltInWorlds
@@ -28,7 +30,7 @@ class LanguagesTest {
     private val world = BuiltInWorlds.plain.copy(
         paper = Paper(200.0, 80.0),
         walls = emptyList(),
-        goals = listOf(Goal.InkLength(atLeast = 20.5, atMost = null), Goal.NeverTouch()),
+        goals = listOf(Goal(InkLength(atLeast = 20.5, atMost = null)), Goal(NeverTouch())),
         timeLimit = 10,
         realism = 1.0,
     )

@@ -6,6 +6,8 @@ import robotran.rcxrom.log.RomLogFilter
 import robotran.simulation.SessionInput
 import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Pose
 import kotlin.test.Test
@@ -34,7 +36,7 @@ class RunRecordTest {
 
     @Test
     fun `goals are decided when the run is over, and again the same when it is gone through once more`() = runTest {
-        val world = BuiltInWorlds.plain.copy(goals = listOf(Goal.NeverTouch(), Goal.InkLength(atLeast = 5.0, atMost = null)))
+        val world = BuiltInWorlds.plain.copy(goals = listOf(Goal(NeverTouch()), Goal(InkLength(atLeast = 5.0, atMost = null))))
         val source = "pen down\nforward 10\npen up"
         val player = started(source, world)
         player.pass(6_000)

@@ -10,6 +10,9 @@ import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 import robotran.world.Goal
+import robotran.world.GoalCondition.All
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
 import robotran.world.file.BuiltInWorlds
 import robotran.world.writeThousandths
 import kotlin.test.Test
@@ -60,7 +63,7 @@ class RunReportTest {
 
     @Test
     fun `goals are told with their parts`() = runTest {
-        val goals = listOf(Goal.All(listOf(Goal.InkLength(2.0, null, says = "Draw."), Goal.NeverTouch(says = "Touch nothing."))))
+        val goals = listOf(Goal(All(listOf(Goal(InkLength(2.0, null), says = "Draw."), Goal(NeverTouch(), says = "Touch nothing.")))))
         val session = runToEnd(
             ScriptedProgram {
                 penDown()

@@ -28,6 +28,18 @@ import robotran.simulation.state.RobotState
 import robotran.simulation.state.SessionState
 import robotran.world.Block
 import robotran.world.Goal
+import robotran.world.GoalCondition.All
+import robotran.world.GoalCondition.AnyOf
+import robotran.world.GoalCondition.DrawTemplate
+import robotran.world.GoalCondition.EndWithin
+import robotran.world.GoalCondition.FollowLine
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
+import robotran.world.GoalCondition.PlaySound
+import robotran.world.GoalCondition.Reach
+import robotran.world.GoalCondition.StayIn
+import robotran.world.GoalCondition.StayOut
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
@@ -68,15 +80,15 @@ class GoalProperties : StringSpec({
         val region = shape.bind()
         val name = who.bind()
         when (Arb.int(0..9).bind()) {
-            0, 1 -> Goal.Reach(region, name, Arb.boolean().bind(), seconds.bind(), Arb.boolean().bind())
-            2 -> Goal.StayOut(region, name, Arb.boolean().bind())
-            3 -> Goal.StayIn(region, name, Arb.boolean().bind())
-            4 -> Goal.NeverTouch(Arb.list(Arb.element(TouchKind.entries), 1..4).bind().toSet(), name)
-            5 -> Goal.DrawTemplate(Arb.double(0.1, 9.0).bind(), Arb.double(0.0, 1.0).bind(), Arb.double(0.0, 2.0).bind())
-            6 -> Goal.InkLength(coordinate.orNull().bind(), coordinate.orNull().bind())
-            7 -> Goal.FollowLine(lines.bind(), Arb.double(0.1, 3.0).bind(), Arb.double(0.1, 9.0).bind(), name, seconds.bind())
-            8 -> Goal.EndWithin(Arb.int(1..4).bind(), name)
-            else -> Goal.PlaySound(Arb.int(1..5).bind(), Arb.element(300, 500).orNull().bind(), null, name)
+            0, 1 -> Goal(Reach(region, name, Arb.boolean().bind(), seconds.bind(), Arb.boolean().bind()))
+            2 -> Goal(StayOut(region, name, Arb.boolean().bind()))
+            3 -> Goal(StayIn(region, name, Arb.boolean().bind()))
+            4 -> Goal(NeverTouch(Arb.list(Arb.element(TouchKind.entries), 1..4).bind().toSet(), name))
+            5 -> Goal(DrawTemplate(Arb.double(0.1, 9.0).bind(), Arb.double(0.0, 1.0).bind(), Arb.double(0.0, 2.0).bind()))
+            6 -> Goal(InkLength(coordinate.orNull().bind(), coordinate.orNull().bind()))
+            7 -> Goal(FollowLine(lines.bind(), Arb.double(0.1, 3.0).bind(), Arb.double(0.1, 9.0).bind(), name, seconds.bind()))
+            8 -> Goal(EndWithin(Arb.int(1..4).bind(), name))
+            else -> Goal(PlaySound(Arb.int(1..5).bind(), Arb.element(300, 500).orNull().bind(), null, name))
         }
     }
 
@@ -86,9 +98,9 @@ class GoalProperties : StringSpec({
         } else {
             val goals = Arb.list(nested(depth - 1), 1..3).bind()
             when (Arb.int(0..2).bind()) {
-                0 -> Goal.InOrder(goals)
-                1 -> Goal.All(goals)
-                else -> Goal.AnyOf(goals)
+                0 -> Goal(InOrder(goals))
+                1 -> Goal(All(goals))
+                else -> Goal(AnyOf(goals))
             }
         }
     }
@@ -161,7 +173,7 @@ class GoalProperties : StringSpec({
             var before: List<GoalProgress> = emptyList()
             judge(some, way) { now ->
                 before.forEachIndexed { number, goal ->
-                    val mayGo = (some[number] as? Goal.Reach)?.stays == true
+                    val mayGo = (some[number].condition as? Reach)?.stays == true
                     if (goal.status == GoalStatus.MET && !mayGo) now[number].status shouldBe GoalStatus.MET
                     if (goal.status == GoalStatus.FAILED) now[number].status shouldBe GoalStatus.FAILED
                 }
@@ -173,8 +185,8 @@ class GoalProperties : StringSpec({
     "the order of goals that know nothing of each other does not matter" {
         checkAll(goals, moments) { some, way ->
             judge(some.reversed(), way).reversed() shouldBe judge(some, way)
-            val forwards = judge(listOf(Goal.All(some), Goal.AnyOf(some)), way)
-            val backwards = judge(listOf(Goal.All(some.reversed()), Goal.AnyOf(some.reversed())), way)
+            val forwards = judge(listOf(Goal(All(some)), Goal(AnyOf(some))), way)
+            val backwards = judge(listOf(Goal(All(some.reversed())), Goal(AnyOf(some.reversed()))), way)
             backwards.map { it.status to it.progress } shouldBe forwards.map { it.status to it.progress }
             backwards.first().parts shouldContainExactlyInAnyOrder forwards.first().parts
         }

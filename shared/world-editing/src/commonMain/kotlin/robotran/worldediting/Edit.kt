@@ -1,6 +1,7 @@
 package robotran.worldediting
 
 import robotran.world.Goal
+import robotran.world.GoalCondition
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 
@@ -129,4 +130,13 @@ enum class StackOrder { TO_BACK, BACK, FORWARD, TO_FRONT }
  */
 enum class GoalMove { UP, DOWN, IN, OUT }
 
-enum class GoalGroup { IN_ORDER, ALL, ANY_OF }
+/** What a goal can be put into. */
+enum class GoalGroup(private val groupOf: (List<Goal>) -> GoalCondition) {
+    IN_ORDER(GoalCondition::InOrder),
+    ALL(GoalCondition::All),
+    ANY_OF(GoalCondition::AnyOf),
+    ;
+
+    /** The group with nothing but [goal]. */
+    fun around(goal: Goal): GoalCondition = groupOf(listOf(goal))
+}

@@ -1,17 +1,19 @@
 package robotran.worldediting
 
 import robotran.world.Goal
+import robotran.world.HasLine
 import robotran.world.MarkFigure
+import robotran.world.NeedsTemplate
 
 /** The same goal once more, so that the two can be told apart. */
-internal fun Goal.separate(): Goal = withParts(parts.map { it.separate() }).saying(says).tidied()
+internal fun Goal.separate(): Goal = withParts(parts.map { it.separate() }).tidied()
 
 internal fun WorldEditing.goalAdded(edit: Edit.AddGoal): Outcome? {
     val goal = edit.goal.separate()
     val all = listOf(goal) + allGoals(goal.parts).map { it.goal }
     if (goal.isGroup && goal.parts.isEmpty()) return null
-    if (all.any { it is Goal.FollowLine } && world.marks.none { it.figure is MarkFigure.Line }) return Outcome.Not(Refusal.NeedsLine)
-    if (all.any { it is Goal.DrawTemplate } && world.template == null) return Outcome.Not(Refusal.NeedsTemplate)
+    if (all.any { it.condition is HasLine } && world.marks.none { it.figure is MarkFigure.Line }) return Outcome.Not(Refusal.NeedsLine)
+    if (all.any { it.condition is NeedsTemplate } && world.template == null) return Outcome.Not(Refusal.NeedsTemplate)
     all.firstNotNullOfOrNull { refusalOf(it) }?.let { return Outcome.Not(it) }
     val into = edit.into?.takeIf { allGoals(world.goals).getOrNull(it)?.goal?.isGroup == true }
     val goals = if (into == null) world.goals + goal else world.goals.replaced(into) { listOf(it.withParts(it.parts + goal)) }
@@ -29,15 +31,7 @@ internal fun WorldEditing.goals(goals: List<Goal>?): Outcome? {
 
 internal fun List<Goal>.wrapped(number: Int, group: GoalGroup): List<Goal>? {
     if (number !in allGoals(this).indices) return null
-    return replaced(number) { goal ->
-        listOf(
-            when (group) {
-                GoalGroup.IN_ORDER -> Goal.InOrder(listOf(goal))
-                GoalGroup.ALL -> Goal.All(listOf(goal))
-                GoalGroup.ANY_OF -> Goal.AnyOf(listOf(goal))
-            },
-        )
-    }
+    return replaced(number) { listOf(Goal(group.around(it))) }
 }
 
 internal fun List<Goal>.unwrapped(number: Int): List<Goal>? =

@@ -1,6 +1,6 @@
 package robotran.worldediting
 
-import robotran.world.Goal
+import robotran.world.HasLine
 import robotran.world.World
 import robotran.world.WorldLimits
 
@@ -24,6 +24,7 @@ internal fun freeName(wanted: String, taken: Set<String>): String {
 internal fun World.withGoalsRenamed(before: String, after: String): World = copy(
     goals = goals.changed { _, goal ->
         val renamed = if (goal.who == before) goal.withWho(after) else goal
-        if (renamed is Goal.FollowLine && renamed.line == before) renamed.copy(line = after) else renamed
+        val condition = renamed.condition
+        if (condition is HasLine && condition.line == before) renamed.copy(condition = condition.withLine(after)) else renamed
     },
 )

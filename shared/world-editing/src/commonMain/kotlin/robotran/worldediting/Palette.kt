@@ -3,6 +3,7 @@ package robotran.worldediting
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Goal
+import robotran.world.GoalCondition
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
@@ -54,9 +55,9 @@ fun PaletteItem.piece(world: World): Piece = when (this) {
     PaletteItem.CORNERED_AREA -> Piece.OfMark(Mark(MarkFigure.Area(triangle(20.0))))
     PaletteItem.LAMP -> Piece.OfLamp(Lamp(Point(0.0, 0.0)))
     PaletteItem.TEMPLATE_LINE -> Piece.OfStroke(listOf(Point(0.0, 0.0), Point(30.0, 0.0)))
-    PaletteItem.GOAL_AREA -> Piece.OfGoal(Goal.Reach(rectangle(20.0, 20.0)))
-    PaletteItem.FORBIDDEN_AREA -> Piece.OfGoal(Goal.StayOut(rectangle(20.0, 20.0)))
-    PaletteItem.PERMITTED_AREA -> Piece.OfGoal(Goal.StayIn(rectangle(60.0, 40.0)))
+    PaletteItem.GOAL_AREA -> Piece.OfGoal(Goal(GoalCondition.Reach(rectangle(20.0, 20.0))))
+    PaletteItem.FORBIDDEN_AREA -> Piece.OfGoal(Goal(GoalCondition.StayOut(rectangle(20.0, 20.0))))
+    PaletteItem.PERMITTED_AREA -> Piece.OfGoal(Goal(GoalCondition.StayIn(rectangle(60.0, 40.0))))
     PaletteItem.ROBOT -> world.nextRobotColour.let { Piece.OfRobot(RobotPlace(Pose(0.0, 0.0, 0.0), wordFor(it), it)) }
 }
 

@@ -1,8 +1,10 @@
 package robotran.worldediting
 
 import robotran.language.Language
-import robotran.world.Goal
+import robotran.world.HasActor
+import robotran.world.HasLine
 import robotran.world.MarkFigure
+import robotran.world.NeedsTemplate
 import robotran.world.World
 import robotran.world.WorldLimits
 import robotran.world.file.WorldFileResult
@@ -90,11 +92,14 @@ private fun goalTroubles(world: World): List<Trouble> {
     val lines = world.marks.filter { it.figure is MarkFigure.Line }.mapNotNull { it.name }.toSet()
     return allGoals(world.goals).mapIndexedNotNull { number, (goal, _) ->
         val thing = Thing(ThingKind.GOAL, number)
+        val condition = goal.condition
         val who = goal.who
+        val mayBeBlock = condition is HasActor && condition.mayBeBlock
+        val line = (condition as? HasLine)?.line
         when {
-            who != null && who !in (if (goal.region != null) movable else robots) -> Trouble.NobodyThere(thing, who)
-            goal is Goal.FollowLine && goal.line !in lines -> Trouble.NoSuchLine(thing, goal.line)
-            goal is Goal.DrawTemplate && world.template == null -> Trouble.NothingToTrace(thing)
+            who != null && who !in (if (mayBeBlock) movable else robots) -> Trouble.NobodyThere(thing, who)
+            line != null && line !in lines -> Trouble.NoSuchLine(thing, line)
+            condition is NeedsTemplate && world.template == null -> Trouble.NothingToTrace(thing)
             else -> null
         }
     }

@@ -1,13 +1,23 @@
 package robotran.worldediting
 
 import robotran.world.Goal
+import robotran.world.GoalCondition.All
+import robotran.world.GoalCondition.AnyOf
+import robotran.world.GoalCondition.DrawTemplate
+import robotran.world.GoalCondition.EndWithin
+import robotran.world.GoalCondition.FollowLine
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
+import robotran.world.GoalCondition.PlaySound
+import robotran.world.GoalCondition.ShowOnDisplay
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 class GoalsTest {
-    private val beep = Goal.PlaySound()
-    private val end = Goal.EndWithin(20)
+    private val beep = Goal(PlaySound())
+    private val end = Goal(EndWithin(20))
     private val two = emptySheet().after(Edit.AddGoal(beep), Edit.AddGoal(end))
 
     @Test
@@ -23,13 +33,13 @@ class GoalsTest {
         val line = Thing(ThingKind.MARK, 0)
         val named = sheet.after(Edit.Change(line, checkNotNull(sheet.world.piece(line)).named("loop")))
         val simple = listOf(
-            Goal.NeverTouch(), Goal.DrawTemplate(), Goal.InkLength(10.0, null), Goal.FollowLine("loop"), Goal.EndWithin(9),
-            Goal.ShowOnDisplay("HI"), Goal.PlaySound(), Goal.InOrder(listOf(beep, end)), Goal.All(listOf(beep)), Goal.AnyOf(listOf(beep)),
-        )
+            NeverTouch(), DrawTemplate(), InkLength(10.0, null), FollowLine("loop"), EndWithin(9),
+            ShowOnDisplay("HI"), PlaySound(), InOrder(listOf(beep, end)), All(listOf(beep)), AnyOf(listOf(beep)),
+        ).map { Goal(it) }
         val all = simple.fold(named) { now, goal -> now.after(Edit.AddGoal(goal)) }
             .with(PaletteItem.GOAL_AREA, 20.0, 20.0).with(PaletteItem.FORBIDDEN_AREA, 60.0, 20.0)
             .with(PaletteItem.PERMITTED_AREA, 60.0, 45.0)
-        assertEquals(13, all.world.goals.map { it::class }.toSet().size)
+        assertEquals(13, all.world.goals.map { it.condition::class }.toSet().size)
         all.assertSound()
     }
 
@@ -38,12 +48,12 @@ class GoalsTest {
         assertEquals(listOf(end, beep), two.after(Edit.MoveGoal(1, GoalMove.UP)).world.goals)
         assertEquals(listOf(end, beep), two.after(Edit.MoveGoal(0, GoalMove.DOWN)).world.goals)
         val wrapped = two.after(Edit.WrapGoal(0, GoalGroup.IN_ORDER))
-        assertEquals(listOf(Goal.InOrder(listOf(beep)), end), wrapped.world.goals)
+        assertEquals(listOf(Goal(InOrder(listOf(beep))), end), wrapped.world.goals)
         assertEquals(Thing(ThingKind.GOAL, 2), wrapped.only)
         val inside = wrapped.after(Edit.MoveGoal(2, GoalMove.IN))
-        assertEquals(listOf<Goal>(Goal.InOrder(listOf(beep, end))), inside.world.goals)
+        assertEquals(listOf<Goal>(Goal(InOrder(listOf(beep, end)))), inside.world.goals)
         val out = inside.after(Edit.MoveGoal(1, GoalMove.OUT))
-        assertEquals(listOf(Goal.InOrder(listOf(end)), beep), out.world.goals)
+        assertEquals(listOf(Goal(InOrder(listOf(end))), beep), out.world.goals)
         assertEquals(listOf(end, beep), out.after(Edit.UnwrapGoal(0)).world.goals)
         assertEquals(two.world, two.after(Edit.MoveGoal(0, GoalMove.OUT)).world)
     }
@@ -70,8 +80,8 @@ class GoalsTest {
 
     @Test
     fun `a goal that needs a line or a drawing is not added without one`() {
-        assertEquals(Refusal.NeedsLine, emptySheet().after(Edit.AddGoal(Goal.FollowLine("loop"))).refusal)
-        assertEquals(Refusal.NeedsTemplate, emptySheet().after(Edit.AddGoal(Goal.DrawTemplate())).refusal)
+        assertEquals(Refusal.NeedsLine, emptySheet().after(Edit.AddGoal(Goal(FollowLine("loop")))).refusal)
+        assertEquals(Refusal.NeedsTemplate, emptySheet().after(Edit.AddGoal(Goal(DrawTemplate()))).refusal)
     }
 
     @Test
@@ -91,8 +101,9 @@ class GoalsTest {
     @Test
     fun `figures of goals keep to what a world can have`() {
         val thing = Thing(ThingKind.GOAL, 1)
-        assertEquals(Refusal.OutOfRange, two.after(Edit.Change(thing, Piece.OfGoal(end.copy(seconds = 0)))).refusal)
+        assertEquals(Refusal.OutOfRange, two.after(Edit.Change(thing, Piece.OfGoal(Goal(EndWithin(0))))).refusal)
         assertEquals(Refusal.NoSuchText, two.after(Edit.Change(thing, Piece.OfGoal(end.copy(says = " ")))).refusal)
-        assertTrue(two.after(Edit.Change(thing, Piece.OfGoal(end.copy(seconds = 7)))).world.goals[1] == end.copy(seconds = 7))
+        val soon = Goal(EndWithin(7))
+        assertTrue(two.after(Edit.Change(thing, Piece.OfGoal(soon))).world.goals[1] == soon)
     }
 }

@@ -1,6 +1,13 @@
 package robotran.worldediting
 
 import robotran.world.Goal
+import robotran.world.GoalCondition.AnyOf
+import robotran.world.GoalCondition.DrawTemplate
+import robotran.world.GoalCondition.EndWithin
+import robotran.world.GoalCondition.FollowLine
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
+import robotran.world.GoalCondition.PlaySound
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 import kotlin.random.Random
@@ -58,12 +65,12 @@ internal class ArbitraryEdits(private val random: Random) {
     }
 
     private fun goal(): Goal = when (random.nextInt(6)) {
-        0 -> Goal.PlaySound(random.nextInt(0, 3))
-        1 -> Goal.FollowLine("loop")
-        2 -> Goal.DrawTemplate()
-        3 -> Goal.NeverTouch(who = name())
-        4 -> Goal.InkLength(number(), null)
-        else -> Goal.AnyOf(List(random.nextInt(1, 3)) { Goal.EndWithin(random.nextInt(1, 50)) })
+        0 -> Goal(PlaySound(random.nextInt(0, 3)))
+        1 -> Goal(FollowLine("loop"))
+        2 -> Goal(DrawTemplate())
+        3 -> Goal(NeverTouch(who = name()))
+        4 -> Goal(InkLength(number(), null))
+        else -> Goal(AnyOf(List(random.nextInt(1, 3)) { Goal(EndWithin(random.nextInt(1, 50))) }))
     }
 
     private fun name() = listOf("a", "b", "loop", "yellow", "", "a\nb", "\uD800", null).random(random)

@@ -3,22 +3,25 @@ package robotran.simulation.goal
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
+import robotran.world.HasParts
 
 /** Whether nothing that may still happen in the run changes how [goal] stands, which is [progress]. */
-internal fun isDecided(goal: Goal, progress: GoalProgress): Boolean = when (goal) {
-    is Goal.AnyOf -> partsOf(goal.goals, progress).run {
-        any { isMetForGood(it.first, it.second) } || all { isDecided(it.first, it.second) }
+internal fun isDecided(goal: Goal, progress: GoalProgress): Boolean {
+    val condition = goal.condition
+    if (condition is HasParts && !condition.needsAll) {
+        return partsOf(condition, progress).run { any { isMetForGood(it.first, it.second) } || all { isDecided(it.first, it.second) } }
     }
-
-    else -> progress.status == GoalStatus.FAILED || isMetForGood(goal, progress)
+    return progress.status == GoalStatus.FAILED || isMetForGood(goal, progress)
 }
 
-private fun isMetForGood(goal: Goal, progress: GoalProgress): Boolean = progress.status == GoalStatus.MET && when (goal) {
-    is Goal.Reach -> !goal.stays
-    is Goal.InOrder -> partsOf(goal.goals, progress).all { isMetForGood(it.first, it.second) }
-    is Goal.All -> partsOf(goal.goals, progress).all { isMetForGood(it.first, it.second) }
-    is Goal.AnyOf -> partsOf(goal.goals, progress).any { isMetForGood(it.first, it.second) }
-    else -> true
+private fun isMetForGood(goal: Goal, progress: GoalProgress): Boolean {
+    val condition = goal.condition
+    return when {
+        progress.status != GoalStatus.MET -> false
+        condition !is HasParts -> condition.staysMet
+        condition.needsAll -> partsOf(condition, progress).all { isMetForGood(it.first, it.second) }
+        else -> partsOf(condition, progress).any { isMetForGood(it.first, it.second) }
+    }
 }
 
-private fun partsOf(goals: List<Goal>, progress: GoalProgress): List<Pair<Goal, GoalProgress>> = goals.zip(progress.parts)
+private fun partsOf(condition: HasParts, progress: GoalProgress): List<Pair<Goal, GoalProgress>> = condition.goals.zip(progress.parts)

@@ -1,6 +1,6 @@
 package robotran.simulation.goal
 
-import robotran.world.Goal
+import robotran.world.GoalCondition
 import robotran.world.Penbot
 import kotlin.math.floor
 
@@ -36,7 +36,7 @@ private class Advance {
 }
 
 /** Round and round a closed line, in either direction but always the same. */
-internal class Rounds(private val length: Double, goal: Goal.FollowLine) : Laps() {
+internal class Rounds(private val length: Double, goal: GoalCondition.FollowLine) : Laps() {
     private val givenAway = minOf(goal.tolerance, length / LEAST_PARTS)
     private val wanted = goal.laps * length - givenAway
     private var earlierRounds = 0.0
@@ -53,7 +53,7 @@ internal class Rounds(private val length: Double, goal: Goal.FollowLine) : Laps(
 }
 
 /** From one end of an open line to the other, and back again. */
-internal class EndToEnd(length: Double, private val goal: Goal.FollowLine) : Laps() {
+internal class EndToEnd(length: Double, private val goal: GoalCondition.FollowLine) : Laps() {
     /** The robot may begin with its pen at the end, and it leaves the line when its sensor comes beyond the other. */
     private val wanted =
         length - minOf(Penbot.LIGHT_SENSOR_PLACE + goal.tolerance, length / LEAST_PARTS) - minOf(goal.tolerance, length / LEAST_PARTS)

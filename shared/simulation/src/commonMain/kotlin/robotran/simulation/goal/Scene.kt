@@ -25,7 +25,7 @@ internal sealed interface Actor {
 }
 
 /**
- * What judgements see of a run at one moment.
+ * What evaluators see of a run at one moment.
  *
  * @property newTones of each robot, what its program has played since the last look.
  */

@@ -18,7 +18,7 @@ enum class GoalStatus {
     /** Not decided yet; for what must never happen: it has not happened yet. */
     PENDING,
 
-    /** Stays so, but for a [Goal.Reach] that has to stay where it is, and for what is made of one. */
+    /** Stays so, but for a condition that does not ([robotran.world.GoalCondition.staysMet]) and for what is made of one. */
     MET,
 
     /** It cannot be met any more in this run. */

@@ -3,6 +3,7 @@ package robotran.simulation.goal
 import kotlinx.coroutines.test.runTest
 import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
+import robotran.world.GoalCondition.FollowLine
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.geometry.Point
@@ -22,10 +23,10 @@ class FollowLineTest {
         sheet.copy(marks = listOf(Mark(MarkFigure.Line(points.map { Point(it.first, it.second) }, 2.0, closed), name = "line")))
 
     private suspend fun round(points: List<Pair<Double, Double>>, laps: Double = 1.0, within: Int? = null) =
-        run(Goal.FollowLine("line", laps, within = within), world = world(points, closed = true))
+        run(Goal(FollowLine("line", laps, within = within)), world = world(points, closed = true))
 
     private suspend fun along(points: List<Pair<Double, Double>>, laps: Double = 1.0) =
-        run(Goal.FollowLine("line", laps), world = world(points, closed = false))
+        run(Goal(FollowLine("line", laps)), world = world(points, closed = false))
 
     /** Drives the sensor through these places, half a centimetre at a time. */
     private fun Run.drive(vararg places: Pair<Double, Double>) = places.toList().zipWithNext { from, to ->
@@ -167,7 +168,7 @@ class FollowLineTest {
 
     @Test
     fun `a line that is not there cannot be followed`() = runTest {
-        val run = run(Goal.FollowLine("path"), world = world(square, closed = true))
+        val run = run(Goal(FollowLine("path")), world = world(square, closed = true))
         assertEquals(GoalStatus.FAILED, run.status)
     }
 

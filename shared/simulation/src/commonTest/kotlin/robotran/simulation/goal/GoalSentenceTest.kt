@@ -3,6 +3,19 @@ package robotran.simulation.goal
 import kotlinx.coroutines.test.runTest
 import robotran.world.Block
 import robotran.world.Goal
+import robotran.world.GoalCondition.All
+import robotran.world.GoalCondition.AnyOf
+import robotran.world.GoalCondition.DrawTemplate
+import robotran.world.GoalCondition.EndWithin
+import robotran.world.GoalCondition.FollowLine
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
+import robotran.world.GoalCondition.PlaySound
+import robotran.world.GoalCondition.Reach
+import robotran.world.GoalCondition.ShowOnDisplay
+import robotran.world.GoalCondition.StayIn
+import robotran.world.GoalCondition.StayOut
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.RobotPlace
@@ -31,49 +44,49 @@ class GoalSentenceTest {
     @Test
     fun `every goal is said from its figures`() = runTest {
         val sentences = mapOf(
-            Goal.Reach(garage) to "Drive your robot to the marked area at the top right.",
-            Goal.Reach(home, who = "yellow", whole = true, within = 30) to
+            Goal(Reach(garage)) to "Drive your robot to the marked area at the top right.",
+            Goal(Reach(home, who = "yellow", whole = true, within = 30)) to
                 "Drive all of your robot into the area \"home\" within 30 seconds.",
-            Goal.Reach(garage, who = "box", stays = true) to
+            Goal(Reach(garage, who = "box", stays = true)) to
                 "Push the block \"box\" to the marked area at the top right, and let it be there at the end.",
-            Goal.Reach(home, who = "red") to "Drive the robot \"red\" to the area \"home\".",
-            Goal.StayOut(garage) to "Keep your robot out of the marked area at the top right.",
-            Goal.StayIn(home, whole = true) to "Keep every part of your robot in the area \"home\".",
-            Goal.NeverTouch() to "Never touch anything.",
-            Goal.NeverTouch(setOf(TouchKind.ROBOTS, TouchKind.WALLS, TouchKind.BARRIERS)) to
+            Goal(Reach(home, who = "red")) to "Drive the robot \"red\" to the area \"home\".",
+            Goal(StayOut(garage)) to "Keep your robot out of the marked area at the top right.",
+            Goal(StayIn(home, whole = true)) to "Keep every part of your robot in the area \"home\".",
+            Goal(NeverTouch()) to "Never touch anything.",
+            Goal(NeverTouch(setOf(TouchKind.ROBOTS, TouchKind.WALLS, TouchKind.BARRIERS))) to
                 "Never touch a wall, a barrier or another robot.",
-            Goal.NeverTouch(setOf(TouchKind.BLOCKS), who = "red") to "Let the robot \"red\" never touch a block.",
-            Goal.DrawTemplate(tolerance = 1.5) to "Draw over the template: 90 % of it, and not more than 1.5 cm beside it.",
-            Goal.InkLength(20.0, null) to "Draw 20 cm or more.",
-            Goal.InkLength(null, 30.5) to "Do not draw more than 30.5 cm.",
-            Goal.InkLength(20.0, 30.0) to "Draw 20 to 30 cm.",
-            Goal.FollowLine("loop") to "Follow the line \"loop\" once round.",
-            Goal.FollowLine("loop", laps = 3.0, within = 60) to "Follow the line \"loop\" 3 times round within 60 seconds.",
-            Goal.FollowLine("road") to "Follow the line \"road\" from one end to the other.",
-            Goal.FollowLine("road", laps = 2.0, who = "red") to
+            Goal(NeverTouch(setOf(TouchKind.BLOCKS), who = "red")) to "Let the robot \"red\" never touch a block.",
+            Goal(DrawTemplate(tolerance = 1.5)) to "Draw over the template: 90 % of it, and not more than 1.5 cm beside it.",
+            Goal(InkLength(20.0, null)) to "Draw 20 cm or more.",
+            Goal(InkLength(null, 30.5)) to "Do not draw more than 30.5 cm.",
+            Goal(InkLength(20.0, 30.0)) to "Draw 20 to 30 cm.",
+            Goal(FollowLine("loop")) to "Follow the line \"loop\" once round.",
+            Goal(FollowLine("loop", laps = 3.0, within = 60)) to "Follow the line \"loop\" 3 times round within 60 seconds.",
+            Goal(FollowLine("road")) to "Follow the line \"road\" from one end to the other.",
+            Goal(FollowLine("road", laps = 2.0, who = "red")) to
                 "Let the robot \"red\" follow the line \"road\" from one end to the other, 2 times.",
-            Goal.FollowLine("road", laps = 0.8) to "Follow the line \"road\" for 80 % of its length.",
-            Goal.EndWithin(1) to "Your program must come to its end within 1 second.",
-            Goal.EndWithin(20, who = "red") to "The program of the robot \"red\" must come to its end within 20 seconds.",
-            Goal.ShowOnDisplay(" HELLO") to "Show \"HELLO\" on the display.",
-            Goal.PlaySound() to "Play a tone.",
-            Goal.PlaySound(3, lowest = 400, highest = 500) to "Play 3 tones of 400 to 500 hertz.",
-            Goal.PlaySound(2, lowest = 440, highest = 440, who = "red") to "Let the robot \"red\" play 2 tones of 440 hertz.",
-            Goal.InOrder(listOf(Goal.PlaySound())) to "Do these one after the other.",
-            Goal.All(listOf(Goal.PlaySound())) to "Do all of these.",
-            Goal.AnyOf(listOf(Goal.PlaySound())) to "Do one of these.",
+            Goal(FollowLine("road", laps = 0.8)) to "Follow the line \"road\" for 80 % of its length.",
+            Goal(EndWithin(1)) to "Your program must come to its end within 1 second.",
+            Goal(EndWithin(20, who = "red")) to "The program of the robot \"red\" must come to its end within 20 seconds.",
+            Goal(ShowOnDisplay(" HELLO")) to "Show \"HELLO\" on the display.",
+            Goal(PlaySound()) to "Play a tone.",
+            Goal(PlaySound(3, lowest = 400, highest = 500)) to "Play 3 tones of 400 to 500 hertz.",
+            Goal(PlaySound(2, lowest = 440, highest = 440, who = "red")) to "Let the robot \"red\" play 2 tones of 440 hertz.",
+            Goal(InOrder(listOf(Goal(PlaySound())))) to "Do these one after the other.",
+            Goal(All(listOf(Goal(PlaySound())))) to "Do all of these.",
+            Goal(AnyOf(listOf(Goal(PlaySound())))) to "Do one of these.",
         )
         for ((goal, expected) in sentences) assertEquals(expected, sentence(goal))
     }
 
     @Test
     fun `what the author says is said instead`() = runTest {
-        assertEquals("Park the car.", sentence(Goal.Reach(garage, says = "Park the car.")))
+        assertEquals("Park the car.", sentence(Goal(Reach(garage), says = "Park the car.")))
     }
 
     @Test
     fun `the only line needs no name`() = runTest {
-        val goal = run(Goal.FollowLine("loop"), world = world.copy(marks = world.marks.take(2))).goal
+        val goal = run(Goal(FollowLine("loop")), world = world.copy(marks = world.marks.take(2))).goal
         assertEquals("Follow the line once round.", goal.sentence)
     }
 
@@ -86,7 +99,7 @@ class GoalSentenceTest {
         )
         rows.flatten().forEachIndexed { number, word ->
             val region = Shape.Circle(Point(17.0 + 33 * (number % 3), 13.0 + 27 * (number / 3)), 5.0)
-            assertEquals("Keep your robot in the marked area $word.", sentence(Goal.StayIn(region)))
+            assertEquals("Keep your robot in the marked area $word.", sentence(Goal(StayIn(region))))
         }
     }
 }

@@ -6,19 +6,26 @@ import robotran.simulation.state.GoalStatus.FAILED
 import robotran.simulation.state.GoalStatus.MET
 import robotran.simulation.state.GoalStatus.PENDING
 import robotran.world.Goal
+import robotran.world.GoalCondition.All
+import robotran.world.GoalCondition.AnyOf
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
+import robotran.world.GoalCondition.PlaySound
+import robotran.world.GoalCondition.Reach
 import robotran.world.TouchKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
 class GroupGoalTest {
-    private val left = Goal.Reach(rectangle(0.0, 0.0, 10.0, 80.0))
-    private val right = Goal.Reach(rectangle(90.0, 0.0, 100.0, 80.0))
+    private val left = Goal(Reach(rectangle(0.0, 0.0, 10.0, 80.0)))
+    private val right = Goal(Reach(rectangle(90.0, 0.0, 100.0, 80.0)))
 
     private fun Run.parts(): List<GoalStatus> = goal.parts.map { it.status }
 
     @Test
     fun `all of them are wanted in any order`() = runTest {
-        val run = run(Goal.All(listOf(left, right)))
+        val run = run(Goal(All(listOf(left, right))))
         run.robotAt(95.0, 40.0)
         assertEquals(PENDING, run.status)
         run.robotAt(5.0, 40.0)
@@ -28,7 +35,7 @@ class GroupGoalTest {
 
     @Test
     fun `one that failed is enough for all to have failed`() = runTest {
-        val run = run(Goal.All(listOf(left, Goal.NeverTouch())))
+        val run = run(Goal(All(listOf(left, Goal(NeverTouch())))))
         run.touching(TouchKind.WALLS)
         assertEquals(FAILED, run.status)
         run.robotAt(5.0, 40.0)
@@ -38,12 +45,12 @@ class GroupGoalTest {
 
     @Test
     fun `one is enough and all must fail`() = runTest {
-        val run = run(Goal.AnyOf(listOf(left, Goal.NeverTouch())))
+        val run = run(Goal(AnyOf(listOf(left, Goal(NeverTouch())))))
         run.touching(TouchKind.WALLS)
         assertEquals(PENDING, run.status)
         run.robotAt(5.0, 40.0)
         assertEquals(MET, run.status)
-        val neither = run(Goal.AnyOf(listOf(left, Goal.NeverTouch())))
+        val neither = run(Goal(AnyOf(listOf(left, Goal(NeverTouch())))))
         neither.touching(TouchKind.WALLS)
         neither.finish()
         assertEquals(FAILED, neither.status)
@@ -51,7 +58,7 @@ class GroupGoalTest {
 
     @Test
     fun `in order the second counts only behind the first`() = runTest {
-        val run = run(Goal.InOrder(listOf(left, right)))
+        val run = run(Goal(InOrder(listOf(left, right))))
         run.robotAt(95.0, 40.0)
         assertEquals(listOf(PENDING, PENDING), run.parts())
         run.robotAt(5.0, 40.0)
@@ -64,7 +71,7 @@ class GroupGoalTest {
 
     @Test
     fun `whose turn never came has failed`() = runTest {
-        val run = run(Goal.InOrder(listOf(left, right, Goal.NeverTouch())))
+        val run = run(Goal(InOrder(listOf(left, right, Goal(NeverTouch())))))
         run.robotAt(95.0, 40.0)
         run.finish()
         assertEquals(listOf(FAILED, FAILED, FAILED), run.parts())
@@ -72,7 +79,7 @@ class GroupGoalTest {
 
     @Test
     fun `what must never happen counts from its turn on and lets the next begin`() = runTest {
-        val run = run(Goal.InOrder(listOf(left, Goal.NeverTouch(), right)))
+        val run = run(Goal(InOrder(listOf(left, Goal(NeverTouch()), right))))
         run.touching(TouchKind.WALLS)
         run.touching()
         run.robotAt(5.0, 40.0)
@@ -80,7 +87,7 @@ class GroupGoalTest {
         assertEquals(listOf(MET, PENDING, MET), run.parts())
         run.finish()
         assertEquals(MET, run.status)
-        val touched = run(Goal.InOrder(listOf(left, Goal.NeverTouch(), right)))
+        val touched = run(Goal(InOrder(listOf(left, Goal(NeverTouch()), right))))
         touched.touching(TouchKind.WALLS)
         touched.touching()
         touched.robotAt(5.0, 40.0)
@@ -90,7 +97,8 @@ class GroupGoalTest {
 
     @Test
     fun `tones and ink count from their turn on`() = runTest {
-        val run = run(Goal.InOrder(listOf(Goal.PlaySound(2), Goal.PlaySound(2))), Goal.InOrder(listOf(left, Goal.InkLength(10.0, null))))
+        val sound = Goal(PlaySound(2))
+        val run = run(Goal(InOrder(listOf(sound, sound))), Goal(InOrder(listOf(left, Goal(InkLength(10.0, null))))))
         run.plays(440.0, 440.0, 440.0)
         assertEquals(listOf(MET, PENDING), run.parts())
         assertEquals(0.0, run.goal.parts[1].progress)
@@ -106,8 +114,8 @@ class GroupGoalTest {
 
     @Test
     fun `groups lie in groups four deep`() = runTest {
-        val somewhere = Goal.AnyOf(listOf(Goal.All(listOf(left)), right))
-        val run = run(Goal.InOrder(listOf(somewhere, Goal.All(listOf(Goal.AnyOf(listOf(Goal.PlaySound())))))))
+        val somewhere = Goal(AnyOf(listOf(Goal(All(listOf(left))), right)))
+        val run = run(Goal(InOrder(listOf(somewhere, Goal(All(listOf(Goal(AnyOf(listOf(Goal(PlaySound())))))))))))
         run.plays(440.0)
         assertEquals(PENDING, run.goal.parts[1].status)
         run.robotAt(95.0, 40.0)
@@ -118,7 +126,7 @@ class GroupGoalTest {
 
     @Test
     fun `fifty goals are judged in one go`() = runTest {
-        val run = run(*Array(50) { Goal.Reach(rectangle(50.0, 0.0, 50.0 + it, 80.0)) })
+        val run = run(*Array(50) { Goal(Reach(rectangle(50.0, 0.0, 50.0 + it, 80.0))) })
         run.robotAt(75.0, 40.0)
         assertEquals(25, run.goals.count { it.status == MET })
     }

@@ -7,6 +7,10 @@ import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.Ink
 import robotran.simulation.state.InkStroke
 import robotran.world.Goal
+import robotran.world.GoalCondition.DrawTemplate
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.Reach
 import robotran.world.Paper
 import robotran.world.Template
 import robotran.world.geometry.Point
@@ -20,7 +24,7 @@ class InkGoalTest {
 
     @Test
     fun `enough is drawn when it is`() = runTest {
-        val run = run(Goal.InkLength(atLeast = 10.0, atMost = null), Goal.InkLength(null, 12.0), Goal.InkLength(10.0, 12.0))
+        val run = run(Goal(InkLength(atLeast = 10.0, atMost = null)), Goal(InkLength(null, 12.0)), Goal(InkLength(10.0, 12.0)))
         run.draws(0.0 to 0.0, 5.0 to 0.0)
         assertEquals(listOf(0.5, 0.0, 0.5), run.goals.map { it.progress })
         run.draws(0.0 to 1.0, 6.0 to 1.0)
@@ -31,18 +35,18 @@ class InkGoalTest {
 
     @Test
     fun `too little and too much have failed`() = runTest {
-        val little = run(Goal.InkLength(10.0, 12.0))
+        val little = run(Goal(InkLength(10.0, 12.0)))
         little.draws(0.0 to 0.0, 5.0 to 0.0)
         little.finish()
         assertEquals(GoalStatus.FAILED, little.status)
-        val much = run(Goal.InkLength(10.0, 12.0))
+        val much = run(Goal(InkLength(10.0, 12.0)))
         much.draws(0.0 to 0.0, 13.0 to 0.0)
         assertEquals(GoalStatus.FAILED, much.status)
     }
 
     @Test
     fun `a drawing is judged by how much of the template has ink near it`() = runTest {
-        val run = run(Goal.DrawTemplate(), world = corner)
+        val run = run(Goal(DrawTemplate()), world = corner)
         run.draws(20.0 to 20.5, 35.0 to 20.5)
         assertEquals(0.5, run.goal.progress, 0.03)
         run.draws(35.0 to 20.0, 40.0 to 20.0, 40.0 to 30.0)
@@ -54,7 +58,7 @@ class InkGoalTest {
 
     @Test
     fun `too little of a drawing has failed at the end`() = runTest {
-        val run = run(Goal.DrawTemplate(coverage = 0.6), world = corner)
+        val run = run(Goal(DrawTemplate(coverage = 0.6)), world = corner)
         run.draws(20.0 to 20.5, 30.0 to 20.5)
         run.finish()
         assertEquals(GoalStatus.FAILED, run.status)
@@ -62,7 +66,7 @@ class InkGoalTest {
 
     @Test
     fun `too much beside a drawing has failed at once`() = runTest {
-        val run = run(Goal.DrawTemplate(excess = 0.1), world = corner)
+        val run = run(Goal(DrawTemplate(excess = 0.1)), world = corner)
         run.draws(20.0 to 20.0, 40.0 to 20.0, 40.0 to 30.0)
         run.draws(60.0 to 60.0, 62.8 to 60.0)
         assertEquals(GoalStatus.PENDING, run.status)
@@ -72,8 +76,8 @@ class InkGoalTest {
 
     @Test
     fun `what is enough for a drawing lets the next goal begin`() = runTest {
-        val home = Goal.Reach(rectangle(0.0, 0.0, 10.0, 10.0))
-        val run = run(Goal.InOrder(listOf(Goal.DrawTemplate(), home)), world = corner)
+        val home = Goal(Reach(rectangle(0.0, 0.0, 10.0, 10.0)))
+        val run = run(Goal(InOrder(listOf(Goal(DrawTemplate()), home))), world = corner)
         run.robotAt(5.0, 5.0)
         run.draws(20.0 to 20.0, 40.0 to 20.0, 40.0 to 30.0)
         run.robotAt(50.0, 40.0)

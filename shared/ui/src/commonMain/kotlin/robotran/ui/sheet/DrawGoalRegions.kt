@@ -11,6 +11,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.text.TextMeasurer
 import robotran.simulation.state.GoalProgress
+import robotran.world.RegionRole
 import robotran.world.geometry.Shape
 import kotlin.math.max
 
@@ -32,20 +33,20 @@ internal class RegionDrawing(val region: GoalRegion, transform: SheetTransform) 
 /** To be reached: green with a flag, fuller once it is reached. Not to be entered: red dashes. Not to be left: long blue-grey dashes. */
 internal fun DrawScope.drawRegion(drawing: RegionDrawing, goals: List<GoalProgress>, transform: SheetTransform, labels: TextMeasurer?) {
     val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_LINE_PIXELS)
-    when (drawing.region.kind) {
-        RegionKind.REACH -> {
+    when (drawing.region.role) {
+        RegionRole.TARGET -> {
             val met = drawing.region.isMet(goals)
             drawPath(drawing.path, SheetColours.REACH.copy(alpha = if (met) MET_ALPHA else FILL_ALPHA))
             drawPath(drawing.outline, SheetColours.REACH.copy(alpha = LINE_ALPHA), style = Stroke(width))
             drawFlag(drawing, transform, labels)
         }
 
-        RegionKind.STAY_OUT -> {
+        RegionRole.FORBIDDEN -> {
             drawPath(drawing.path, SheetColours.STAY_OUT.copy(alpha = FILL_ALPHA))
             drawDashes(drawing.outline, SheetColours.STAY_OUT, width, SHORT_DASH)
         }
 
-        RegionKind.STAY_IN -> {
+        RegionRole.PERMITTED -> {
             drawDashes(drawing.outline, SheetColours.STAY_IN, width, LONG_DASH)
         }
     }

@@ -19,8 +19,8 @@ import robotran.ui.resources.sheet_region_stay_out
 import robotran.ui.resources.sheet_robot_of_several
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.sheet.GoalRegion
-import robotran.ui.sheet.RegionKind
 import robotran.ui.sheet.goalRegions
+import robotran.world.RegionRole
 import robotran.world.World
 import robotran.world.geometry.centre
 
@@ -55,8 +55,8 @@ private fun robotWords(snapshot: RobotSnapshot): String {
 private fun regionWords(region: GoalRegion, session: SessionState): String {
     val place = placeWords(region.shape.centre)
     val number = region.number
-    val words = when (region.kind) {
-        RegionKind.REACH -> {
+    val words = when (region.role) {
+        RegionRole.TARGET -> {
             if (number == null) {
                 stringResource(Res.string.sheet_region_reach, place)
             } else {
@@ -64,11 +64,11 @@ private fun regionWords(region: GoalRegion, session: SessionState): String {
             }
         }
 
-        RegionKind.STAY_OUT -> {
+        RegionRole.FORBIDDEN -> {
             stringResource(Res.string.sheet_region_stay_out, place)
         }
 
-        RegionKind.STAY_IN -> {
+        RegionRole.PERMITTED -> {
             stringResource(Res.string.sheet_region_stay_in, place)
         }
     }

@@ -6,19 +6,6 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_black
 import robotran.ui.resources.worldedit_blue
-import robotran.ui.resources.worldedit_goal_all
-import robotran.ui.resources.worldedit_goal_any_of
-import robotran.ui.resources.worldedit_goal_draw_template
-import robotran.ui.resources.worldedit_goal_end_within
-import robotran.ui.resources.worldedit_goal_follow_line
-import robotran.ui.resources.worldedit_goal_in_order
-import robotran.ui.resources.worldedit_goal_ink_length
-import robotran.ui.resources.worldedit_goal_never_touch
-import robotran.ui.resources.worldedit_goal_reach
-import robotran.ui.resources.worldedit_goal_show
-import robotran.ui.resources.worldedit_goal_sound
-import robotran.ui.resources.worldedit_goal_stay_in
-import robotran.ui.resources.worldedit_goal_stay_out
 import robotran.ui.resources.worldedit_green
 import robotran.ui.resources.worldedit_grey_map
 import robotran.ui.resources.worldedit_item_area
@@ -43,7 +30,6 @@ import robotran.ui.resources.worldedit_several_chosen
 import robotran.ui.resources.worldedit_wall_numbered
 import robotran.ui.resources.worldedit_white
 import robotran.ui.resources.worldedit_yellow
-import robotran.world.Goal
 import robotran.world.MarkFigure
 import robotran.world.RobotColour
 import robotran.world.World
@@ -73,7 +59,7 @@ internal fun thingInWords(world: World, thing: Thing): String {
         }
 
         is Piece.OfGoal -> {
-            piece.goal.says ?: stringResource(goalTitle(piece.goal))
+            piece.goal.says ?: stringResource(goalTitle(piece.goal.condition))
         }
 
         is Piece.OfBarrier, is Piece.OfBlock, is Piece.OfMark, is Piece.OfLamp, is Piece.OfStroke -> {
@@ -117,24 +103,7 @@ internal fun kindOf(piece: Piece): StringResource = when (piece) {
 
     is Piece.OfStroke -> Res.string.worldedit_item_template_line
 
-    is Piece.OfGoal -> goalTitle(piece.goal)
-}
-
-/** What a goal asks for, in a few words. */
-internal fun goalTitle(goal: Goal): StringResource = when (goal) {
-    is Goal.Reach -> Res.string.worldedit_goal_reach
-    is Goal.StayOut -> Res.string.worldedit_goal_stay_out
-    is Goal.StayIn -> Res.string.worldedit_goal_stay_in
-    is Goal.NeverTouch -> Res.string.worldedit_goal_never_touch
-    is Goal.DrawTemplate -> Res.string.worldedit_goal_draw_template
-    is Goal.InkLength -> Res.string.worldedit_goal_ink_length
-    is Goal.FollowLine -> Res.string.worldedit_goal_follow_line
-    is Goal.EndWithin -> Res.string.worldedit_goal_end_within
-    is Goal.ShowOnDisplay -> Res.string.worldedit_goal_show
-    is Goal.PlaySound -> Res.string.worldedit_goal_sound
-    is Goal.InOrder -> Res.string.worldedit_goal_in_order
-    is Goal.All -> Res.string.worldedit_goal_all
-    is Goal.AnyOf -> Res.string.worldedit_goal_any_of
+    is Piece.OfGoal -> goalTitle(piece.goal.condition)
 }
 
 internal fun colourWord(colour: RobotColour): StringResource = when (colour) {

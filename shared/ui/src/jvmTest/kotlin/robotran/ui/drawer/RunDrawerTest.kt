@@ -24,6 +24,7 @@ import robotran.workshop.programs.asProject
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.PupilProgram
 import robotran.world.Goal
+import robotran.world.GoalCondition.InkLength
 import robotran.world.PortSensor
 import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
@@ -138,7 +139,7 @@ class RunDrawerTest {
 
     @Test
     fun `goals are counted beside the world and told in the drawer`() = onTablet { workshop ->
-        workshop.with("pen down\nforward 10", listOf(Goal.InkLength(5.0, null), Goal.InkLength(500.0, null)))
+        workshop.with("pen down\nforward 10", listOf(Goal(InkLength(5.0, null)), Goal(InkLength(500.0, null))))
         pass(300)
         onNodeWithTag("goal-chip").assertTextContains("0 of 2 goals met")
         onNodeWithTag("goal-chip").performClick()
@@ -150,7 +151,7 @@ class RunDrawerTest {
 
     @Test
     fun `when all goals are met a kind sentence says so`() = onPhone { workshop ->
-        workshop.with("pen down\nforward 10", listOf(Goal.InkLength(5.0, null)))
+        workshop.with("pen down\nforward 10", listOf(Goal(InkLength(5.0, null))))
         workshop.handle(RunEvent.RunPressed)
         pass(6_000)
         onNodeWithTag("goal-chip").assertTextContains("All goals met. Well done.")

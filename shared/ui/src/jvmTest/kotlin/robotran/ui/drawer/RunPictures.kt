@@ -16,6 +16,8 @@ import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.world.Goal
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
 import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 
@@ -36,7 +38,7 @@ class RunPictures {
     }
 
     private fun paused(tab: DrawerTab?, settings: Settings = Settings()): Workshop = runBlocking { openWorkshop() }.apply {
-        val goals = listOf(Goal.InkLength(40.0, null), Goal.NeverTouch(), Goal.InkLength(400.0, null))
+        val goals = listOf(Goal(InkLength(40.0, null)), Goal(NeverTouch()), Goal(InkLength(400.0, null)))
         val world = BuiltInWorlds.plain.copy(goals = goals, realism = 0.6)
         val program = PupilProgram("rounds.robo", SOURCE).asProject()
         openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))

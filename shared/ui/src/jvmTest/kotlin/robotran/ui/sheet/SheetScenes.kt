@@ -15,6 +15,11 @@ import robotran.simulation.state.SessionState
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Goal
+import robotran.world.GoalCondition.All
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.Reach
+import robotran.world.GoalCondition.StayIn
+import robotran.world.GoalCondition.StayOut
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
@@ -70,15 +75,17 @@ internal object SheetScenes {
             ),
         ),
         goals = listOf(
-            Goal.InOrder(
-                listOf(
-                    Goal.Reach(Shape.Circle(Point(10.0, 58.0), 7.0)),
-                    Goal.Reach(Shape.Rectangle(Point(110.0, 75.0), 12.0, 16.0)),
+            Goal(
+                InOrder(
+                    listOf(
+                        Goal(Reach(Shape.Circle(Point(10.0, 58.0), 7.0))),
+                        Goal(Reach(Shape.Rectangle(Point(110.0, 75.0), 12.0, 16.0))),
+                    ),
                 ),
             ),
-            Goal.Reach(Shape.Rectangle(Point(52.0, 50.0), 16.0, 12.0, 15.0), who = "red"),
-            Goal.All(listOf(Goal.StayOut(Shape.Circle(Point(78.0, 54.0), 6.0)))),
-            Goal.StayIn(Shape.Rectangle(Point(60.0, 45.0), 116.0, 86.0)),
+            Goal(Reach(Shape.Rectangle(Point(52.0, 50.0), 16.0, 12.0, 15.0), who = "red")),
+            Goal(All(listOf(Goal(StayOut(Shape.Circle(Point(78.0, 54.0), 6.0)))))),
+            Goal(StayIn(Shape.Rectangle(Point(60.0, 45.0), 116.0, 86.0))),
         ),
     )
 

@@ -12,6 +12,12 @@ import robotran.workshop.state.SheetLayer
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Goal
+import robotran.world.GoalCondition.All
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.PlaySound
+import robotran.world.GoalCondition.Reach
+import robotran.world.GoalCondition.StayIn
+import robotran.world.GoalCondition.StayOut
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
@@ -142,7 +148,7 @@ class SheetThingsTest {
             49.9 to 30.0, 49.9 to 40.0, 20.0 to 40.0,
         )
         val region = Shape.Polygon(slit.map { (x, y) -> Point(x, y) })
-        val picture = closeUp(with { copy(goals = listOf(Goal.Reach(region))) })
+        val picture = closeUp(with { copy(goals = listOf(Goal(Reach(region)))) })
         assertEquals(picture.at(30.0, 35.0), picture.at(50.0, 35.0))
         assertEquals(paper, picture.at(50.0, 22.0))
         assertNotEquals(picture.at(30.0, 35.0), picture.at(45.0, 15.0))
@@ -150,7 +156,7 @@ class SheetThingsTest {
 
     @Test
     fun `what is wanted is drawn over the sheet, and goals are not if they are not wanted`() {
-        val world = with { copy(goals = listOf(Goal.Reach(box(60.0, 20.0, 20.0)))) }
+        val world = with { copy(goals = listOf(Goal(Reach(box(60.0, 20.0, 20.0))))) }
         val way = TrailPiece(0, listOf(Point(30.0, 40.0), Point(50.0, 40.0)))
         val state = SheetScenes.state(world).copy(trail = listOf(way))
         val plain = renderOn(world, 2000) { drawSheet(it, state, SheetColours.LIGHT, shown = emptySet()) }
@@ -207,7 +213,7 @@ class SheetThingsTest {
 
     @Test
     fun `a region to be reached is green, and fuller once it is reached`() {
-        val world = with { copy(goals = listOf(Goal.Reach(box(60.0, 20.0, 20.0)))) }
+        val world = with { copy(goals = listOf(Goal(Reach(box(60.0, 20.0, 20.0))))) }
         val before = closeUp(world).at(52.0, 12.0)
         val after = closeUp(world, SheetScenes.state(world, goals = listOf(SheetScenes.progress(GoalStatus.MET)))).at(52.0, 12.0)
         assertTrue(before.green > before.red && after.red < before.red)
@@ -215,9 +221,9 @@ class SheetThingsTest {
 
     @Test
     fun `a region to keep out of is red and one to stay in is left plain`() {
-        val keepOut = closeUp(with { copy(goals = listOf(Goal.All(listOf(Goal.StayOut(box(60.0, 20.0, 20.0)))))) })
+        val keepOut = closeUp(with { copy(goals = listOf(Goal(All(listOf(Goal(StayOut(box(60.0, 20.0, 20.0)))))))) })
         assertTrue(keepOut.at(60.0, 20.0).let { it.red > it.green })
-        val stayIn = closeUp(with { copy(goals = listOf(Goal.StayIn(box(60.0, 20.0, 20.0)))) })
+        val stayIn = closeUp(with { copy(goals = listOf(Goal(StayIn(box(60.0, 20.0, 20.0))))) })
         assertEquals(paper, stayIn.at(60.0, 20.0))
         assertTrue(SheetColours.STAY_IN in stayIn.coloursAround(60.0, 30.0, 2.0))
     }
@@ -233,13 +239,13 @@ class SheetThingsTest {
 
     @Test
     fun `goals to be reached one after the other are numbered`() {
-        val one = Goal.Reach(box(20.0, 20.0))
-        val two = Goal.Reach(box(60.0, 20.0))
-        val out = Goal.StayOut(box(40.0, 20.0))
-        val regions = goalRegions(listOf(out, Goal.InOrder(listOf(one, out, two)), one))
+        val one = Goal(Reach(box(20.0, 20.0)))
+        val two = Goal(Reach(box(60.0, 20.0)))
+        val out = Goal(StayOut(box(40.0, 20.0)))
+        val regions = goalRegions(listOf(out, Goal(InOrder(listOf(one, out, two))), one))
         assertEquals(listOf(null, 1, 2), regions.map { it.number })
         assertEquals(listOf(listOf(0), listOf(1, 0), listOf(1, 2)), regions.map { it.where })
-        assertEquals(listOf(null), goalRegions(listOf(Goal.InOrder(listOf(one, Goal.PlaySound())))).map { it.number })
+        assertEquals(listOf(null), goalRegions(listOf(Goal(InOrder(listOf(one, Goal(PlaySound())))))).map { it.number })
     }
 
     @Test

@@ -9,6 +9,7 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.world.Goal
+import robotran.world.GoalCondition.InkLength
 import robotran.world.file.BuiltInWorlds
 import kotlin.test.AfterTest
 import kotlin.test.Test
@@ -42,7 +43,7 @@ class WorkshopLanguageTest {
 
     @Test
     fun `the goals of a world that nobody has run in yet are told anew`() {
-        val world = BuiltInWorlds.plain.copy(goals = listOf(Goal.InkLength(atLeast = 10.5, atMost = null)))
+        val world = BuiltInWorlds.plain.copy(goals = listOf(Goal(InkLength(atLeast = 10.5, atMost = null))))
         speak(Language.ENGLISH)
         workshop.openProject(Project(world))
         assertEquals("Draw 10.5 cm or more.", workshop.state.session.goals.single().sentence)

@@ -19,6 +19,7 @@ import robotran.workshop.state.SheetCamera
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Goal
+import robotran.world.GoalCondition.Reach
 import robotran.world.Lamp
 import robotran.world.Paper
 import robotran.world.PortSensor
@@ -45,7 +46,7 @@ internal val handyWorld = World(
     barriers = listOf(Barrier(Shape.Rectangle(Point(60.0, 10.0), 10.0, 4.0))),
     blocks = listOf(Block(Shape.Rectangle(Point(60.0, 30.0), 6.0, 6.0))),
     lamps = listOf(Lamp(Point(20.0, 70.0))),
-    goals = listOf(Goal.Reach(Shape.Circle(Point(90.0, 20.0), 6.0))),
+    goals = listOf(Goal(Reach(Shape.Circle(Point(90.0, 20.0), 6.0)))),
 )
 
 /** The world of a tablet, whose pane is what is looked at. */

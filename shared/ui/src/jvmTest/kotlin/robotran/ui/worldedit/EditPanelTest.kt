@@ -5,6 +5,8 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTextReplacement
 import robotran.ui.screen.pass
 import robotran.world.Goal
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.Reach
 import robotran.world.LightFacing
 import robotran.world.MarkFigure
 import robotran.world.RobotColour
@@ -137,19 +139,19 @@ class EditPanelTest {
             tap("add-goal")
             tap("add-goal-$kind")
         }
-        assertEquals(13, world.goals.map { it::class }.toSet().size)
+        assertEquals(13, world.goals.map { it.condition::class }.toSet().size)
         assertEquals(emptyList(), editing.troubles)
         tap("thing-goal-0")
         tap("goal-down")
-        assertTrue(world.goals[1] is Goal.Reach)
+        assertTrue(world.goals[1].condition is Reach)
         tap("goal-wrap")
         tap("goal-wrap-0")
-        assertTrue(world.goals[1] is Goal.InOrder)
+        assertTrue(world.goals[1].condition is InOrder)
         tap("goal-change")
         tap("field-stays")
         tap("field-within")
         type("field-seconds", "12")
-        val reach = (world.goals[1] as Goal.InOrder).goals.single() as Goal.Reach
+        val reach = world.goals[1].parts.single().condition as Reach
         assertEquals(true to 12, reach.stays to reach.within)
     }
 

@@ -11,6 +11,19 @@ import robotran.json.nearestDecimal
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Goal
+import robotran.world.GoalCondition.All
+import robotran.world.GoalCondition.AnyOf
+import robotran.world.GoalCondition.DrawTemplate
+import robotran.world.GoalCondition.EndWithin
+import robotran.world.GoalCondition.FollowLine
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
+import robotran.world.GoalCondition.PlaySound
+import robotran.world.GoalCondition.Reach
+import robotran.world.GoalCondition.ShowOnDisplay
+import robotran.world.GoalCondition.StayIn
+import robotran.world.GoalCondition.StayOut
 import robotran.world.Lamp
 import robotran.world.LightFacing
 import robotran.world.Mark
@@ -98,34 +111,37 @@ private class ArbitraryWorld(private val random: Random) {
         private val lines = marks.filter { it.figure is MarkFigure.Line }.mapNotNull { it.name }
 
         fun goal(depth: Int): Goal = when (random.nextInt(if (depth == 3) SIMPLE_KINDS else KINDS)) {
-            0 -> Goal.Reach(shape(), any(movable), flag(), maybe(::seconds), flag(), maybe(::text), unknown())
-            1 -> Goal.StayOut(shape(), any(movable), flag(), maybe(::text), unknown())
-            2 -> Goal.StayIn(shape(), any(movable), flag(), maybe(::text), unknown())
-            3 -> Goal.NeverTouch(touchKinds(), any(robots), maybe(::text), unknown())
+            0 -> Goal(Reach(shape(), any(movable), flag(), maybe(::seconds), flag()), maybe(::text), unknown())
+            1 -> Goal(StayOut(shape(), any(movable), flag()), maybe(::text), unknown())
+            2 -> Goal(StayIn(shape(), any(movable), flag()), maybe(::text), unknown())
+            3 -> Goal(NeverTouch(touchKinds(), any(robots)), maybe(::text), unknown())
             4 -> if (template == null) goal(depth) else drawTemplate()
-            5 -> Goal.InkLength(number(0.0, 50.0), maybe { number(50.0, 1e5) }, maybe(::text), unknown())
+            5 -> Goal(InkLength(number(0.0, 50.0), maybe { number(50.0, 1e5) }), maybe(::text), unknown())
             6 -> if (lines.isEmpty()) goal(depth) else followLine()
-            7 -> Goal.EndWithin(seconds(), any(robots), maybe(::text), unknown())
-            8 -> Goal.ShowOnDisplay("HELLO".take(random.nextInt(1, 6)), any(robots), maybe(::text), unknown())
+            7 -> Goal(EndWithin(seconds(), any(robots)), maybe(::text), unknown())
+            8 -> Goal(ShowOnDisplay("HELLO".take(random.nextInt(1, 6)), any(robots)), maybe(::text), unknown())
             9 -> playSound()
-            10 -> Goal.InOrder(goals(depth), maybe(::text), unknown())
-            11 -> Goal.All(goals(depth), maybe(::text), unknown())
-            else -> Goal.AnyOf(goals(depth), maybe(::text), unknown())
+            10 -> Goal(InOrder(goals(depth)), maybe(::text), unknown())
+            11 -> Goal(All(goals(depth)), maybe(::text), unknown())
+            else -> Goal(AnyOf(goals(depth)), maybe(::text), unknown())
         }
 
         private fun touchKinds() = TouchKind.entries.shuffled(random).take(random.nextInt(1, 5)).toSet()
 
-        private fun playSound(): Goal.PlaySound {
+        private fun playSound(): Goal {
             val lowest = maybe { random.nextInt(31, 440) }
-            return Goal.PlaySound(random.nextInt(1, 1001), lowest, maybe { 440 }, any(robots), maybe(::text), unknown())
+            return Goal(PlaySound(random.nextInt(1, 1001), lowest, maybe { 440 }, any(robots)), maybe(::text), unknown())
         }
 
-        private fun drawTemplate() = Goal.DrawTemplate(number(0.1, 100.0), number(0.0, 1.0), number(0.0, 100.0), maybe(::text), unknown())
+        private fun drawTemplate() =
+            Goal(DrawTemplate(number(0.1, 100.0), number(0.0, 1.0), number(0.0, 100.0)), maybe(::text), unknown())
 
         private fun goals(depth: Int) = List(random.nextInt(1, 3)) { goal(depth + 1) }
 
-        private fun followLine() = Goal.FollowLine(
-            lines.random(random), number(0.1, 100.0), number(0.1, 100.0), any(robots), maybe(::seconds), maybe(::text), unknown(),
+        private fun followLine() = Goal(
+            FollowLine(lines.random(random), number(0.1, 100.0), number(0.1, 100.0), any(robots), maybe(::seconds)),
+            maybe(::text),
+            unknown(),
         )
 
         private fun any(names: List<String>) = maybe { names.random(random) }

@@ -3,6 +3,19 @@ package robotran.world.file
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Goal
+import robotran.world.GoalCondition.All
+import robotran.world.GoalCondition.AnyOf
+import robotran.world.GoalCondition.DrawTemplate
+import robotran.world.GoalCondition.EndWithin
+import robotran.world.GoalCondition.FollowLine
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
+import robotran.world.GoalCondition.PlaySound
+import robotran.world.GoalCondition.Reach
+import robotran.world.GoalCondition.ShowOnDisplay
+import robotran.world.GoalCondition.StayIn
+import robotran.world.GoalCondition.StayOut
 import robotran.world.Lamp
 import robotran.world.LightFacing
 import robotran.world.Mark
@@ -91,14 +104,14 @@ class ReadWorldTest {
     @Test
     fun `goals of all kinds are read`() {
         val expected = listOf(
-            Goal.Reach(Shape.Circle(Point(5.0, 5.0), 4.0), "brick", whole = true, within = 30, stays = true),
-            Goal.StayOut(Shape.Polygon(listOf(Point(0.0, 0.0), Point(1.0, 0.0), Point(1.0, 1.0))), "ann", whole = true),
-            Goal.StayIn(Shape.Rectangle(Point(0.0, 0.0), 9.0, 9.0), says = "Stay at home."),
-            Goal.NeverTouch(setOf(TouchKind.WALLS, TouchKind.ROBOTS), "bob"),
-            Goal.DrawTemplate(2.0, 0.8, 0.3),
-            Goal.InOrder(listOf(Goal.InkLength(10.0, 20.0), Goal.FollowLine("loop", 2.5, 3.0, "ann", 50))),
-            Goal.All(listOf(Goal.EndWithin(20, "ann"))),
-            Goal.AnyOf(listOf(Goal.ShowOnDisplay("HELLO", "bob"), Goal.PlaySound(3, 400, 500, "bob"))),
+            Goal(Reach(Shape.Circle(Point(5.0, 5.0), 4.0), "brick", whole = true, within = 30, stays = true)),
+            Goal(StayOut(Shape.Polygon(listOf(Point(0.0, 0.0), Point(1.0, 0.0), Point(1.0, 1.0))), "ann", whole = true)),
+            Goal(StayIn(Shape.Rectangle(Point(0.0, 0.0), 9.0, 9.0)), says = "Stay at home."),
+            Goal(NeverTouch(setOf(TouchKind.WALLS, TouchKind.ROBOTS), "bob")),
+            Goal(DrawTemplate(2.0, 0.8, 0.3)),
+            Goal(InOrder(listOf(Goal(InkLength(10.0, 20.0)), Goal(FollowLine("loop", 2.5, 3.0, "ann", 50))))),
+            Goal(All(listOf(Goal(EndWithin(20, "ann"))))),
+            Goal(AnyOf(listOf(Goal(ShowOnDisplay("HELLO", "bob")), Goal(PlaySound(3, 400, 500, "bob"))))),
         )
         assertEquals(expected, full.goals)
     }

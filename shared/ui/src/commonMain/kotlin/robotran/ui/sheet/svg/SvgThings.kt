@@ -3,7 +3,6 @@ package robotran.ui.sheet.svg
 import androidx.compose.ui.graphics.Color
 import robotran.simulation.state.LampState
 import robotran.ui.sheet.GoalRegion
-import robotran.ui.sheet.RegionKind
 import robotran.ui.sheet.SeamlessPolygon
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.colour
@@ -14,6 +13,7 @@ import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
+import robotran.world.RegionRole
 import robotran.world.Template
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
@@ -99,13 +99,13 @@ internal class SvgThings(private val svg: SvgWriter, private val shapes: SvgShap
     }
 
     fun region(region: GoalRegion, met: Boolean) {
-        val (colour, dashes) = when (region.kind) {
-            RegionKind.REACH -> SheetColours.REACH to null
-            RegionKind.STAY_OUT -> SheetColours.STAY_OUT to "0.9 0.9"
-            RegionKind.STAY_IN -> SheetColours.STAY_IN to "2.4 0.9"
+        val (colour, dashes) = when (region.role) {
+            RegionRole.TARGET -> SheetColours.REACH to null
+            RegionRole.FORBIDDEN -> SheetColours.STAY_OUT to "0.9 0.9"
+            RegionRole.PERMITTED -> SheetColours.STAY_IN to "2.4 0.9"
         }
         val fill = when {
-            region.kind == RegionKind.STAY_IN -> null
+            region.role == RegionRole.PERMITTED -> null
             met -> MET_OPACITY
             else -> OPACITY
         }
@@ -119,7 +119,7 @@ internal class SvgThings(private val svg: SvgWriter, private val shapes: SvgShap
             shapes.shape(Shape.Polygon(polygon.corners), *inside)
             for (piece in pieces) svg.element("polyline", "points" to figures(shapes.down(piece)), "fill" to "none", *edge)
         }
-        if (region.kind == RegionKind.REACH) flag(region)
+        if (region.role == RegionRole.TARGET) flag(region)
     }
 
     private fun flag(region: GoalRegion) {

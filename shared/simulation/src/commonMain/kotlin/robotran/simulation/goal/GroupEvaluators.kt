@@ -5,7 +5,7 @@ import robotran.simulation.state.GoalStatus
 import kotlin.math.floor
 
 /** Judges a goal that is made of others. */
-internal abstract class GroupJudgement(private val sentence: String, protected val parts: List<Judgement>) : Judgement {
+internal abstract class GroupEvaluator(private val sentence: String, protected val parts: List<GoalEvaluator>) : GoalEvaluator {
     final override var progress = GoalProgress(sentence, GoalStatus.PENDING, 0.0, parts.map { it.progress })
         private set
 
@@ -56,7 +56,7 @@ internal abstract class GroupJudgement(private val sentence: String, protected v
     }
 }
 
-internal class AllJudgement(sentence: String, parts: List<Judgement>) : GroupJudgement(sentence, parts) {
+internal class AllEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
     override val letsNextBegin: Boolean get() = parts.all { it.letsNextBegin }
 
     override fun statusOf(parts: List<GoalStatus>): GoalStatus = statusOfAll(parts)
@@ -64,7 +64,7 @@ internal class AllJudgement(sentence: String, parts: List<Judgement>) : GroupJud
     override fun shareOf(shares: List<Double>): Double = mean(shares)
 }
 
-internal class AnyOfJudgement(sentence: String, parts: List<Judgement>) : GroupJudgement(sentence, parts) {
+internal class AnyOfEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
     override val letsNextBegin: Boolean get() = parts.any { it.letsNextBegin }
 
     override fun statusOf(parts: List<GoalStatus>): GoalStatus = when {
@@ -77,7 +77,7 @@ internal class AnyOfJudgement(sentence: String, parts: List<Judgement>) : GroupJ
 }
 
 /** Each part is begun when the one before lets it, and looks at the run from the next moment on. */
-internal class InOrderJudgement(sentence: String, parts: List<Judgement>) : GroupJudgement(sentence, parts) {
+internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
     private var begun = minOf(1, parts.size)
 
     override val letsNextBegin: Boolean get() = begun == parts.size && parts.all { it.letsNextBegin }

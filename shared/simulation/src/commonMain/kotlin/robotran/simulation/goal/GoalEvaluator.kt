@@ -5,7 +5,7 @@ import robotran.simulation.state.GoalStatus
 import kotlin.math.floor
 
 /** Judges one goal of a run: it is shown the run again and again, and in the end once more. */
-internal interface Judgement {
+internal interface GoalEvaluator {
     /** The same object as long as nothing changes. */
     val progress: GoalProgress
 
@@ -24,8 +24,8 @@ internal interface Judgement {
     fun giveUp()
 }
 
-/** What judgements of a single goal have in common. Once met or failed, they do not look any more. */
-internal abstract class SingleJudgement(sentence: String) : Judgement {
+/** What evaluators of a single goal have in common. Once met or failed, they do not look any more. */
+internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
     final override var progress = GoalProgress(sentence, GoalStatus.PENDING, 0.0)
         private set
 
@@ -66,7 +66,7 @@ internal abstract class SingleJudgement(sentence: String) : Judgement {
 }
 
 /** A goal about somebody that is not there. */
-internal class HopelessJudgement(sentence: String) : SingleJudgement(sentence) {
+internal class UnsatisfiableGoal(sentence: String) : SingleGoalEvaluator(sentence) {
     init {
         tell(GoalStatus.FAILED)
     }

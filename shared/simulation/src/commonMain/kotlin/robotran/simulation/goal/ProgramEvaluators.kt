@@ -3,14 +3,14 @@ package robotran.simulation.goal
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.state.RunState
 import robotran.simulation.state.GoalStatus
-import robotran.world.Goal
+import robotran.world.GoalCondition
 
 /** Has the program come to its end by itself in time? */
-internal class EndWithinJudgement(
+internal class EndWithinEvaluator(
     sentence: String,
-    private val goal: Goal.EndWithin,
+    private val goal: GoalCondition.EndWithin,
     private val actor: Actor.OfRobots,
-) : SingleJudgement(sentence) {
+) : SingleGoalEvaluator(sentence) {
     override fun look(scene: Scene) {
         val run = scene.robot(actor)?.brick?.run
         when {
@@ -21,11 +21,11 @@ internal class EndWithinJudgement(
 }
 
 /** Has the program shown the text? */
-internal class ShowOnDisplayJudgement(
+internal class ShowOnDisplayEvaluator(
     sentence: String,
-    private val goal: Goal.ShowOnDisplay,
+    private val goal: GoalCondition.ShowOnDisplay,
     private val actor: Actor.OfRobots,
-) : SingleJudgement(sentence) {
+) : SingleGoalEvaluator(sentence) {
     /** What the firmware has left on the display, as long as the program has changed nothing about it. */
     private var leftByFirmware: String? = null
 
@@ -53,11 +53,11 @@ internal class ShowOnDisplayJudgement(
 }
 
 /** Has the program played so many tones? */
-internal class PlaySoundJudgement(
+internal class PlaySoundEvaluator(
     sentence: String,
-    private val goal: Goal.PlaySound,
+    private val goal: GoalCondition.PlaySound,
     private val actor: Actor.OfRobots,
-) : SingleJudgement(sentence) {
+) : SingleGoalEvaluator(sentence) {
     private val lowest = (goal.lowest ?: 0) / NEARLY
     private val highest = goal.highest?.let { it * NEARLY } ?: Double.MAX_VALUE
     private var played = 0

@@ -1,11 +1,11 @@
 package robotran.simulation.goal
 
 import robotran.simulation.state.GoalStatus
-import robotran.world.Goal
+import robotran.world.GoalCondition
 import robotran.world.TouchKind
 
 /** Judges something that must hold until the run is over. */
-internal abstract class KeepingJudgement(sentence: String) : SingleJudgement(sentence) {
+internal abstract class InvariantEvaluator(sentence: String) : SingleGoalEvaluator(sentence) {
     override val letsNextBegin: Boolean get() = progress.status != GoalStatus.FAILED
 
     override val statusAtEnd: GoalStatus get() = GoalStatus.MET
@@ -19,11 +19,11 @@ internal abstract class KeepingJudgement(sentence: String) : SingleJudgement(sen
 }
 
 /** Has the robot touched nothing of these kinds? */
-internal class NeverTouchJudgement(
+internal class NeverTouchEvaluator(
     sentence: String,
-    private val goal: Goal.NeverTouch,
+    private val goal: GoalCondition.NeverTouch,
     private val actor: Actor.OfRobots,
-) : KeepingJudgement(sentence) {
+) : InvariantEvaluator(sentence) {
     /** What was touched before this goal's turn came; of that, only what is touched now can be told. */
     private var touchedBefore: Set<TouchKind> = emptySet()
 

@@ -4,34 +4,30 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_who
-import robotran.world.Goal
+import robotran.world.HasActor
 import robotran.world.WorldLimits
 import robotran.worldediting.Edit
-import robotran.worldediting.Piece
 import robotran.worldediting.Thing
 import robotran.worldediting.ThingKind
 import robotran.worldediting.freeName
 import robotran.worldediting.name
 import robotran.worldediting.named
 import robotran.worldediting.piece
-import robotran.worldediting.region
-import robotran.worldediting.who
-import robotran.worldediting.withWho
 
 /** Robots, and where a place is meant blocks too. */
 @Composable
-internal fun WhoField(sender: GoalSender, goal: Goal) {
+internal fun WhoField(sender: GoalSender, condition: HasActor) {
     val world = sender.making.world
     val robots = world.robots.indices.drop(1).map { Thing(ThingKind.ROBOT, it) }
-    val blocks = if (goal.region != null) world.blocks.indices.map { Thing(ThingKind.BLOCK, it) } else emptyList()
+    val blocks = if (condition.mayBeBlock) world.blocks.indices.map { Thing(ThingKind.BLOCK, it) } else emptyList()
     val first = Thing(ThingKind.ROBOT, 0)
     val choices = (listOf(first) + robots + blocks).map { it to thingInWords(world, it) }
-    val shown = goal.who ?: choices.first().second
+    val shown = condition.who ?: choices.first().second
     MenuRow(stringResource(Res.string.worldedit_who), choices, shown, "field-who") { thing ->
         if (thing == first) {
-            sender.once(goal.withWho(null))
+            sender.once(condition.withWho(null))
         } else {
-            sender.making.nameAnd(thing, choices) { name -> Edit.Change(sender.thing, Piece.OfGoal(goal.withWho(name))) }
+            sender.making.nameAnd(thing, choices) { name -> Edit.Change(sender.thing, sender.piece(condition.withWho(name))) }
         }
     }
 }

@@ -2,11 +2,11 @@ package robotran.simulation.goal
 
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.Ink
-import robotran.world.Goal
+import robotran.world.GoalCondition
 import robotran.world.Template
 
 /** Has so much been drawn? */
-internal class InkLengthJudgement(sentence: String, private val goal: Goal.InkLength) : SingleJudgement(sentence) {
+internal class InkLengthEvaluator(sentence: String, private val goal: GoalCondition.InkLength) : SingleGoalEvaluator(sentence) {
     private val atLeast = goal.atLeast ?: 0.0
     private var lengthAtStart = 0.0
     private var isEnough = false
@@ -31,11 +31,11 @@ internal class InkLengthJudgement(sentence: String, private val goal: Goal.InkLe
 }
 
 /** Is the template drawn, and not much beside it? */
-internal class DrawTemplateJudgement(
+internal class DrawTemplateEvaluator(
     sentence: String,
-    private val goal: Goal.DrawTemplate,
+    private val goal: GoalCondition.DrawTemplate,
     template: Template,
-) : SingleJudgement(sentence) {
+) : SingleGoalEvaluator(sentence) {
     private val tracing = Tracing(template, goal.tolerance)
     private var seen: Ink? = null
 

@@ -1,18 +1,20 @@
 package robotran.simulation.goal
 
 import robotran.simulation.state.GoalStatus
-import robotran.world.Goal
+import robotran.world.GoalCondition
+import robotran.world.Mark
 import robotran.world.MarkFigure
+import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.length
 
 /** Has the robot's light sensor gone along the line so often? */
-internal class FollowLineJudgement(
+internal class FollowLineEvaluator(
     sentence: String,
-    private val goal: Goal.FollowLine,
+    private val goal: GoalCondition.FollowLine,
     private val actor: Actor.OfRobots,
     line: MarkFigure.Line,
-) : SingleJudgement(sentence) {
+) : SingleGoalEvaluator(sentence) {
     private val laps = if (line.closed) Rounds(LineWay(line).length, goal) else EndToEnd(LineWay(line).length, goal)
     private val tracker = LineTracker(LineWay(line), goal.tolerance, laps)
 
@@ -22,6 +24,15 @@ internal class FollowLineJudgement(
         tell(if (laps.share >= 1.0) GoalStatus.MET else GoalStatus.PENDING, laps.share)
     }
 }
+
+/** Null if there is no such line, or it leads nowhere. */
+internal fun followLineEvaluator(sentence: String, goal: GoalCondition.FollowLine, actor: Actor.OfRobots, world: World): GoalEvaluator? =
+    world.marks.find { it.name == goal.line && it.isWay() }?.let {
+        FollowLineEvaluator(sentence, goal, actor, it.figure as MarkFigure.Line)
+    }
+
+/** Whether it leads from somewhere to somewhere else. */
+private fun Mark.isWay() = (figure as? MarkFigure.Line)?.let { line -> line.points.any { it != line.points.first() } } == true
 
 /**
  * Knows where on a line somebody is who goes along it. Where the line comes near itself or crosses itself, he is where he can have come to

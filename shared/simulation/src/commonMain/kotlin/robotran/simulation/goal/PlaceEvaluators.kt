@@ -1,16 +1,16 @@
 package robotran.simulation.goal
 
 import robotran.simulation.state.GoalStatus
-import robotran.world.Goal
+import robotran.world.GoalCondition
 import robotran.world.geometry.Outline
 
 /** Has the robot or block come to the region? */
-internal class ReachJudgement(
+internal class ReachEvaluator(
     sentence: String,
-    private val goal: Goal.Reach,
+    private val goal: GoalCondition.Reach,
     private val actor: Actor,
     private val region: Outline,
-) : SingleJudgement(sentence) {
+) : SingleGoalEvaluator(sentence) {
     private var distanceAtStart: Double? = null
 
     override val isDecided: Boolean get() = if (goal.stays) progress.status == GoalStatus.FAILED else super.isDecided
@@ -30,12 +30,12 @@ internal class ReachJudgement(
 }
 
 /** Has the robot or block never come into the region? */
-internal class StayOutJudgement(
+internal class StayOutEvaluator(
     sentence: String,
-    private val goal: Goal.StayOut,
+    private val goal: GoalCondition.StayOut,
     private val actor: Actor,
     private val region: Outline,
-) : KeepingJudgement(sentence) {
+) : InvariantEvaluator(sentence) {
     override fun isBroken(scene: Scene): Boolean =
         if (goal.whole) {
             scene.footprint(actor)?.meets(region) == true
@@ -45,12 +45,12 @@ internal class StayOutJudgement(
 }
 
 /** Has the robot or block never left the region? */
-internal class StayInJudgement(
+internal class StayInEvaluator(
     sentence: String,
-    private val goal: Goal.StayIn,
+    private val goal: GoalCondition.StayIn,
     private val actor: Actor,
     private val region: Outline,
-) : KeepingJudgement(sentence) {
+) : InvariantEvaluator(sentence) {
     override fun isBroken(scene: Scene): Boolean =
         if (goal.whole) {
             scene.footprint(actor)?.isInside(region) == false

@@ -1,0 +1,54 @@
+package robotran.simulation.goal
+
+import robotran.world.Mark
+import robotran.world.MarkFigure
+import robotran.world.World
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Shape
+import robotran.world.geometry.Trigonometry
+import robotran.world.geometry.outline
+import robotran.world.writeThousandths
+
+/** What sentences of goals name, as they name it. */
+internal class SentenceParts(private val world: World, private val trigonometry: Trigonometry) {
+    fun mover(who: String?): Mover = when {
+        who == null || who == world.robots.first().name -> Mover.OwnRobot
+        world.robots.any { it.name == who } -> Mover.OtherRobot(who)
+        else -> Mover.Block(who)
+    }
+
+    fun region(shape: Shape): Region {
+        val mark = world.marks.find { it.name != null && (it.figure as? MarkFigure.Area)?.shape == shape }
+        return Region(mark?.name, place(shape.outline(trigonometry).bounds))
+    }
+
+    /** The name of the line; null if there is only one. */
+    fun lineName(line: String): String? = line.takeIf { lines().size != 1 }
+
+    fun isClosed(line: String): Boolean = lines().find { it.name == line }?.let { (it.figure as MarkFigure.Line).closed } == true
+
+    private fun place(bounds: Bounds): PaperPlace {
+        val column = third((bounds.left + bounds.right) / 2, world.paper.width)
+        val row = third((bounds.bottom + bounds.top) / 2, world.paper.height)
+        return PaperPlace.entries[(THIRDS - 1 - row) * THIRDS + column]
+    }
+
+    /** What lies beside the middle fifth is said to be on that side, as people say it. */
+    private fun third(middle: Double, side: Double): Int = when {
+        middle < side * MIDDLE.start -> 0
+        middle > side * MIDDLE.endInclusive -> 2
+        else -> 1
+    }
+
+    private fun lines(): List<Mark> = world.marks.filter { it.figure is MarkFigure.Line }
+
+    private companion object {
+        const val THIRDS = 3
+        val MIDDLE = 0.4..0.6
+    }
+}
+
+/** As a person writes it, such as `1.5` or `20`. */
+internal fun number(value: Double): String = writeThousandths(value).removeSuffix(".0")
+
+internal fun percent(share: Double): Int = (share * 100 + 0.5).toInt()
