@@ -27,6 +27,9 @@ kotlin {
             implementation(libs.androidx.lifecycle.runtime.compose)
             implementation(libs.androidx.activity.compose) // for Back
         }
+        jvmTest {
+            kotlin.srcDir("../workshop/src/sharedTest/kotlin")
+        }
         jvmTest.dependencies {
             implementation(libs.kotest.property)
             implementation(libs.zxing)

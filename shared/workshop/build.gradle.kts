@@ -28,5 +28,9 @@ kotlin {
             api(libs.compose.runtime)
             implementation(libs.coroutines.core)
         }
+        jvmTest {
+            // Those of the screens use them too.
+            kotlin.srcDir("src/sharedTest/kotlin")
+        }
     }
 }

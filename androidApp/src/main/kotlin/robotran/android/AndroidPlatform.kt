@@ -8,9 +8,9 @@ import robotran.android.platform.AndroidFileDesk
 import robotran.android.platform.AndroidSharing
 import robotran.android.platform.ContentFiles
 import robotran.android.sound.audioTrackSpeaker
+import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.platform.FolderWorkStore
 import robotran.ui.platform.JavaClock
-import robotran.ui.sheet.DrawnWorldPictures
 import robotran.workshop.platform.Arrivals
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Sharing

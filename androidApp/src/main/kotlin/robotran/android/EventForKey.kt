@@ -4,10 +4,10 @@ import android.view.KeyEvent
 import robotran.ui.documents.documentShortcut
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningPage
 import androidx.compose.ui.input.key.KeyEvent as ComposeKeyEvent
 
 /** What a key of a keyboard at the tablet does anywhere in the workshop, as in the menus of the desktop; null for nothing. */

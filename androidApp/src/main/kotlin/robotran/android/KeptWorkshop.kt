@@ -12,8 +12,8 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
-import robotran.ui.openWorkshop
 import robotran.workshop.Workshop
+import robotran.workshop.openWorkshop
 import robotran.workshop.platform.Arrival
 
 /**

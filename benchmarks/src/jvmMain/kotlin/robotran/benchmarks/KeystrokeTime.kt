@@ -9,8 +9,8 @@ import androidx.compose.ui.unit.Density
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.ui.RobotranApp
-import robotran.ui.openWorkshop
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.openWorkshop
 import kotlin.time.Duration
 import kotlin.time.DurationUnit
 import kotlin.time.measureTime

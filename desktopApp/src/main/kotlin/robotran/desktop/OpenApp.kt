@@ -4,8 +4,8 @@ import robotran.desktop.messages.CommandMessages
 import robotran.desktop.platform.openedFile
 import robotran.desktop.window.showWindows
 import robotran.projects.isLink
-import robotran.ui.language.spokenLanguage
 import robotran.workshop.platform.Arrival
+import robotran.workshop.platform.spokenLanguage
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
 

@@ -4,7 +4,7 @@ import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
 import robotran.ui.RobotranWindow
-import robotran.ui.openWorkshop
+import robotran.workshop.openWorkshop
 import javax.swing.SwingUtilities
 
 /**

@@ -11,8 +11,8 @@ import robotran.simulation.RunReport
 import robotran.simulation.RunStatus
 import robotran.simulation.Session
 import robotran.simulation.report
-import robotran.ui.sheet.worldPicturePng
-import robotran.ui.sheet.worldPictureSvg
+import robotran.ui.pictures.worldPicturePng
+import robotran.ui.pictures.worldPictureSvg
 import kotlin.math.roundToInt
 
 /** Writes what a finished run is to leave behind. */

@@ -10,11 +10,11 @@ import robotran.desktop.messages.CommandMessages
 import robotran.desktop.messages.EnglishCommandMessages
 import robotran.documents.FileKind
 import robotran.documents.StoreResult
-import robotran.ui.language.spokenLanguage
 import robotran.ui.platform.writeSafely
 import robotran.workshop.platform.FileDesk
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.Saving
+import robotran.workshop.platform.spokenLanguage
 import java.awt.FileDialog
 import java.awt.Frame
 import java.io.IOException

@@ -1,8 +1,8 @@
 package robotran.desktop.platform
 
 import kotlinx.coroutines.Dispatchers
+import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.platform.JavaClock
-import robotran.ui.sheet.DrawnWorldPictures
 import robotran.workshop.platform.Arrivals
 import robotran.workshop.platform.FileDesk
 import robotran.workshop.platform.Platform

@@ -14,12 +14,12 @@ import kotlinx.coroutines.withContext
 import robotran.desktop.platform.DesktopFileDesk
 import robotran.desktop.platform.DesktopPlatform
 import robotran.desktop.sound.soundCardSpeaker
-import robotran.workshop.state.Notice
-import robotran.ui.openWorkshop
 import robotran.workshop.Workshop
+import robotran.workshop.openWorkshop
 import robotran.workshop.platform.Arrival
 import robotran.workshop.platform.Arrivals
 import robotran.workshop.platform.WorkStore
+import robotran.workshop.state.Notice
 import java.awt.Frame
 
 /**

@@ -16,8 +16,8 @@ import kotlinx.coroutines.delay
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.ui.desktop.WorkshopMenuBar
-import robotran.ui.openWorkshop
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.openWorkshop
 import javax.swing.JMenu
 import javax.swing.JMenuItem
 import javax.swing.SwingUtilities

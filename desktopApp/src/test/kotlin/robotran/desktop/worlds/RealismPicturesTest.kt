@@ -4,8 +4,8 @@ import kotlinx.coroutines.runBlocking
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.runUnattended
+import robotran.ui.pictures.pngOf
 import robotran.ui.sheet.RunTrack
-import robotran.ui.sheet.pngOf
 import robotran.ui.sheet.renderRuns
 import robotran.world.file.BuiltInWorlds
 import java.io.File

@@ -5,7 +5,7 @@ import robotran.simulation.Session
 import robotran.simulation.grade.Grade
 import robotran.simulation.grade.runForGoals
 import robotran.simulation.physics.loadPhysicsEngine
-import robotran.ui.sheet.sheetPng
+import robotran.ui.pictures.sheetPng
 import robotran.world.World
 import java.io.File
 import kotlin.test.Test

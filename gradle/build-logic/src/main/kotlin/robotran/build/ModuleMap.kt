@@ -7,12 +7,14 @@ package robotran.build
  * @property packageName the package all its code is in.
  * @property uses the folders of the modules it may import.
  * @property core whether it is plain common Kotlin that must know nothing of screens, threads, clocks and platforms.
+ * @property presentation whether it publishes state to Compose, but must know nothing of what is drawn with it.
  */
 data class MappedModule(
     val folder: String,
     val packageName: String,
     val uses: List<String>,
     val core: Boolean,
+    val presentation: Boolean = false,
 )
 
 /** The module map as `docs/architecture.md` draws it: the document is the only place where it is written. */
@@ -37,7 +39,12 @@ class ModuleMap(
         val impure = file.imports.filter { name -> core && IMPURE.any { name.startsWith(it) } }.map {
             "${file.path}: imports $it, which a core module must not know"
         }
-        return wrongPackage + foreign + impure
+        val drawn = file.imports.filter { name ->
+            module.presentation && !file.isTest && DRAWING.any { name.startsWith(it) } &&
+                !name.startsWith(STATE)
+        }
+            .map { "${file.path}: imports $it, which a presentation module must not know" }
+        return wrongPackage + foreign + impure + drawn
     }
 
     private fun owner(name: String): MappedModule? =
@@ -58,6 +65,10 @@ class ModuleMap(
                     "exp", "expm1", "ln", "ln1p", "log", "log2", "log10", "pow", "cbrt", "hypot",
                 ).map { "kotlin.math.$it" }
 
+        /** What Compose draws with; all a presentation module needs is what publishes its state. */
+        private val DRAWING = listOf("androidx.", "org.jetbrains.compose.")
+        private const val STATE = "androidx.compose.runtime."
+
         /** Reads the table whose header begins with `| module | package |`; every later row of it is a module. */
         fun parse(document: String): ModuleMap {
             val rows =
@@ -72,6 +83,7 @@ class ModuleMap(
                         packageName = code(cells[1]).single(),
                         uses = code(cells[3]),
                         core = cells[4] == "core",
+                        presentation = cells[4] == "presentation",
                     )
                 }
             modules.flatMap { it.uses }.filter { used -> modules.none { it.folder == used } }.let { unknown ->

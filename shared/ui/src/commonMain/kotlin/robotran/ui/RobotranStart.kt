@@ -18,12 +18,13 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.sheet.DrawnWorldPictures
+import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.resources.Res
 import robotran.ui.resources.loading
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
 import robotran.workshop.Workshop
+import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
 import robotran.workshop.state.PupilProgram

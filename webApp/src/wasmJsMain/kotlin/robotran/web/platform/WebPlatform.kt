@@ -4,8 +4,8 @@ package robotran.web.platform
 
 import kotlinx.coroutines.await
 import robotran.projects.isLink
-import robotran.ui.sheet.DrawnWorldPictures
-import robotran.ui.sheet.pictureFonts
+import robotran.ui.pictures.DrawnWorldPictures
+import robotran.ui.pictures.pictureFonts
 import robotran.web.window.PageFonts
 import robotran.workshop.platform.Arrival
 import robotran.workshop.platform.Arrivals

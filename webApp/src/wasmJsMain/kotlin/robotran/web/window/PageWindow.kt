@@ -39,7 +39,7 @@ import org.jetbrains.skiko.SkiaLayer
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 import robotran.ui.parts.BackHandlers
-import robotran.ui.screen.LocalKeyboardHeight
+import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.theme.LocalAddedFonts
 import robotran.ui.theme.WithAddedFonts
 

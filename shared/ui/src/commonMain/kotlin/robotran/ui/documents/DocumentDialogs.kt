@@ -25,8 +25,8 @@ import robotran.ui.resources.documents_refused_title
 import robotran.ui.resources.documents_refused_worlds
 import robotran.ui.resources.documents_save_as
 import robotran.ui.resources.documents_understood
-import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
 

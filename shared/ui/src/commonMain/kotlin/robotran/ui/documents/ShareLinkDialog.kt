@@ -11,6 +11,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_close
 import robotran.ui.resources.documents_copied

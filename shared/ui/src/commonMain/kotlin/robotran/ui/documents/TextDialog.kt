@@ -4,7 +4,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.text.KeyboardActions
 import androidx.compose.foundation.text.KeyboardOptions
 import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.OutlinedTextFieldDefaults
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
@@ -28,6 +27,7 @@ import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.TextFieldValue
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_cancel
 import robotran.ui.resources.documents_link_label
@@ -37,7 +37,6 @@ import robotran.ui.resources.documents_paste_done
 import robotran.ui.resources.documents_paste_help
 import robotran.ui.resources.documents_paste_title
 import robotran.ui.resources.documents_rename_title
-import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 
@@ -122,16 +121,5 @@ private fun OneLine(value: TextFieldValue, onValue: (TextFieldValue) -> Unit, la
         keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done),
         keyboardActions = KeyboardActions(onDone = { onReturn() }),
         colors = fieldColours(),
-    )
-}
-
-@Composable
-internal fun fieldColours() = LocalRobotranColours.current.let {
-    OutlinedTextFieldDefaults.colors(
-        focusedBorderColor = it.focus,
-        focusedLabelColor = it.focus,
-        unfocusedBorderColor = it.quiet,
-        unfocusedLabelColor = it.quiet,
-        cursorColor = it.focus,
     )
 }

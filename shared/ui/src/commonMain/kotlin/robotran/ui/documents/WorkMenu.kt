@@ -32,9 +32,9 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.learning.SmallIcon
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
+import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_menu
 import robotran.ui.resources.documents_not_kept

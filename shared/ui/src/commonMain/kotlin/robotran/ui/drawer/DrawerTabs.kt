@@ -27,7 +27,6 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.scrollHint
@@ -36,13 +35,9 @@ import robotran.ui.resources.run_drawer_close
 import robotran.ui.resources.run_drawer_one
 import robotran.ui.resources.run_drawer_open
 import robotran.ui.resources.run_drawer_two
-import robotran.ui.resources.run_tab_chart
-import robotran.ui.resources.run_tab_goals
-import robotran.ui.resources.run_tab_log
-import robotran.ui.resources.run_tab_variables
-import robotran.ui.resources.run_tab_why
 import robotran.ui.runbar.QuietButton
 import robotran.ui.runbar.RunIcon
+import robotran.ui.runbar.word
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
@@ -124,13 +119,3 @@ private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, inset: Dp, o
 
 /** Under this width the names stand closer. */
 private val SLIM = 480.dp
-
-/** What the tab is called. */
-internal val DrawerTab.word: StringResource
-    get() = when (this) {
-        DrawerTab.VARIABLES -> Res.string.run_tab_variables
-        DrawerTab.LOG -> Res.string.run_tab_log
-        DrawerTab.CHART -> Res.string.run_tab_chart
-        DrawerTab.GOALS -> Res.string.run_tab_goals
-        DrawerTab.WHY -> Res.string.run_tab_why
-    }

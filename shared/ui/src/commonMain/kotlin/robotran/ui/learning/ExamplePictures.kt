@@ -7,12 +7,12 @@ import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.rcxrom.program.RcxProgram
-import robotran.workshop.examples.examples
-import robotran.workshop.state.ProgramLanguage
 import robotran.ui.sheet.PictureRoom
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
+import robotran.workshop.examples.examples
 import robotran.workshop.state.PENBOT_CALIBRATION
+import robotran.workshop.state.ProgramLanguage
 import robotran.world.file.BuiltInWorlds
 
 /**
@@ -48,5 +48,8 @@ internal object ExamplePictures : CardPictures<String> {
 
     /** The example in Robolang that does the same as the example [name]: `wall-bouncer.robo` for `WallBouncer.java`. */
     private fun twinOf(name: String): String? =
-        ProgramLanguage.ROBOLANG.examples.keys.firstOrNull { it == name || it.replace("-", "").removeSuffix(".robo") == name.lowercase().removeSuffix(".java") }
+        ProgramLanguage.ROBOLANG.examples.keys.firstOrNull {
+            it == name ||
+                it.replace("-", "").removeSuffix(".robo") == name.lowercase().removeSuffix(".java")
+        }
 }

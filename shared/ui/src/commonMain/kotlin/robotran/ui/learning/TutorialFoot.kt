@@ -24,6 +24,7 @@ import robotran.learning.Tutorial
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.MenuItem
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_begin_again
 import robotran.ui.resources.learning_close
@@ -35,11 +36,10 @@ import robotran.ui.resources.learning_step_more
 import robotran.ui.resources.learning_try_step
 import robotran.ui.resources.learning_try_step_help
 import robotran.ui.resources.learning_try_worlds
-import robotran.ui.screen.MenuItem
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.TutorialState
 
 /**

@@ -39,6 +39,7 @@ import robotran.learning.Tutorial
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_close
 import robotran.ui.resources.learning_fold

@@ -27,6 +27,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.SmallIcon
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_back_to_mine

@@ -14,6 +14,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.language.Language
 import robotran.learning.GalleryWorld
 import robotran.learning.WorldLevel
+import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_level_easy
 import robotran.ui.resources.learning_level_hard

@@ -30,9 +30,9 @@ import robotran.ui.resources.program_reopen_named
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.ProgramsState
 

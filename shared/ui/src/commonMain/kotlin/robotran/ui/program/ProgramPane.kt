@@ -36,13 +36,13 @@ import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.code
 import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.ProgramNote
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopState
+import robotran.workshop.state.code
 import robotran.workshop.state.noteOf
 
 /**

@@ -32,7 +32,6 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.program.StepKind
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
-import robotran.ui.drawer.word
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_close
 import robotran.ui.resources.run_look

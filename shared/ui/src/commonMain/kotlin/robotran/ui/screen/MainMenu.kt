@@ -2,10 +2,8 @@ package robotran.ui.screen
 
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.heightIn
-import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
@@ -24,10 +22,12 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.WorkMenuEntry
 import robotran.ui.documents.WorkMenuItems
 import robotran.ui.documents.conditionOf
-import robotran.ui.learning.SmallIcon
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.MenuDivider
+import robotran.ui.parts.MenuItem
+import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.edit_world
 import robotran.ui.resources.first_page
@@ -42,11 +42,11 @@ import robotran.ui.resources.worlds
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.DocumentState
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.WorkshopState
 
 /** The button with three lines: what is done seldom, and [withWork] a list of its own of what is done with the work as a whole. */
@@ -122,16 +122,5 @@ private fun WayBack(onClick: () -> Unit) = DropdownMenuItem(
     modifier = Modifier.testTag("menu-back").heightIn(min = Measures.TARGET),
     leadingIcon = { SmallIcon(Icon.BACK, LocalRobotranColours.current.onPane) },
 )
-
-/** One thing that can be done, large enough for a finger. */
-@Composable
-internal fun MenuItem(text: String, tag: String, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
-    onClick = onClick,
-    modifier = Modifier.testTag(tag).heightIn(min = Measures.TARGET),
-)
-
-@Composable
-internal fun MenuDivider() = HorizontalDivider(Modifier.padding(vertical = 4.dp), color = LocalRobotranColours.current.line)
 
 private val SIGN = 10.dp

@@ -25,9 +25,9 @@ import robotran.ui.resources.worlds_help
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.WorkshopState
 
 /** At the top of a wide screen: the menu, what the work is called, and the ways to what there is besides. */

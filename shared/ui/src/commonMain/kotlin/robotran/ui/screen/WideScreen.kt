@@ -22,6 +22,7 @@ import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.RunDrawer
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
+import robotran.ui.parts.ScreenLayout
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch

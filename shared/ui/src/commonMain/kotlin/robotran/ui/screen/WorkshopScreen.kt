@@ -13,6 +13,8 @@ import robotran.ui.documents.DocumentDialogs
 import robotran.ui.documents.documentShortcut
 import robotran.ui.learning.LearningPages
 import robotran.ui.parts.BackGesture
+import robotran.ui.parts.LocalKeyboardHeight
+import robotran.ui.parts.ScreenLayout
 import robotran.ui.runbar.runShortcut
 import robotran.ui.settings.SettingsPage
 import robotran.ui.theme.LocalRobotranColours

@@ -21,7 +21,7 @@ import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.siteAddress
-import robotran.ui.documents.fieldColours
+import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
 import robotran.ui.resources.settings_site
 import robotran.ui.resources.settings_site_help

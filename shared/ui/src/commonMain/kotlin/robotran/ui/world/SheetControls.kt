@@ -15,8 +15,8 @@ import robotran.ui.resources.sheet_further
 import robotran.ui.resources.sheet_nearer
 import robotran.ui.resources.sheet_whole
 import robotran.ui.sheet.KEY_ZOOM
-import robotran.workshop.state.SheetCamera
 import robotran.workshop.event.SheetEvent
+import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetThingKind
 import robotran.workshop.state.SheetViewState
 import robotran.world.World

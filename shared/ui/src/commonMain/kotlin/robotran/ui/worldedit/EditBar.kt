@@ -33,6 +33,8 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.MenuDivider
+import robotran.ui.parts.MenuItem
 import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_choose_all
 import robotran.ui.resources.worldedit_copy
@@ -52,14 +54,12 @@ import robotran.ui.resources.worldedit_undo
 import robotran.ui.resources.worldedit_whole_sheet
 import robotran.ui.resources.worldedit_zoom_in
 import robotran.ui.resources.worldedit_zoom_out
-import robotran.ui.screen.MenuDivider
-import robotran.ui.screen.MenuItem
-import robotran.workshop.state.SheetCamera
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.SheetCamera
 import robotran.worldediting.Edit
 import robotran.worldediting.Snapping
 import robotran.worldediting.written

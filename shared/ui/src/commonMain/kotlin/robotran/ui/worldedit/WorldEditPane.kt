@@ -41,11 +41,11 @@ import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.KeepingBanner
+import robotran.ui.parts.LocalKeyboardHeight
+import robotran.ui.parts.ScreenLayout
 import robotran.ui.resources.Res
 import robotran.ui.resources.edit_world
 import robotran.ui.resources.worldedit_new_title
-import robotran.ui.screen.LocalKeyboardHeight
-import robotran.ui.screen.ScreenLayout
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState

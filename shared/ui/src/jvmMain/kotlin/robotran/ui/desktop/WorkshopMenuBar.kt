@@ -59,12 +59,12 @@ import robotran.ui.runbar.cursorLine
 import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Pace
 import robotran.workshop.state.WorkshopState
 import robotran.worldediting.Edit

@@ -4,6 +4,9 @@ import robotran.language.Language
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
+import robotran.workshop.documents.Machine
+import robotran.workshop.documents.keep
+import robotran.workshop.documents.projectFile
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SettingsEvent

@@ -17,6 +17,7 @@ import robotran.ui.screen.onEventThread
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
+import robotran.workshop.documents.Machine
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SettingsEvent

@@ -11,6 +11,8 @@ import androidx.compose.ui.test.performTextReplacement
 import kotlinx.coroutines.runBlocking
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.pass
+import robotran.workshop.documents.Machine
+import robotran.workshop.documents.write
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.MemoryPlatform

@@ -21,6 +21,9 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.runDesktopComposeUiTest
 import robotran.ui.theme.RobotranTheme
 import robotran.workshop.Workshop
+import robotran.workshop.documents.Machine
+import robotran.workshop.documents.keep
+import robotran.workshop.documents.projectFile
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.platform.Arrival

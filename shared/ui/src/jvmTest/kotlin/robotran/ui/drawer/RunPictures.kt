@@ -5,12 +5,12 @@ import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.rcxrom.program.StepKind
-import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.openWorkshop
 import robotran.workshop.programs.asProject
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.PupilProgram

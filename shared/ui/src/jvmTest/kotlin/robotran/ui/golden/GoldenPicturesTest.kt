@@ -2,17 +2,17 @@ package robotran.ui.golden
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
-import robotran.ui.openWorkshop
 import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.openWorkshop
 import robotran.workshop.state.AppTheme
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
 import kotlin.test.Test

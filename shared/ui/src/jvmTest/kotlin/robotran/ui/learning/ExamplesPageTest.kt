@@ -9,7 +9,6 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
-import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
@@ -17,10 +16,11 @@ import robotran.ui.screen.photograph
 import robotran.ui.sheet.PictureRoom
 import robotran.ui.sheet.SheetColours
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.examples.examples
+import robotran.workshop.openWorkshop
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 import java.io.File

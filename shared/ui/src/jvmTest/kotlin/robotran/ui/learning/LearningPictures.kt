@@ -4,7 +4,6 @@ import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.learning.Tutorial
 import robotran.learning.WorldGallery
-import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.ui.sheet.PictureRoom
@@ -12,11 +11,12 @@ import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.RobotranColours
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.openWorkshop
 import robotran.workshop.state.AppTheme
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Settings
 import kotlin.test.Test
 

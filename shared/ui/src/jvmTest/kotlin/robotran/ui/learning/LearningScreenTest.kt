@@ -23,8 +23,8 @@ import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.state.LearningPage
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

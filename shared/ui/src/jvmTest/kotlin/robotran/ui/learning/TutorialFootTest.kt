@@ -15,9 +15,9 @@ import robotran.ui.screen.placesByTag
 import robotran.ui.screen.saysThereIsMore
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals

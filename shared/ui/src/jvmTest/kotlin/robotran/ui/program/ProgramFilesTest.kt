@@ -9,6 +9,7 @@ import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.state.ProgramLanguage
+import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

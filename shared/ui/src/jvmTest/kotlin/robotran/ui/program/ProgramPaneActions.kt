@@ -22,7 +22,6 @@ import robotran.workshop.event.ProgramEvent
 internal fun Workshop.write(text: String, caret: Int = text.length, anchor: Int = caret) =
     handle(ProgramEvent.Written(Draft(text, TextSelection(anchor, caret)), EditKind.OTHER))
 
-internal val Workshop.text get() = state.programText
 internal val Workshop.selected get() = state.programs.draft.selectedText
 internal val Workshop.caret get() = state.programs.draft.selection.caret
 

@@ -9,8 +9,6 @@ import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
-import robotran.workshop.examples.examples
-import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
@@ -18,6 +16,8 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.examples.examples
+import robotran.workshop.openWorkshop
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
@@ -46,7 +46,8 @@ class ProgramPictures {
 
     @Test
     fun `what is offered can be photographed`() = photograph("offered", List(12) { Key.Tab }) { workshop ->
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("WallBouncer.java", ProgramLanguage.JAVA.examples.getValue("WallBouncer.java"))))
+        val text = ProgramLanguage.JAVA.examples.getValue("WallBouncer.java")
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("WallBouncer.java", text)))
         val draft = workshop.state.programs.draft
         val place = draft.text.indexOf("Motor.A.") + "Motor.A.".length
         workshop.handle(ProgramEvent.Written(Draft(draft.text).withCaret(place), EditKind.OTHER))

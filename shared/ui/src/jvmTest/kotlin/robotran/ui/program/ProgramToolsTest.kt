@@ -17,6 +17,7 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
+import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -16,6 +16,7 @@ import androidx.compose.ui.test.swipeUp
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

@@ -18,6 +18,7 @@ import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.state.PupilProgram
+import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals

@@ -14,10 +14,10 @@ import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.EncodedImageFormat
 import robotran.language.Language
 import robotran.ui.RobotranApp
-import robotran.ui.openWorkshop
 import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.openWorkshop
 import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertFalse

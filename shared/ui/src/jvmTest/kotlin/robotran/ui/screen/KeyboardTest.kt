@@ -19,8 +19,8 @@ import androidx.compose.ui.test.withKeyDown
 import androidx.compose.ui.test.withKeysDown
 import robotran.rcxrom.controls.BrickButton
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Pace
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -5,8 +5,8 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.runDesktopComposeUiTest
 import kotlinx.coroutines.runBlocking
 import robotran.ui.RobotranApp
-import robotran.ui.openWorkshop
 import robotran.workshop.Workshop
+import robotran.workshop.openWorkshop
 
 /** Shows the app on a screen of that many dp, with a clock that only goes on when the test says so, and runs [check] on it. */
 @OptIn(ExperimentalTestApi::class)

@@ -3,14 +3,14 @@ package robotran.ui.screen
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.Image
 import robotran.rcxrom.controls.BrickButton
-import robotran.workshop.examples.examples
-import robotran.ui.openWorkshop
-import robotran.ui.sheet.sheetPng
+import robotran.ui.pictures.sheetPng
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.examples.examples
+import robotran.workshop.openWorkshop
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram

@@ -7,9 +7,9 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.runDesktopComposeUiTest
 import robotran.ui.RobotranApp
-import robotran.ui.documents.Machine
-import robotran.ui.documents.keep
 import robotran.workshop.Workshop
+import robotran.workshop.documents.Machine
+import robotran.workshop.documents.keep
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent

@@ -5,14 +5,14 @@ import androidx.compose.ui.geometry.Rect
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.checkAll
-import kotlin.math.abs
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import kotlinx.coroutines.runBlocking
 import robotran.workshop.state.SheetCamera
 import robotran.world.Paper
 import robotran.world.geometry.Point
+import kotlin.math.abs
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class SheetCameraTest {
     private val paper = Paper(100.0, 80.0)

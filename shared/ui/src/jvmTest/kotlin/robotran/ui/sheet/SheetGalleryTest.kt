@@ -1,6 +1,8 @@
 package robotran.ui.sheet
 
 import androidx.compose.ui.graphics.ImageBitmap
+import robotran.ui.pictures.pngOf
+import robotran.ui.pictures.sheetPng
 import robotran.ui.theme.RobotranColours
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose

@@ -10,6 +10,7 @@ import robotran.simulation.state.InkStroke
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.RobotState
 import robotran.simulation.state.SessionState
+import robotran.ui.pictures.sheetPng
 import robotran.world.RobotColour
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point

@@ -8,6 +8,7 @@ import org.jetbrains.skia.svg.SVGDOM
 import org.w3c.dom.Document
 import org.w3c.dom.Element
 import org.xml.sax.InputSource
+import robotran.ui.pictures.worldPictureSvg
 import robotran.ui.sheet.svg.figure
 import java.io.File
 import java.io.StringReader

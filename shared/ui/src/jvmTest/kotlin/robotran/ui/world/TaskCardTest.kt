@@ -6,7 +6,6 @@ import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import kotlinx.coroutines.runBlocking
-import robotran.ui.openWorkshop
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.onScreen
@@ -16,6 +15,7 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.openWorkshop
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Settings
 import robotran.world.World

@@ -13,11 +13,10 @@ import robotran.language.Language
 import robotran.projects.Project
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
+import robotran.ui.pictures.pngOf
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
-import robotran.workshop.state.SheetCamera
 import robotran.ui.sheet.SheetColours
-import robotran.ui.sheet.pngOf
 import robotran.ui.sheet.renderSheet
 import robotran.ui.theme.RobotranColours
 import robotran.workshop.Workshop
@@ -25,6 +24,7 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Settings
+import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetLayer
 import robotran.workshop.state.SheetThing
 import robotran.workshop.state.SheetThingKind

@@ -7,8 +7,8 @@ import androidx.compose.ui.test.performTouchInput
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.LearningPage
 import robotran.world.MarkFigure
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point

@@ -2,12 +2,12 @@ package robotran.ui.worldedit
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
-import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.openWorkshop
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.Settings
 import robotran.world.geometry.Point

@@ -136,5 +136,4 @@ internal class DocumentExports(
     }
 
     private fun title() = keeper.name.ifEmpty { bench.project.world.title }
-
 }

@@ -20,12 +20,12 @@ import robotran.documents.workName
 import robotran.documents.workNameOfFile
 import robotran.projects.Project
 import robotran.rcxrom.Brick
-import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.Saving
 import robotran.workshop.programs.fileNameFor
 import robotran.workshop.service.Bench
+import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane

@@ -14,12 +14,12 @@ import robotran.documents.KeepingTimes
 import robotran.documents.newWorkName
 import robotran.documents.workName
 import robotran.projects.Project
-import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.platform.Arrival
 import robotran.workshop.service.Bench
+import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.KeepingTrouble

@@ -6,7 +6,6 @@ import robotran.learning.javaToTry
 import robotran.learning.wordAt
 import robotran.rcxrom.Brick
 import robotran.workshop.event.ProgramEvent
-import robotran.workshop.state.code
 import robotran.workshop.examples.examples
 import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.Bench
@@ -15,6 +14,7 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.code
 import robotran.projects.ProgramLanguage as CodeLanguage
 
 /** Finds the help on words, and lets their examples be tried. */

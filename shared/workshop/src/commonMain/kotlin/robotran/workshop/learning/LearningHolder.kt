@@ -9,19 +9,19 @@ import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
-import robotran.workshop.state.code
 import robotran.workshop.examples.firstProgram
 import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.Bench
 import robotran.workshop.service.WritesInOrder
 import robotran.workshop.state.HelpState
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.TutorialState
+import robotran.workshop.state.code
 
 /** Keeps what is being learned from, and how far somebody has come with it. */
 class LearningHolder(private val bench: Bench) {

@@ -3,8 +3,8 @@ package robotran.workshop.sheet
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import robotran.workshop.state.SheetCamera
 import robotran.workshop.event.SheetEvent
+import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetViewState
 
 /** Keeps how the world is shown. */

@@ -5,8 +5,6 @@ import robotran.language.Language
 import robotran.learning.Tutorial
 import robotran.learning.TutorialStep
 import robotran.learning.WordHelp
-import robotran.workshop.state.LearningPage
-import robotran.workshop.state.code
 
 /**
  * What is being learned from.

@@ -1,7 +1,6 @@
 package robotran.workshop.state
 
 import robotran.robolang.diagnostic.SourceFix
-import robotran.workshop.state.withPlainLineEnds
 
 /** This text with every line end written as the editor writes it. */
 fun String.withPlainLineEnds(): String = if ('\r' in this) replace("\r\n", "\n").replace('\r', '\n') else this

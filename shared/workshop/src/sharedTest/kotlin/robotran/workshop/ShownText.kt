@@ -1,0 +1,4 @@
+package robotran.workshop
+
+/** The program text that the pupil sees. */
+internal val Workshop.text: String get() = state.programText

@@ -1,0 +1,139 @@
+package robotran.workshop.documents
+
+import kotlinx.coroutines.runBlocking
+import robotran.documents.StoreResult
+import robotran.programs.SourceFile
+import robotran.projects.ProgramLanguage
+import robotran.projects.Project
+import robotran.projects.ProjectProgram
+import robotran.projects.ProjectRobot
+import robotran.projects.writeProject
+import robotran.workshop.Workshop
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.openWorkshop
+import robotran.workshop.platform.Arrival
+import robotran.workshop.platform.Arrivals
+import robotran.workshop.platform.FileDesk
+import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.platform.MemoryStore
+import robotran.workshop.platform.NoWindowMemory
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.platform.Saving
+import robotran.workshop.platform.Sharing
+import robotran.workshop.platform.StandingClock
+import robotran.workshop.platform.WindowMemory
+import robotran.workshop.platform.WorkStore
+import robotran.workshop.sound.NoLoudSpeaker
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.ShownWork
+import robotran.world.file.BuiltInWorlds
+
+/** Files in memory: [chosen] is what a person would choose to open, [place] where they would save to, null if they changed their mind. */
+internal class MemoryFileDesk : FileDesk {
+    val disk = mutableMapOf<String, ByteArray>()
+    var chosen: List<OpenedFile> = emptyList()
+    var place: String? = null
+    var full = false
+    var suggestion = ""
+        private set
+
+    override suspend fun open(kinds: List<FileKind>): List<OpenedFile> = chosen
+
+    override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving {
+        suggestion = name
+        val place = place ?: return Saving.GivenUp
+        return write(place, place.substringAfterLast('/'), bytes)
+    }
+
+    override suspend fun write(place: String, name: String, bytes: ByteArray): Saving {
+        if (full) return Saving.Failed("", isFull = true)
+        disk[place] = bytes
+        return Saving.Saved(name, place)
+    }
+
+    override suspend fun read(place: String): ByteArray? = disk[place]
+}
+
+/** A store that can be full. */
+internal class FillingStore(private val disk: MemoryStore = MemoryStore()) : WorkStore by disk {
+    var full = false
+
+    override suspend fun write(name: String, text: String): StoreResult = if (full) StoreResult.Full else disk.write(name, text)
+}
+
+internal class RememberingClipboard : Sharing {
+    var text: String? = null
+
+    override suspend fun share(text: String): Boolean {
+        this.text = text
+        return true
+    }
+}
+
+/** A machine with files, a store and a clipboard, on which windows are opened and closed. */
+internal class Machine {
+    val files = MemoryFileDesk()
+    val store = FillingStore()
+    val clipboard = RememberingClipboard()
+    val clock = StandingClock(now = 1_000_000)
+
+    /** Where links lead to, as far as the app knows by itself. */
+    var page = "https://school.example/robotran/"
+
+    fun window(vararg arrivals: Arrival): Workshop = tab(NoWindowMemory, *arrivals)
+
+    /** A tab of a browser, which remembers by [memory]. */
+    fun tab(memory: WindowMemory, vararg arrivals: Arrival): Workshop {
+        val waiting = Arrivals().also { arrivals.forEach(it::bring) }
+        return runBlocking { openWorkshop(platform = MemoryPlatform(NoLoudSpeaker, store, files, clipboard, clock, waiting, memory, page)) }
+    }
+}
+
+/**
+ * The memory of one tab.
+ *
+ * @param texts what tabs have left, which all tabs of a browser share.
+ */
+internal class TabMemory(
+    override var workId: String? = null,
+    private val texts: MutableMap<String, String> = mutableMapOf(),
+) : WindowMemory {
+    /** Whether the page that is loaded next comes after one that has ended as it should. */
+    var hasEnded = true
+
+    override fun hasEnded(id: String): Boolean = hasEnded
+
+    override fun leave(id: String, text: String?) {
+        if (text == null) texts.remove(id) else texts[id] = text
+    }
+
+    override fun left(id: String): String? = texts[id]
+
+    override fun leftIds(): List<String> = texts.keys.toList()
+}
+
+/** Writes [text], and lets a moment pass in which nobody types. */
+internal fun Workshop.write(text: String) {
+    handle(ProgramEvent.ProgramEdited(text))
+    keep()
+}
+
+/** All works, as My work shows them. */
+internal fun Workshop.works(): List<ShownWork> {
+    handle(DocumentEvent.WorksWanted)
+    val works = checkNotNull((state.document.dialog as DocumentDialog.Works).works)
+    handle(DocumentEvent.DialogClosed)
+    return works
+}
+
+/** Lets a moment pass in which nobody does anything. */
+internal fun Workshop.keep() = runBlocking { keepDocumentNow() }
+
+internal fun projectFile(text: String, name: String = "maze.robotran"): OpenedFile {
+    val world = BuiltInWorlds.plain.copy(title = "Maze")
+    val program = ProjectProgram("maze.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("maze.robo", text)))
+    val project = Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program))))
+    return OpenedFile(name, writeProject(project).encodeToByteArray(), "/home/$name")
+}
