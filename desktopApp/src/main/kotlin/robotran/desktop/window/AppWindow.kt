@@ -36,7 +36,7 @@ internal fun AppWindow(
 ) {
     val icon = remember { BrickIcon() }
     val rescue = remember { Rescue(open, close) }
-    val askToClose: () -> Unit = { open.scope.launch { if (open.workshop?.closeDocument(onLoss = close) != false) close() } }
+    val askToClose: () -> Unit = { open.scope.launch { if (open.workshop?.closeDocument() != false) close() } }
     DisposableEffect(Unit) { onDispose { open.close() } }
     KeepPlace(open, state)
     CompositionLocalProvider(LocalWindowExceptionHandlerFactory provides rescue) {

@@ -27,7 +27,13 @@ import robotran.workshop.platform.Platform
 import robotran.workshop.platform.spokenLanguage
 import robotran.workshop.programs.ProgramsHolder
 import robotran.workshop.run.RunHolder
-import robotran.workshop.service.Bench
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.RunControls
+import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.settings.SettingsHolder
 import robotran.workshop.sheet.SheetHolder
 import robotran.workshop.state.Notice
@@ -50,22 +56,23 @@ import robotran.world.World
 class Workshop(
     project: Project,
     physics: PhysicsEngine,
-    override val platform: Platform = MemoryPlatform(),
+    private val platform: Platform = MemoryPlatform(),
     settings: Settings = Settings(),
-    override val scope: CoroutineScope = CoroutineScope(Dispatchers.Unconfined),
-) : Bench {
+    scope: CoroutineScope = CoroutineScope(Dispatchers.Unconfined),
+) : Preferences, CurrentProject, ProjectEditor, ProgramTabs, RunControls, ScreenNavigator, Notices {
     private var opened = project
     private var pane by mutableStateOf(Pane.WORLD)
     private var taskShown by mutableStateOf(false)
     private var notice: Notice? by mutableStateOf(null)
 
-    private val settingsHolder = SettingsHolder(this, settings)
-    private val programs: ProgramsHolder = ProgramsHolder(project, this, ::programsRead)
-    private val run: RunHolder = RunHolder(project.worldToRun, physics, programs, this, project.inputs).also { it.hear(settings.soundOn) }
+    private val settingsHolder = SettingsHolder(platform.store, scope, settings)
+    private val programs: ProgramsHolder = ProgramsHolder(project, this, this, this, ::programsRead)
+    private val run: RunHolder =
+        RunHolder(project.worldToRun, physics, programs, this, this, this, platform, scope, this, this, project.inputs).also { it.hear(settings.soundOn) }
     private val sheet = SheetHolder()
-    private val worldEdit = WorldEditHolder(this)
-    private val document = DocumentHolder(this)
-    private val learning = LearningHolder(this)
+    private val worldEdit = WorldEditHolder(this, this, this)
+    private val document = DocumentHolder(platform, scope, this, this, this, this, this, this)
+    private val learning = LearningHolder(platform.store, scope, this, this, this, document, this, this, this, this)
 
     /** What is to be seen now. Compose notices when it changes. */
     val state: WorkshopState
@@ -145,10 +152,10 @@ class Workshop(
         keepSettings()
     }
 
-    /** Keeps what has changed at once; see [DocumentHolder.close] about the rest. */
-    suspend fun closeDocument(onLoss: () -> Unit): Boolean {
+    /** Saves what has changed at once, and asks if that is not possible; whether the window can be closed now. */
+    suspend fun closeDocument(): Boolean {
         keepSettings()
-        return document.close(onLoss)
+        return document.close()
     }
 
     private suspend fun keepSettings() {
@@ -189,15 +196,6 @@ class Workshop(
         worldChanged(isAnother = true)
     }
 
-    override fun beginWork(name: String, project: Project, into: String?, onBegun: (left: String?, begun: String?) -> Unit) =
-        document.beginWork(name, project, into, onBegun)
-
-    override fun openWorld(world: World) {
-        document.openWorld(world)
-    }
-
-    override fun takeUpWork(id: String?, next: () -> Unit) = document.takeUpWork(id, next)
-
     override fun changeWorld(world: World, isAnother: Boolean) {
         learning.leaveDesk()
         if (isAnother) worldEdit.leave()
@@ -232,7 +230,13 @@ class Workshop(
         handle(ProgramEvent.ProgramEdited(program.files.single().text))
     }
 
-    override fun perform(event: WorkshopEvent) = handle(event)
+    override fun chooseProgram(index: Int) = handle(ProgramEvent.ProgramChosen(index))
+
+    override fun run() = handle(RunEvent.RunPressed)
+
+    override fun hideTask() = handle(WorkshopEvent.TaskShown(false))
+
+    override fun openSiteSetting() = handle(SettingsEvent.SiteWanted)
 
     override fun say(notice: Notice) {
         this.notice = notice

@@ -17,9 +17,12 @@ import robotran.robolang.translate.javaKitFiles
 import robotran.robolang.translate.kitFiles
 import robotran.robolang.translate.translateRobolang
 import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Saving
 import robotran.workshop.programs.fileNameFor
-import robotran.workshop.service.Bench
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.PENBOT_CALIBRATION
@@ -28,17 +31,20 @@ import robotran.workshop.state.PupilProgram
 
 /** Gives the work away: as a link, as a picture, as a replay, as programs for elsewhere. */
 internal class DocumentExports(
-    private val bench: Bench,
+    private val platform: Platform,
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    private val notices: Notices,
     private val keeper: DocumentKeeper,
-    private val show: (DocumentDialog?) -> Unit,
+    private val view: DocumentView,
 ) {
     /** A link without the address of a page leads nowhere, so where there is none, it is the file that is shared. */
     suspend fun makeLink() {
-        val address = bench.platform.pageAddress.ifEmpty { bench.settings.site }
-        if (address.isEmpty()) return show(DocumentDialog.SharingFile)
-        show(DocumentDialog.SharingLink())
-        val making = withContext(bench.platform.background) { linkOf(bench.project, bench.language) }
-        show(
+        val address = platform.pageAddress.ifEmpty { preferences.settings.site }
+        if (address.isEmpty()) return view.show(DocumentDialog.SharingFile)
+        view.show(DocumentDialog.SharingLink())
+        val making = withContext(platform.background) { linkOf(current.project, preferences.language) }
+        view.show(
             when (making) {
                 is LinkMaking.Made -> DocumentDialog.SharingLink(link = address + making.fragment)
                 is LinkMaking.TooLong -> DocumentDialog.SharingLink(tooLong = making.message)
@@ -46,39 +52,39 @@ internal class DocumentExports(
         )
     }
 
-    suspend fun copyLink(dialog: DocumentDialog?) {
-        val sharing = dialog as? DocumentDialog.SharingLink ?: return
-        val copied = bench.platform.sharing.copy(sharing.link ?: return)
-        show(sharing.copy(copied = copied))
-        if (!copied) bench.say(Notice.LinkNotCopied)
+    suspend fun copyLink() {
+        val sharing = view.dialog as? DocumentDialog.SharingLink ?: return
+        val copied = platform.sharing.copy(sharing.link ?: return)
+        view.show(sharing.copy(copied = copied))
+        if (!copied) notices.say(Notice.LinkNotCopied)
     }
 
-    suspend fun shareLink(dialog: DocumentDialog?) {
-        val sharing = dialog as? DocumentDialog.SharingLink ?: return
-        bench.platform.sharing.share(sharing.link ?: return)
+    suspend fun shareLink() {
+        val sharing = view.dialog as? DocumentDialog.SharingLink ?: return
+        platform.sharing.share(sharing.link ?: return)
     }
 
     /** The sheet as it is now, as a picture of [kind]. */
     suspend fun savePicture(kind: FileKind) {
-        val world = bench.project.world
-        val state = bench.session
+        val world = current.project.world
+        val state = current.session
         val bytes = when (kind) {
-            FileKind.SVG -> bench.platform.pictures.svg(world, state).encodeToByteArray()
-            else -> bench.platform.pictures.png(world, state)
+            FileKind.SVG -> platform.pictures.svg(world, state).encodeToByteArray()
+            else -> platform.pictures.png(world, state)
         }
         save(title(), kind, bytes)
     }
 
     suspend fun saveReplay() {
-        val replay = bench.replay
-        if (replay.inputs.isEmpty()) return bench.say(Notice.ReplayEmpty)
-        val bytes = withContext(bench.platform.background) { projectFile(replay) }
-            ?: return bench.say(Notice.ProjectTooLong)
+        val replay = current.replay
+        if (replay.inputs.isEmpty()) return notices.say(Notice.ReplayEmpty)
+        val bytes = withContext(platform.background) { projectFile(replay) }
+            ?: return notices.say(Notice.ProjectTooLong)
         save("${title()} replay", FileKind.PROJECT, bytes)
     }
 
     suspend fun saveProgram() {
-        val program = bench.shownProgram
+        val program = current.shownProgram
         val kind = if (program.language == ProgramLanguage.JAVA) FileKind.JAVA else FileKind.ROBOLANG
         val single = program.files.singleOrNull()
         if (single != null) {
@@ -89,12 +95,12 @@ internal class DocumentExports(
     }
 
     suspend fun saveKit() {
-        val program = bench.shownProgram
+        val program = current.shownProgram
         if (program.language == ProgramLanguage.JAVA) return saveJavaKit(program)
         val text = program.files.single().text
         when (val result = readRobolang(program.name, text, PENBOT_CALIBRATION)) {
             is RobolangResult.Mistaken -> {
-                bench.say(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range.line))
+                notices.say(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range.line))
             }
 
             is RobolangResult.Ready -> {
@@ -105,17 +111,17 @@ internal class DocumentExports(
 
     private suspend fun saveJavaKit(program: PupilProgram) {
         val source = program.source()
-        val reader = ProgramReader(PENBOT_CALIBRATION, language = bench.language)
+        val reader = ProgramReader(PENBOT_CALIBRATION, language = preferences.language)
         val result = try {
-            withContext(bench.platform.background) { reader.read(source) }
+            withContext(platform.background) { reader.read(source) }
         } catch (cancelled: CancellationException) {
             throw cancelled
         } catch (_: Throwable) {
-            return bench.say(Notice.CompilerMissing)
+            return notices.say(Notice.CompilerMissing)
         }
         when (result) {
             is ProgramResult.Mistaken -> {
-                bench.say(Notice.KitNeedsCorrectProgram(result.mistakes.first().range?.line ?: 1))
+                notices.say(Notice.KitNeedsCorrectProgram(result.mistakes.first().range?.line ?: 1))
             }
 
             is ProgramResult.Ready -> {
@@ -128,12 +134,12 @@ internal class DocumentExports(
         save(program.name, FileKind.ZIP, zipOf(files.map { ZipEntry(it.path, it.text.encodeToByteArray(), it.isExecutable) }))
 
     private suspend fun save(name: String, kind: FileKind, bytes: ByteArray) {
-        when (val saving = bench.platform.files.save(fileNameFor(name, kind), kind, bytes)) {
-            is Saving.Saved -> bench.say(Notice.FileSaved(saving.name))
-            is Saving.Failed -> bench.sayNotSaved(saving)
+        when (val saving = platform.files.save(fileNameFor(name, kind), kind, bytes)) {
+            is Saving.Saved -> notices.say(Notice.FileSaved(saving.name))
+            is Saving.Failed -> notices.say(Notice.FileNotSaved(saving.reason, saving.isFull))
             Saving.GivenUp -> Unit
         }
     }
 
-    private fun title() = keeper.name.ifEmpty { bench.project.world.title }
+    private fun title() = keeper.name.ifEmpty { current.project.world.title }
 }

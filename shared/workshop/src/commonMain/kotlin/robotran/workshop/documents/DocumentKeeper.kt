@@ -15,18 +15,20 @@ import robotran.documents.freeWorkName
 import robotran.documents.leftText
 import robotran.documents.newWorkName
 import robotran.projects.Project
-import robotran.workshop.service.Bench
+import robotran.workshop.platform.Platform
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Preferences
 
 /** Keeps the work that is open as it changes, and knows what of it is kept and saved. */
-internal class DocumentKeeper(private val bench: Bench) {
-    val shelf = WorkShelf(bench.platform.store)
-    val openWorks = OpenWorks(bench.platform.store, shelf)
+internal class DocumentKeeper(private val platform: Platform, private val preferences: Preferences, private val current: CurrentProject) {
+    val shelf = WorkShelf(platform.store)
+    val openWorks = OpenWorks(platform.store, shelf)
     private val writing = Mutex()
     private var times = KeepingTimes()
     private var id: String? = null
         set(value) {
             field = value
-            bench.platform.window.workId = value.orEmpty()
+            platform.window.workId = value.orEmpty()
         }
     private var workClaim: WorkClaim? = null
     private var fileClaim: WorkClaim? = null
@@ -51,10 +53,10 @@ internal class DocumentKeeper(private val bench: Bench) {
     val openId: String? get() = id
 
     /** Whether nothing has changed since the work was opened, begun or written to its file. */
-    val isSaved: Boolean get() = savedProject == bench.project
+    val isSaved: Boolean get() = savedProject == current.project
 
     /** Whether all there is has been kept as it is now. */
-    val isKept: Boolean get() = keptProject == bench.project && keptName == name && keptFile == file
+    val isKept: Boolean get() = keptProject == current.project && keptName == name && keptFile == file
 
     /** The id of the work to go back to from the one that is open, if nobody has changed that; null if there is none. */
     var before: String? = null
@@ -68,8 +70,8 @@ internal class DocumentKeeper(private val bench: Bench) {
         forget()
         this.name = name
         keptName = name
-        keptProject = bench.project
-        savedProject = bench.project
+        keptProject = current.project
+        savedProject = current.project
     }
 
     /**
@@ -84,11 +86,11 @@ internal class DocumentKeeper(private val bench: Bench) {
         this.file = file
         this.before = before
         this.isOnlyChosen = isOnlyChosen
-        savedProject = bench.project
+        savedProject = current.project
     }
 
     /** What is on the screen now is [work], which is kept already as [project]; null if it is not kept as it is. */
-    suspend fun tookUp(work: KeptWork, claim: WorkClaim, project: Project? = bench.project) {
+    suspend fun tookUp(work: KeptWork, claim: WorkClaim, project: Project? = current.project) {
         forget()
         id = work.id
         workClaim = claim
@@ -98,8 +100,8 @@ internal class DocumentKeeper(private val bench: Bench) {
         keptName = work.name
         keptProject = project
         leftId = work.id.takeIf { project == null }
-        savedProject = if (work.saved) project ?: bench.project else null
-        openWorks.opened(work.id, bench.platform.clock.now)
+        savedProject = if (work.saved) project ?: current.project else null
+        openWorks.opened(work.id, platform.clock.now)
         isMarkedOpen = true
         if (name.isEmpty() && id == work.id) name = freeName()
     }
@@ -115,46 +117,46 @@ internal class DocumentKeeper(private val bench: Bench) {
     suspend fun claimFile(): Boolean {
         val address = file?.place?.address
         if (fileClaim != null || address.isNullOrEmpty()) return true
-        fileClaim = bench.platform.store.claim("file-${FileStamp.of(address).text}")
+        fileClaim = platform.store.claim("file-${FileStamp.of(address).text}")
         return fileClaim != null
     }
 
     /** Somebody does something, whether it changes the work or not. */
     fun touched() {
-        times = times.changed(bench.platform.clock.now)
+        times = times.changed(platform.clock.now)
     }
 
     /** Leaves what is not kept yet with the window, which may be gone before it is. */
     fun leaveUnkept() {
         if (isKept) return
-        val now = bench.platform.clock.now
+        val now = platform.clock.now
         val leaving = id ?: idToCome ?: idOf(now)
         if (id == null) {
             idToCome = leaving
-            bench.platform.window.workId = leaving
+            platform.window.workId = leaving
         }
-        bench.platform.window.leave(leaving, leftText(KeptWork(leaving, name, now, bench.project, file, isSaved)))
+        platform.window.leave(leaving, leftText(KeptWork(leaving, name, now, current.project, file, isSaved)))
         leftId = leaving
     }
 
     /** Keeps the work if it has changed and that is due; null if there was nothing to do. */
-    suspend fun keepIfDue(): Keeping? = if (isKept || !times.isDue(bench.platform.clock.now)) null else keepNow()
+    suspend fun keepIfDue(): Keeping? = if (isKept || !times.isDue(platform.clock.now)) null else keepNow()
 
     /** Keeps the work if it has changed. */
     suspend fun keepNow(): Keeping? = writing.withLock {
         if (isKept) return null
-        val now = bench.platform.clock.now
+        val now = platform.clock.now
         times = times.begun(now)
         // A file is known by its own name.
         if (id == null && file == null) name = freeName(name)
-        val work = KeptWork(id ?: newId(now), name, now, bench.project, file, isSaved)
-        val keeping = withContext(bench.platform.background) { shelf.keep(work) }
-        times = times.ended(bench.platform.clock.now)
+        val work = KeptWork(id ?: newId(now), name, now, current.project, file, isSaved)
+        val keeping = withContext(platform.background) { shelf.keep(work) }
+        times = times.ended(platform.clock.now)
         if (keeping == Keeping.Kept && id == work.id) {
             keptProject = work.project
             keptName = work.name
             keptFile = work.file
-            leftId?.let { bench.platform.window.leave(it, null) }
+            leftId?.let { platform.window.leave(it, null) }
             leftId = null
             if (!isMarkedOpen) openWorks.opened(work.id, now)
             isMarkedOpen = true
@@ -164,12 +166,12 @@ internal class DocumentKeeper(private val bench: Bench) {
 
     /** The window goes on to another work, or closes with [comesBack]. */
     suspend fun leave(comesBack: Boolean) {
-        id?.let { openWorks.closed(it, bench.platform.clock.now, comesBack) }
+        id?.let { openWorks.closed(it, platform.clock.now, comesBack) }
         isMarkedOpen = false
     }
 
     /** [wanted] as the name of the work [of], made another if another work is called that. */
-    suspend fun freeName(wanted: String = newWorkName(bench.language), of: String? = null): String =
+    suspend fun freeName(wanted: String = newWorkName(preferences.language), of: String? = null): String =
         freeWorkName(wanted, shelf.works().filter { it.id != of }.map { it.name })
 
     /** There is no open work any more; gives back what this window has claimed. */

@@ -7,33 +7,32 @@ import robotran.documents.WorkClaim
 import robotran.documents.WorkEntry
 import robotran.documents.WorkReading
 import robotran.workshop.event.DocumentEvent
-import robotran.workshop.service.Bench
+import robotran.workshop.platform.Platform
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProjectEditor
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.ShownWork
 
 /**
  * The works that are kept: shown to choose from, opened and deleted.
- *
- * @param dialog what is asked at the moment.
- * @param show asks something else, or nothing.
- * @param keepNow keeps the open work at once.
- * @param replaceWork puts another work in place of the open one, if nothing is lost by it.
  */
 internal class DocumentWorks(
-    private val bench: Bench,
+    private val platform: Platform,
+    private val preferences: Preferences,
+    private val editor: ProjectEditor,
+    private val notices: Notices,
     private val keeper: DocumentKeeper,
-    private val dialog: () -> DocumentDialog?,
-    private val show: (DocumentDialog?) -> Unit,
-    private val keepNow: suspend () -> Boolean,
-    private val replaceWork: suspend (suspend () -> Unit) -> Unit,
+    private val view: DocumentView,
+    private val replacement: ProjectReplacement,
 ) {
     suspend fun handle(event: DocumentEvent.OfWorks) {
-        val asked = dialog() as? DocumentDialog.Works
+        val asked = view.dialog as? DocumentDialog.Works
         when (event) {
             DocumentEvent.WorksWanted -> showAll()
             is DocumentEvent.WorkOpened -> open(event.id)
-            is DocumentEvent.WorkDeletionWanted -> show(asked?.copy(deleting = asked.works?.firstOrNull { it.entry.id == event.id }))
+            is DocumentEvent.WorkDeletionWanted -> view.show(asked?.copy(deleting = asked.works?.firstOrNull { it.entry.id == event.id }))
             is DocumentEvent.WorkDeletionAnswered -> delete(asked?.deleting?.takeIf { event.delete })
         }
     }
@@ -47,11 +46,11 @@ internal class DocumentWorks(
     }
 
     private suspend fun showAll() {
-        if (dialog() !is DocumentDialog.Works) show(DocumentDialog.Works(works = null))
-        keepNow()
-        val language = bench.settings.language?.tag.orEmpty()
-        val works = keeper.shelf.works().map { ShownWork(it, bench.platform.clock.describe(it.keptAt, language), it.id == keeper.openId) }
-        if (dialog() is DocumentDialog.Works) show(DocumentDialog.Works(works))
+        if (view.dialog !is DocumentDialog.Works) view.show(DocumentDialog.Works(works = null))
+        view.keepNow()
+        val language = preferences.settings.language?.tag.orEmpty()
+        val works = keeper.shelf.works().map { ShownWork(it, platform.clock.describe(it.keptAt, language), it.id == keeper.openId) }
+        if (view.dialog is DocumentDialog.Works) view.show(DocumentDialog.Works(works))
         for (work in works) {
             yield()
             lookInto(work.entry)
@@ -60,32 +59,32 @@ internal class DocumentWorks(
 
     /** Tells in the list what is in the work of [entry], if that is still to be seen. */
     private suspend fun lookInto(entry: WorkEntry) {
-        if (dialog() !is DocumentDialog.Works) return
+        if (view.dialog !is DocumentDialog.Works) return
         val project = (keeper.shelf.read(entry.id) as? WorkReading.Found)?.work?.project ?: return
         val programs = project.robots.flatMap { robot -> robot.programs.map { it.name } }
-        val now = dialog() as? DocumentDialog.Works ?: return
-        show(now.copy(works = now.works?.map { if (it.entry == entry) it.copy(world = project.world, programs = programs) else it }))
+        val now = view.dialog as? DocumentDialog.Works ?: return
+        view.show(now.copy(works = now.works?.map { if (it.entry == entry) it.copy(world = project.world, programs = programs) else it }))
     }
 
     private suspend fun open(id: String) {
-        if (id == keeper.openId) return show(null)
+        if (id == keeper.openId) return view.show(null)
         val claim = keeper.shelf.claim(id)
         if (claim == null) {
-            bench.say(Notice.ProjectOpenElsewhere)
+            notices.say(Notice.ProjectOpenElsewhere)
             return
         }
         when (val reading = keeper.shelf.read(id)) {
             is WorkReading.Found -> {
-                replaceWork {
-                    bench.openProject(reading.work.project)
+                replacement.replace {
+                    editor.openProject(reading.work.project)
                     keeper.tookUp(reading.work, claim)
-                    show(null)
+                    view.show(null)
                 }
             }
 
             is WorkReading.Unusable -> {
                 claim.release()
-                bench.say(Notice.ProjectUnusable(reading.reason(bench.language)))
+                notices.say(Notice.ProjectUnusable(reading.reason(preferences.language)))
             }
 
             WorkReading.Missing -> {
@@ -99,10 +98,10 @@ internal class DocumentWorks(
         if (work == null) return showAll()
         val claim = keeper.shelf.claim(work.entry.id)
         if (claim == null) {
-            bench.say(Notice.ProjectOpenElsewhere)
+            notices.say(Notice.ProjectOpenElsewhere)
         } else {
             val result = keeper.shelf.delete(work.entry.id)
-            if (result is StoreResult.Failed) bench.say(Notice.ProjectNotDeleted(result.reason))
+            if (result is StoreResult.Failed) notices.say(Notice.ProjectNotDeleted(result.reason))
             claim.release()
         }
         showAll()

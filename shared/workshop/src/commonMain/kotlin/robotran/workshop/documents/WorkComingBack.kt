@@ -3,53 +3,53 @@ package robotran.workshop.documents
 import kotlinx.coroutines.delay
 import robotran.documents.ComingBack
 import robotran.documents.WorkClaim
-import robotran.workshop.event.DocumentEvent
-import robotran.workshop.service.Bench
+import robotran.workshop.platform.Platform
+import robotran.workshop.service.Notices
 import robotran.workshop.state.Notice
 
 /** Finds the work with which a window begins, and says what is to be said about it. */
-internal class WorkComingBack(private val bench: Bench, private val keeper: DocumentKeeper) {
+internal class WorkComingBack(private val platform: Platform, private val notices: Notices, private val keeper: DocumentKeeper) {
     /**
      * The work that comes back into this window: its own if it was loaded anew, otherwise what was open last; null if it begins a new one.
      *
      * @param isBroughtSomething whether something was brought to the window, which takes the place of what was open last.
      */
     suspend fun take(isBroughtSomething: Boolean): ComingBack? {
-        val own = bench.platform.window.workId
-        for (id in bench.platform.window.leftIds()) if (id != own) keepLeft(id)
+        val own = platform.window.workId
+        for (id in platform.window.leftIds()) if (id != own) keepLeft(id)
         return when {
             own != null -> takeOwn(own)
-            isBroughtSomething || !bench.platform.goesOn -> null
-            else -> keeper.openWorks.takeBack(bench.platform.window::hasEnded)
+            isBroughtSomething || !platform.goesOn -> null
+            else -> keeper.openWorks.takeBack(platform.window::hasEnded)
         }
     }
 
     /** Says what came back, if it did not come back as if nothing had been. */
     fun say(back: ComingBack) {
         if (!back.wasCutShort && back.others == 0) return
-        bench.say(if (back.others > 0) Notice.OtherProjectsOpen(back.wasCutShort) else Notice.ProjectRestored(back.work.name))
+        notices.say(if (back.others > 0) Notice.OtherProjectsOpen(back.wasCutShort) else Notice.ProjectRestored(back.work.name))
     }
 
     /** The work [id], which this window has shown before; null if it is gone, or if another window has it, which is then said. */
     private suspend fun takeOwn(id: String): ComingBack? {
-        val left = bench.platform.window.left(id)
+        val left = platform.window.left(id)
         if (left == null && id !in keeper.shelf.ids()) return null
         val claim = claim(id)
         if (claim == null) {
-            bench.say(Notice.OwnProjectOpenElsewhere)
+            notices.say(Notice.OwnProjectOpenElsewhere)
             return null
         }
-        val back = keeper.openWorks.takeBack(id, claim, bench.platform.window.hasEnded(id), left)
+        val back = keeper.openWorks.takeBack(id, claim, platform.window.hasEnded(id), left)
         if (back == null) claim.release()
-        if (back?.isKept == true && left != null) bench.platform.window.leave(id, null)
+        if (back?.isKept == true && left != null) platform.window.leave(id, null)
         return back
     }
 
     /** Keeps what a window that is gone has left of the work [id], but could not keep any more. */
     private suspend fun keepLeft(id: String) {
-        val left = bench.platform.window.left(id) ?: return
+        val left = platform.window.left(id) ?: return
         val claim = claim(id) ?: return
-        if (keeper.openWorks.keepLeft(id, left)) bench.platform.window.leave(id, null)
+        if (keeper.openWorks.keepLeft(id, left)) platform.window.leave(id, null)
         claim.release()
     }
 

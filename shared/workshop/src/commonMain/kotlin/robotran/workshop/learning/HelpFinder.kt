@@ -4,33 +4,42 @@ import robotran.learning.WordHelp
 import robotran.learning.helpOn
 import robotran.learning.javaToTry
 import robotran.learning.wordAt
+import robotran.projects.ProgramLanguage as CodeLanguage
 import robotran.rcxrom.Brick
-import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.programs.pupilPrograms
-import robotran.workshop.service.Bench
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.HelpState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.code
-import robotran.projects.ProgramLanguage as CodeLanguage
 
 /** Finds the help on words, and lets their examples be tried. */
-internal class HelpFinder(private val bench: Bench) {
+internal class HelpFinder(
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    private val tabs: ProgramTabs,
+    private val navigator: ScreenNavigator,
+    private val notices: Notices,
+) {
     /** What the program that is shown is written in. */
-    val shownCode: ProgramLanguage get() = bench.shownProgram.language
+    val shownCode: ProgramLanguage get() = current.shownProgram.language
 
     /** The help on the word at [offset] of the program [text]. */
     fun at(text: String, offset: Int): HelpState {
         val code = if (JAVA_CLASS.containsMatchIn(text)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
-        return HelpState(code, wordAt(text, offset), helpOn(bench.language, code.asCode(), text, offset))
+        return HelpState(code, wordAt(text, offset), helpOn(preferences.language, code.asCode(), text, offset))
     }
 
     /** The help on [word]; the list of all words without one. */
     fun on(code: ProgramLanguage, word: String?): HelpState =
-        HelpState(code, word, word?.let { WordHelp.of(bench.language, code.asCode(), it) })
+        HelpState(code, word, word?.let { WordHelp.of(preferences.language, code.asCode(), it) })
 
     /** Puts the example of [help] into a tab and runs nothing; false if there is no example, or no room for it, which is then said. */
     fun tryExample(help: HelpState): Boolean {
@@ -45,22 +54,22 @@ internal class HelpFinder(private val bench: Bench) {
     /** Puts the example [name] into a tab and runs nothing; false if there is no room for it, which is then said. */
     fun addExample(language: ProgramLanguage, name: String): Boolean {
         val program = PupilProgram(name, language.examples[name] ?: return false)
-        val place = bench.project.pupilPrograms.indexOf(program)
+        val place = current.project.pupilPrograms.indexOf(program)
         if (place < 0) return put(program, replacing = false)
         // It is there as it came.
-        bench.perform(ProgramEvent.ProgramChosen(place))
-        bench.show(Pane.PROGRAM)
+        tabs.chooseProgram(place)
+        navigator.show(Pane.PROGRAM)
         return true
     }
 
     private fun put(program: PupilProgram, replacing: Boolean = true): Boolean {
-        val programs = bench.project.pupilPrograms
+        val programs = current.project.pupilPrograms
         if (programs.size >= Brick.MOST_PROGRAMS && !(replacing && programs.any { it.name == program.name })) {
-            bench.say(Notice.NoSlotForExample)
+            notices.say(Notice.NoSlotForExample)
             return false
         }
-        bench.addProgram(program, replacing)
-        bench.show(Pane.PROGRAM)
+        tabs.addProgram(program, replacing)
+        navigator.show(Pane.PROGRAM)
         return true
     }
 

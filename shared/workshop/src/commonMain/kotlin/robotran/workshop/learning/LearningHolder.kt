@@ -3,18 +3,26 @@ package robotran.workshop.learning
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.launch
 import robotran.learning.GalleryWorld
 import robotran.learning.WorldGallery
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.event.ProgramEvent
-import robotran.workshop.event.RunEvent
 import robotran.workshop.examples.firstProgram
+import robotran.workshop.platform.WorkStore
 import robotran.workshop.programs.pupilPrograms
-import robotran.workshop.service.Bench
-import robotran.workshop.service.WritesInOrder
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.ProjectSwitcher
+import robotran.workshop.service.RunControls
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.SerialWriteQueue
 import robotran.workshop.state.HelpState
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
@@ -24,23 +32,34 @@ import robotran.workshop.state.TutorialState
 import robotran.workshop.state.code
 
 /** Keeps what is being learned from, and how far somebody has come with it. */
-class LearningHolder(private val bench: Bench) {
+class LearningHolder(
+    private val store: WorkStore,
+    private val scope: CoroutineScope,
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    editor: ProjectEditor,
+    private val switcher: ProjectSwitcher,
+    private val tabs: ProgramTabs,
+    private val runControls: RunControls,
+    private val navigator: ScreenNavigator,
+    private val notices: Notices,
+) {
     private var progress = LearningProgress()
-    private val writes = WritesInOrder(bench)
+    private val writes = SerialWriteQueue(scope)
     private var hasStarted = false
 
     /** Whether the tutorial was folded because something else came onto the desk. */
     private var hasGivenWay = false
     private var goalsSeen: List<GoalProgress> = emptyList()
-    private val tutorial = TutorialDesk(bench, { progress }, ::keep)
-    private val help = HelpFinder(bench)
+    private val tutorial = TutorialDesk(scope, preferences, current, editor, switcher, navigator, { progress }, ::keep)
+    private val help = HelpFinder(preferences, current, tabs, navigator, notices)
 
     var state: LearningState by mutableStateOf(LearningState())
         private set
 
     /** Goes on where somebody has stopped the last time; on the very first start, shows what there is to be tried if [welcoming]. */
     suspend fun start(welcoming: Boolean) {
-        progress = LearningProgress.readFrom(bench.platform.store)
+        progress = LearningProgress.readFrom(store)
         state = state.copy(
             page = LearningPage.FIRST_RUN.takeIf { welcoming && !progress.welcomed },
             tutorial = tutorial.stepOnDesk()?.let(tutorial::show) ?: if (progress.tutorialShown) tutorial.first() else null,
@@ -88,7 +107,7 @@ class LearningHolder(private val bench: Bench) {
                 keep(progress.copy(stepsDone = progress.stepsDone + step.name))
             }
         } else {
-            WorldGallery.find(bench.project.world)?.let(::worldDone)
+            WorldGallery.find(current.project.world)?.let(::worldDone)
         }
         refresh()
     }
@@ -121,7 +140,7 @@ class LearningHolder(private val bench: Bench) {
     /** What is on the desk may have changed. */
     fun refresh() {
         val shown = state.tutorial?.let { it.copy(isOnDesk = tutorial.stepOnDesk() === it.current) }
-        val now = state.copy(language = bench.language, tutorial = shown, stepsDone = progress.stepsDone, worldsDone = progress.worldsDone)
+        val now = state.copy(language = preferences.language, tutorial = shown, stepsDone = progress.stepsDone, worldsDone = progress.worldsDone)
         if (now != state) state = now
     }
 
@@ -141,8 +160,15 @@ class LearningHolder(private val bench: Bench) {
 
     private fun trySquare() {
         leavePage()
-        putSquare(bench)
-        bench.perform(RunEvent.RunPressed)
+        putSquare()
+        runControls.run()
+    }
+
+    /** The square in a tab of its own, unless it is there as it came. */
+    private fun putSquare() {
+        val square = firstProgram()
+        val place = current.project.pupilPrograms.indexOf(square)
+        if (place >= 0) tabs.chooseProgram(place) else tabs.addProgram(square, replacing = true)
     }
 
     private fun beginTutorial() {
@@ -167,27 +193,33 @@ class LearningHolder(private val bench: Bench) {
         keep(progress.copy(folded = folded))
     }
 
-    /** The tutorial goes away; once what was there before is back, [next] happens. */
-    private fun leaveTutorial(next: () -> Unit = {}) {
-        tutorial.leaveDesk(next)
+    /** The tutorial goes away, and what was there before comes back. */
+    private fun leaveTutorial() {
+        scope.launch { tutorial.leaveDesk() }
+        hideTutorial()
+    }
+
+    private fun hideTutorial() {
         state = state.copy(tutorial = null)
         keep(progress.copy(tutorialShown = false))
     }
 
     private fun chooseWorld(name: String) {
         val found = WorldGallery.named(name) ?: return
-        val open = {
-            bench.openWorld(found.world(bench.language))
-            bench.show(Pane.WORLD)
-        }
+        val isInTutorial = tutorial.stepOnDesk() != null
         leavePage()
-        if (tutorial.stepOnDesk() == null) open() else leaveTutorial(open)
+        scope.launch {
+            if (isInTutorial) tutorial.leaveDesk()
+            switcher.openWorld(found.world(preferences.language))
+            navigator.show(Pane.WORLD)
+        }
+        if (isInTutorial) hideTutorial()
     }
 
     private fun worldDone(world: GalleryWorld) {
         if (world.name in progress.worldsDone) return
         keep(progress.copy(worldsDone = progress.worldsDone + world.name))
-        bench.say(Notice.WorldSolved(world.world(bench.language).title))
+        notices.say(Notice.WorldSolved(world.world(preferences.language).title))
     }
 
     private fun showHelp(found: HelpState) {
@@ -200,13 +232,6 @@ class LearningHolder(private val bench: Bench) {
     private fun keep(now: LearningProgress) {
         if (now == progress) return
         progress = now
-        writes.add { now.keepIn(bench.platform.store) }
+        writes.add { now.keepIn(store) }
     }
-}
-
-/** The square in a tab of its own, unless it is there as it came. */
-private fun putSquare(bench: Bench) {
-    val square = firstProgram()
-    val place = bench.project.pupilPrograms.indexOf(square)
-    if (place >= 0) bench.perform(ProgramEvent.ProgramChosen(place)) else bench.addProgram(square, replacing = true)
 }

@@ -1,10 +1,17 @@
 package robotran.workshop.learning
 
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.launch
 import robotran.learning.Tutorial
 import robotran.learning.TutorialStep
 import robotran.programs.SourceFile
 import robotran.workshop.programs.pupilPrograms
-import robotran.workshop.service.Bench
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.ProjectSwitcher
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.SwitchResult
 import robotran.workshop.state.Pane
 import robotran.workshop.state.TutorialState
 
@@ -15,7 +22,12 @@ import robotran.workshop.state.TutorialState
  * @param keep keeps what has become of the progress.
  */
 internal class TutorialDesk(
-    private val bench: Bench,
+    private val scope: CoroutineScope,
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    private val editor: ProjectEditor,
+    private val switcher: ProjectSwitcher,
+    private val navigator: ScreenNavigator,
     private val progress: () -> LearningProgress,
     private val keep: (LearningProgress) -> Unit,
 ) {
@@ -25,7 +37,7 @@ internal class TutorialDesk(
     fun first() = TutorialState(Tutorial.steps.indexOfFirst { it.name == progress().step }.coerceAtLeast(0))
 
     /** The step whose world is on the desk; null if something else is. */
-    fun stepOnDesk(): TutorialStep? = Tutorial.stepIn(bench.project.world)
+    fun stepOnDesk(): TutorialStep? = Tutorial.stepIn(current.project.world)
 
     /** The tutorial with [step], which is on the desk. */
     fun show(step: TutorialStep): TutorialState {
@@ -50,7 +62,7 @@ internal class TutorialDesk(
     /** Puts the shown step's program and world on the desk, as the pupil has left them. */
     fun putOnDesk(tutorial: TutorialState): TutorialState {
         bring(tutorial.current, own(tutorial.current))
-        bench.show(Pane.PROGRAM)
+        navigator.show(Pane.PROGRAM)
         return tutorial.copy(solutionShown = false)
     }
 
@@ -70,23 +82,27 @@ internal class TutorialDesk(
     }
 
     /** Brings back what was on the desk before the tutorial, if that is there now. */
-    fun leaveDesk(next: () -> Unit) {
-        if (stepOnDesk() == null) return next()
+    suspend fun leaveDesk() {
+        if (stepOnDesk() == null) return
         keepProgram()
-        bench.takeUpWork(progress().ownWork, next)
+        switcher.resumeProject(progress().ownWork)
     }
 
     /** Puts [file] and the world of [step] on the desk; what is the pupil's own goes aside first. */
     private fun bring(step: TutorialStep, file: SourceFile) {
         if (stepOnDesk() != null) return open(step, file)
-        bench.beginWork(Tutorial.name(bench.language), step.project(bench.language, listOf(file)), progress().tutorialWork) { left, begun ->
-            isSolutionOnDesk = file === step.solution
-            keep(progress().copy(ownWork = left, tutorialWork = begun))
+        scope.launch {
+            val project = step.project(preferences.language, listOf(file))
+            val result = switcher.beginProject(Tutorial.name(preferences.language), project, progress().tutorialWork)
+            if (result is SwitchResult.Switched) {
+                isSolutionOnDesk = file === step.solution
+                keep(progress().copy(ownWork = result.left, tutorialWork = result.opened))
+            }
         }
     }
 
     private fun open(step: TutorialStep, file: SourceFile) {
-        bench.openProject(step.project(bench.language, listOf(file)))
+        editor.openProject(step.project(preferences.language, listOf(file)))
         isSolutionOnDesk = file === step.solution
     }
 
@@ -100,7 +116,7 @@ internal class TutorialDesk(
     }
 
     private fun programOnDesk(step: TutorialStep): String? =
-        bench.project.pupilPrograms.firstOrNull { it.name == step.program.name }?.files?.first()?.text
+        current.project.pupilPrograms.firstOrNull { it.name == step.program.name }?.files?.first()?.text
 
     private fun own(step: TutorialStep) = progress().programs[step.name]?.let { SourceFile(step.program.name, it) } ?: step.program
 }

@@ -13,7 +13,9 @@ import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.firstProgram
-import robotran.workshop.service.Bench
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.Notice
 import robotran.workshop.state.PENBOT_CALIBRATION
 import robotran.workshop.state.Pane
@@ -30,10 +32,12 @@ import robotran.world.World
  */
 class ProgramsHolder(
     project: Project,
-    private val bench: Bench,
+    private val preferences: Preferences,
+    private val navigator: ScreenNavigator,
+    private val notices: Notices,
     private val onRead: (ProgramReading) -> Unit,
 ) {
-    private var reader = ProgramReader(PENBOT_CALIBRATION, project.settings.java, bench.language)
+    private var reader = ProgramReader(PENBOT_CALIBRATION, project.settings.java, preferences.language)
     private var robots = robotsOf(project)
     private var shownRobot = robots.first().place.name
     private var translationShown = false
@@ -45,7 +49,7 @@ class ProgramsHolder(
         { robots.sumOf { it.shelf.unreadCharacters } },
         ::showReading,
     )
-    private val editing = ProgramEditing({ shown }, ::sayTooLong, ::sayFixGone) { bench.show(Pane.PROGRAM) }
+    private val editing = ProgramEditing({ shown }, ::sayTooLong, ::sayFixGone) { navigator.show(Pane.PROGRAM) }
     private var reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
 
     var state: ProgramsState by mutableStateOf(stateNow())
@@ -169,14 +173,14 @@ class ProgramsHolder(
 
     private fun sayTooLong() {
         // In thousands: every language writes longer numbers in its own way.
-        bench.say(Notice.ProgramTooLong(ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS / THOUSAND, ProjectLimits.MAXIMUM_LINES / THOUSAND))
+        notices.say(Notice.ProgramTooLong(ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS / THOUSAND, ProjectLimits.MAXIMUM_LINES / THOUSAND))
     }
 
-    private fun sayFixGone() = bench.say(Notice.FixOutdated)
+    private fun sayFixGone() = notices.say(Notice.FixOutdated)
 
     private fun want(finding: Boolean) {
         findingWanted = finding
-        if (finding) bench.show(Pane.PROGRAM)
+        if (finding) navigator.show(Pane.PROGRAM)
         refresh()
     }
 

@@ -1,30 +1,32 @@
 package robotran.workshop.run
 
+import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
 import robotran.rcxrom.log.toLogText
 import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Saving
-import robotran.workshop.service.Bench
+import robotran.workshop.service.Notices
 import robotran.workshop.state.LogState
 import robotran.workshop.state.Notice
 
 /** Takes the ROM calls that are shown out of the app. */
-internal class RomLogExport(private val bench: Bench) {
+internal class RomLogExport(private val platform: Platform, private val scope: CoroutineScope, private val notices: Notices) {
     /** Copies them as text. */
     fun copy(log: LogState) {
         val text = log.entries.toLogText()
-        bench.scope.launch {
-            val isDone = bench.platform.sharing.copy(text)
-            bench.say(if (isDone) Notice.LogCopied else Notice.LogNotCopied)
+        scope.launch {
+            val isDone = platform.sharing.copy(text)
+            notices.say(if (isDone) Notice.LogCopied else Notice.LogNotCopied)
         }
     }
 
     /** Saves them as a text file named after the [program]. */
     fun save(log: LogState, program: String) {
         val bytes = log.entries.toLogText().encodeToByteArray()
-        bench.scope.launch {
-            val saving = bench.platform.files.save("$program${FileKind.TEXT.extension}", FileKind.TEXT, bytes)
-            if (saving is Saving.Failed) bench.say(Notice.ForeignError(saving.reason))
+        scope.launch {
+            val saving = platform.files.save("$program${FileKind.TEXT.extension}", FileKind.TEXT, bytes)
+            if (saving is Saving.Failed) notices.say(Notice.ForeignError(saving.reason))
         }
     }
 }

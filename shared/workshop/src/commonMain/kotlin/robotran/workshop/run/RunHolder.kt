@@ -3,6 +3,7 @@ package robotran.workshop.run
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
 import robotran.language.Language
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.program.StepKind
@@ -18,8 +19,13 @@ import robotran.simulation.SessionInput
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.report
 import robotran.workshop.event.RunEvent
+import robotran.workshop.platform.Platform
 import robotran.workshop.programs.ProgramsHolder
-import robotran.workshop.service.Bench
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pace
 import robotran.workshop.state.Pane
@@ -40,15 +46,21 @@ class RunHolder(
     world: World,
     physics: PhysicsEngine,
     private val programs: ProgramsHolder,
-    private val bench: Bench,
+    private val current: CurrentProject,
+    private val editor: ProjectEditor,
+    private val navigator: ScreenNavigator,
+    platform: Platform,
+    scope: CoroutineScope,
+    preferences: Preferences,
+    notices: Notices,
     private var recording: List<RecordedInput> = emptyList(),
 ) {
-    private val run = WatchedRun(world, physics, programs, bench)
+    private val run = WatchedRun(world, physics, programs, platform.speaker, preferences, notices)
     private val rest = RestWatch()
     private val drawer = DrawerFilling()
-    private val export = RomLogExport(bench)
+    private val export = RomLogExport(platform, scope, notices)
     private val stoppedPlace = StoppedPlace(programs)
-    private var whenRead: (() -> Unit)? = null
+    private var pendingStart: PendingStart? = null
 
     private val player: RunPlayer get() = run.player
 
@@ -73,7 +85,7 @@ class RunHolder(
             is RunEvent.Scrubbed -> player.seek(event.milliseconds)
             is RunEvent.RobotWatched -> watch(event.robot)
             RunEvent.RecordingPlayed -> playRecording()
-            is RunEvent.RunSettingsChanged -> bench.changeProjectSettings(event.settings)
+            is RunEvent.RunSettingsChanged -> editor.changeProjectSettings(event.settings)
             is RunEvent.ButtonPressed -> press(event.button)
             is RunEvent.ButtonReleased -> release(event.button)
             is RunEvent.SessionTouched -> touch(event.input)
@@ -91,16 +103,16 @@ class RunHolder(
 
     /** Something about the programs was changed. */
     fun programsChanged() {
-        whenRead = null
+        pendingStart = null
         show()
     }
 
     /** The programs were read as far as [reading] says. */
     fun programsRead(reading: ProgramReading) {
-        if (reading == ProgramReading.NO_COMPILER) whenRead = null
+        if (reading == ProgramReading.NO_COMPILER) pendingStart = null
         if (reading == ProgramReading.DONE) {
             if (state.untouched) beginAfresh(run.slotOnBrick)
-            whenRead?.also { whenRead = null }?.invoke()
+            pendingStart?.let { start(it.slot, it.what) }
         }
         show()
     }
@@ -127,7 +139,7 @@ class RunHolder(
     fun changeWorld(world: World, recording: List<RecordedInput> = emptyList()) {
         this.recording = recording
         beginAfresh(programs.slotsBeginning(programs.slotToRun), world)
-        state = state.copy(untouched = true, hasRecording = recording.isNotEmpty(), settings = bench.project.settings)
+        state = state.copy(untouched = true, hasRecording = recording.isNotEmpty(), settings = current.project.settings)
         rest.disturb()
         show()
     }
@@ -147,9 +159,9 @@ class RunHolder(
     /** Gives back what the session holds. Nothing may be called afterwards. */
     fun close() = run.close()
 
-    /** Presses Run on a clean sheet, with the program in [slot], and then does [what] is wanted of it; if it was not read yet, once it is. */
-    private fun start(slot: Int, what: () -> Unit) {
-        whenRead = if (programs.isRead(slot)) null else ({ start(slot, what) })
+    /** Presses Run on a clean sheet, with the program in [slot], and then does [what] is wanted of it; if it was not compiled yet, once it is. */
+    private fun start(slot: Int, what: StartAction) {
+        pendingStart = if (programs.isRead(slot)) null else PendingStart(slot, what)
         if (!programs.canStart(slot)) return
         beginAfresh(slot)
         state = state.copy(untouched = false)
@@ -157,16 +169,18 @@ class RunHolder(
             player.apply(SessionInput.Press(BrickButton.RUN, robot))
             player.apply(SessionInput.Release(BrickButton.RUN, robot))
         }
-        what()
+        when (what) {
+            StartAction.Play, StartAction.PlayFromBrick -> player.play()
+            StartAction.StandBeforeFirstStatement -> standBeforeFirstStatement()
+            is StartAction.PlayTo -> player.play(what.line)
+        }
+        if (what == StartAction.Play) navigator.show(Pane.WORLD)
     }
 
-    private fun play() = start(programs.slotToRun) {
-        player.play()
-        bench.show(Pane.WORLD)
-    }
+    private fun play() = start(programs.slotToRun, StartAction.Play)
 
     private fun stop() {
-        whenRead = null
+        pendingStart = null
         if (player.isInPast) {
             player.pause()
         } else {
@@ -185,14 +199,14 @@ class RunHolder(
     }
 
     private fun step(kind: StepKind) =
-        if (state.running) goOn { player.step(kind) } else start(programs.slotToRun) { standBeforeFirstStatement() }
+        if (state.running) goOn { player.step(kind) } else start(programs.slotToRun, StartAction.StandBeforeFirstStatement)
 
     /** Java loads its classes before it comes to a statement; meanwhile there is no line that could be shown. */
     private fun standBeforeFirstStatement() =
         if (player.session.isBeforeStatement) player.pause() else player.step(StepKind.INTO)
 
     private fun runTo(line: Breakpoint) =
-        if (state.running) goOn { player.play(line) } else start(programs.slotToRun) { player.play(line) }
+        if (state.running) goOn { player.play(line) } else start(programs.slotToRun, StartAction.PlayTo(line))
 
     private fun goOn(how: () -> Unit) {
         drawer.variables.goesOn(player.session)
@@ -201,7 +215,7 @@ class RunHolder(
     }
 
     private fun startOver() {
-        whenRead = null
+        pendingStart = null
         beginAfresh(run.slotOnBrick)
     }
 
@@ -219,17 +233,17 @@ class RunHolder(
 
     private fun playRecording() {
         if (recording.isEmpty()) return
-        val robots = bench.project.robots.associateBy { it.name }
+        val robots = current.project.robots.associateBy { it.name }
         beginAfresh(run.world.robots.map { robots[it.name]?.firstProgram ?: 0 }, inputs = recording)
         state = state.copy(untouched = false)
-        bench.show(Pane.WORLD)
+        navigator.show(Pane.WORLD)
     }
 
     private fun press(button: BrickButton) {
         state = state.copy(down = state.down + button)
         if (button == BrickButton.RUN && state.brick.run !is RunState.Running && state.changed) {
             val slot = run.slotOnBrick
-            whenRead = if (programs.isRead(slot)) null else ({ start(slot) { player.play() } })
+            pendingStart = if (programs.isRead(slot)) null else PendingStart(slot, StartAction.PlayFromBrick)
             if (!programs.canStart(slot)) return
             beginAfresh(slot)
         }
@@ -250,11 +264,11 @@ class RunHolder(
 
     private fun openDrawer(tab: DrawerTab?) {
         state = state.copy(drawer = state.drawer.choosing(tab))
-        if (tab != null) bench.show(Pane.WORLD)
+        if (tab != null) navigator.show(Pane.WORLD)
     }
 
     private fun firstState() =
-        RunPaneState(run.world, player.state, hasRecording = recording.isNotEmpty(), settings = bench.project.settings)
+        RunPaneState(run.world, player.state, hasRecording = recording.isNotEmpty(), settings = current.project.settings)
 
     private fun beginAfresh(slot: Int) = beginAfresh(programs.slotsBeginning(slot))
 
@@ -302,3 +316,21 @@ private fun paceOf(motion: Motion): Pace = when (motion) {
     is Motion.Stepping -> Pace.STEPPING
     is Motion.Seeking -> Pace.SEEKING
 }
+
+/** What is wanted of a program that is started. */
+private sealed interface StartAction {
+    /** It runs, and the sheet comes into sight. */
+    data object Play : StartAction
+
+    /** It runs, as Run on the brick was pressed, which is in sight. */
+    data object PlayFromBrick : StartAction
+
+    /** It stops before its first line. */
+    data object StandBeforeFirstStatement : StartAction
+
+    /** It runs until it stands before [line]. */
+    data class PlayTo(val line: Breakpoint) : StartAction
+}
+
+/** The program in [slot] starts as soon as it is compiled. */
+private class PendingStart(val slot: Int, val what: StartAction)

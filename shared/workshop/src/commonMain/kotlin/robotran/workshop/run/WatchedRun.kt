@@ -9,7 +9,9 @@ import robotran.simulation.Breakpoint
 import robotran.simulation.RecordedInput
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.programs.ProgramsHolder
-import robotran.workshop.service.Bench
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.sound.LoudSpeaker
 import robotran.workshop.sound.SoundPlayer
 import robotran.workshop.state.Notice
 import robotran.world.World
@@ -23,9 +25,11 @@ internal class WatchedRun(
     world: World,
     private val physics: PhysicsEngine,
     private val programs: ProgramsHolder,
-    private val bench: Bench,
+    speaker: LoudSpeaker,
+    private val preferences: Preferences,
+    private val notices: Notices,
 ) {
-    private val sound = SoundPlayer(bench.platform.speaker)
+    private val sound = SoundPlayer(speaker)
     private var loaded = programs.written
 
     /** What it takes place in. */
@@ -93,7 +97,7 @@ internal class WatchedRun(
             sound.listenTo(player.sounds)
             if (!isAfresh) sound.skip()
         }
-        if (player.newFutures != futures) bench.say(Notice.NewBranch)
+        if (player.newFutures != futures) notices.say(Notice.NewBranch)
         futures = player.newFutures
         // The lines of a program that was changed are not those of the one that runs.
         if (!isChanged) player.breakpoints = breakpoints()
@@ -123,7 +127,7 @@ internal class WatchedRun(
     }
 
     private fun newPlayer(inputs: List<RecordedInput>): RunPlayer {
-        setup = RunSetup(world, programs.loads(world, firstSlots), physics, bench.language)
+        setup = RunSetup(world, programs.loads(world, firstSlots), physics, preferences.language)
         return RunPlayer(setup, inputs)
     }
 

@@ -3,17 +3,17 @@ package robotran.workshop.settings
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import robotran.projects.siteAddress
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.WorkStore
-import robotran.workshop.service.Bench
-import robotran.workshop.service.WritesInOrder
+import robotran.workshop.service.SerialWriteQueue
 import robotran.workshop.state.Settings
 
 /** Keeps the [Settings] of this machine. */
-class SettingsHolder(private val bench: Bench, first: Settings) {
+class SettingsHolder(private val store: WorkStore, scope: CoroutineScope, first: Settings) {
     var state: Settings by mutableStateOf(first)
         private set
 
@@ -25,7 +25,7 @@ class SettingsHolder(private val bench: Bench, first: Settings) {
     var siteWanted: Boolean by mutableStateOf(false)
         private set
 
-    private val writes = WritesInOrder(bench)
+    private val writes = SerialWriteQueue(scope)
 
     fun handle(event: SettingsEvent) {
         when (event) {
@@ -47,7 +47,7 @@ class SettingsHolder(private val bench: Bench, first: Settings) {
     private fun change(settings: Settings) {
         if (settings == state) return
         state = settings
-        writes.add { bench.platform.store.write(NAME, JSON.encodeToString(Settings.serializer(), settings)) }
+        writes.add { store.write(NAME, JSON.encodeToString(Settings.serializer(), settings)) }
     }
 
     companion object {

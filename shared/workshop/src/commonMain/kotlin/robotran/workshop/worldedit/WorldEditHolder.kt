@@ -3,16 +3,17 @@ package robotran.workshop.worldedit
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorldEditEvent
-import robotran.workshop.service.Bench
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.RunControls
 import robotran.workshop.state.WorldEditState
 import robotran.worldediting.Edit
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.after
 
 /** Keeps the world while it is changed; null while it is not. What can be kept of it is kept at once, so that a crash takes nothing away. */
-class WorldEditHolder(private val bench: Bench) {
+class WorldEditHolder(private val current: CurrentProject, private val editor: ProjectEditor, private val runControls: RunControls) {
     private var latest: WorldEditing? = null
 
     var state: WorldEditState? by mutableStateOf(null)
@@ -23,7 +24,7 @@ class WorldEditHolder(private val bench: Bench) {
             WorldEditEvent.EditorOpened -> open()
             is WorldEditEvent.Edited -> edit(event.edit)
             WorldEditEvent.EditorClosed -> close()
-            WorldEditEvent.TriedOut -> if (close()) bench.perform(RunEvent.RunPressed)
+            WorldEditEvent.TriedOut -> if (close()) runControls.run()
             WorldEditEvent.HintsClosed -> state = state?.copy(hintsShown = false)
             WorldEditEvent.EditsDiscarded -> discard()
         }
@@ -32,7 +33,7 @@ class WorldEditHolder(private val bench: Bench) {
     /** Who comes back to a world that is still the same, finds groups and what can be undone. */
     private fun open() {
         if (state != null) return
-        val world = bench.project.world
+        val world = current.project.world
         val editing = latest?.takeIf { it.world == world } ?: WorldEditing.of(world)
         state = WorldEditState(editing.after(Edit.Choose(null)).after(Edit.Settle), world)
     }
@@ -47,7 +48,7 @@ class WorldEditHolder(private val bench: Bench) {
             hintsShown = now.hintsShown || hasNews,
         )
         val canBeKept = editing.gesture == null && editing.troubles.isEmpty()
-        if (canBeKept && editing.world != bench.project.world) bench.keepWorld(editing.world)
+        if (canBeKept && editing.world != current.project.world) editor.keepWorld(editing.world)
     }
 
     /** Whether the editor is closed. */
@@ -62,7 +63,7 @@ class WorldEditHolder(private val bench: Bench) {
         }
         latest = editing
         state = null
-        if (now.isChanged) bench.changeWorld(editing.world)
+        if (now.isChanged) editor.changeWorld(editing.world)
         return true
     }
 
@@ -75,6 +76,6 @@ class WorldEditHolder(private val bench: Bench) {
     private fun discard() {
         val now = state ?: return
         state = null
-        if (bench.project.world != now.first) bench.keepWorld(now.first)
+        if (current.project.world != now.first) editor.keepWorld(now.first)
     }
 }

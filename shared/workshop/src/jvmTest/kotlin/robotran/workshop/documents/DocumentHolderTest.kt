@@ -1,6 +1,8 @@
 package robotran.workshop.documents
 
+import kotlinx.coroutines.async
 import kotlinx.coroutines.runBlocking
+import kotlinx.coroutines.yield
 import robotran.documents.OpeningTrouble
 import robotran.projects.LinkResult
 import robotran.projects.ProjectFileResult
@@ -44,7 +46,7 @@ class DocumentHolderTest {
     fun `after an orderly end the work is there again without a word`() {
         val first = machine.window()
         first.write("forward 7")
-        runBlocking { assertTrue(first.closeDocument(onLoss = {})) }
+        runBlocking { assertTrue(first.closeDocument()) }
         val second = machine.window()
         assertEquals("forward 7", second.state.programText)
         assertNull(second.state.notice)
@@ -202,10 +204,17 @@ class DocumentHolderTest {
         val workshop = machine.window()
         machine.store.full = true
         workshop.write("forward 2")
-        var closed = false
-        runBlocking { assertFalse(workshop.closeDocument { closed = true }) }
-        workshop.handle(DocumentEvent.Answered(DocumentAnswer.GO_ON))
-        assertTrue(closed)
+        runBlocking {
+            val kept = async { workshop.closeDocument() }
+            yield()
+            assertIs<DocumentDialog.WouldBeLost>(workshop.state.document.dialog)
+            workshop.handle(DocumentEvent.DialogClosed)
+            assertFalse(kept.await())
+            val closed = async { workshop.closeDocument() }
+            yield()
+            workshop.handle(DocumentEvent.Answered(DocumentAnswer.GO_ON))
+            assertTrue(closed.await())
+        }
     }
 
     @Test

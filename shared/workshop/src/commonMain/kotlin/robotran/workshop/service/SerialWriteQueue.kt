@@ -1,16 +1,17 @@
 package robotran.workshop.service
 
+import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 
-/** Writes small things away in the order in which they were changed, while the pupil goes on. */
-internal class WritesInOrder(private val bench: Bench) {
+/** Writes small things in the order in which they were changed, while the pupil goes on. */
+internal class SerialWriteQueue(private val scope: CoroutineScope) {
     private var last: Job? = null
 
     /** Does [write] once all earlier ones are done. */
     fun add(write: suspend () -> Unit) {
         val before = last
-        last = bench.scope.launch {
+        last = scope.launch {
             before?.join()
             write()
         }

@@ -1,0 +1,84 @@
+package robotran.workshop.documents
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CompletableDeferred
+import robotran.documents.Keeping
+import robotran.workshop.state.DocumentAnswer
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.DocumentState
+import robotran.workshop.state.KeepingTrouble
+
+/** The document as the screen shows it, with the question that waits for an answer. */
+internal class DocumentView(private val keeper: DocumentKeeper, hasShareSheet: Boolean) {
+    private var question: CompletableDeferred<DocumentAnswer?>? = null
+
+    var state: DocumentState by mutableStateOf(DocumentState(hasShareSheet = hasShareSheet))
+        private set
+
+    val dialog: DocumentDialog? get() = state.dialog
+
+    /** Shows [dialog], or none. */
+    fun show(dialog: DocumentDialog?) {
+        state = state.copy(dialog = dialog)
+        refresh()
+    }
+
+    fun showWarning(shown: Boolean) {
+        state = state.copy(warningShown = shown)
+    }
+
+    /** Asks what to do about work that cannot be saved; null if the pupil goes back to it. An earlier question counts as answered so. */
+    suspend fun askAboutLoss(): DocumentAnswer? {
+        answer(null)
+        val asked = CompletableDeferred<DocumentAnswer?>()
+        question = asked
+        show(DocumentDialog.WouldBeLost)
+        return asked.await()
+    }
+
+    /** Closes the dialog; whoever has asked learns the [answer], null for none. */
+    fun answer(answer: DocumentAnswer?) {
+        val asked = question
+        question = null
+        show(null)
+        asked?.complete(answer)
+    }
+
+    /** Saves at once what has changed; false if it cannot be saved. */
+    suspend fun keepNow(): Boolean {
+        val keeping = keeper.keepNow()
+        keeping?.let(::tell)
+        refresh()
+        return keeping == null || keeping == Keeping.Kept
+    }
+
+    /** Saves what has changed, also what changes meanwhile; false if it cannot be saved. */
+    suspend fun keepAll(): Boolean {
+        while (!keeper.isKept) if (!keepNow()) return false
+        return true
+    }
+
+    /** Saves what has changed if that is due. */
+    suspend fun keepIfDue() {
+        keeper.keepIfDue()?.let(::tell)
+        refresh()
+    }
+
+    /** The keeper may know something else now. */
+    fun refresh() {
+        val now = state.copy(name = keeper.name, fileName = keeper.file?.place?.name, saved = keeper.isSaved)
+        if (now != state) state = now
+    }
+
+    private fun tell(keeping: Keeping) {
+        val trouble = when (keeping) {
+            Keeping.Kept -> null
+            Keeping.Full -> KeepingTrouble.Full
+            Keeping.TooLong -> KeepingTrouble.TooLong
+            is Keeping.Failed -> KeepingTrouble.Failed(keeping.reason)
+        }
+        if (trouble != state.trouble) state = state.copy(trouble = trouble, warningShown = true)
+    }
+}

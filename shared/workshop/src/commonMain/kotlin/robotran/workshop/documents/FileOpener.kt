@@ -1,0 +1,131 @@
+package robotran.workshop.documents
+
+import kotlinx.coroutines.withContext
+import robotran.documents.FilePlace
+import robotran.documents.GivenFile
+import robotran.documents.KeptWork
+import robotran.documents.OpenedProject
+import robotran.documents.Opening
+import robotran.documents.OpeningTrouble
+import robotran.documents.newWorkName
+import robotran.documents.openFiles
+import robotran.documents.openLinkText
+import robotran.documents.workName
+import robotran.rcxrom.Brick
+import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.platform.Platform
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
+import robotran.workshop.state.ProgramFile
+import robotran.workshop.state.PupilProgram
+
+/** Opens files and links. */
+internal class FileOpener(
+    private val platform: Platform,
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    private val editor: ProjectEditor,
+    private val tabs: ProgramTabs,
+    private val navigator: ScreenNavigator,
+    private val notices: Notices,
+    private val keeper: DocumentKeeper,
+    private val view: DocumentView,
+    private val replacement: ProjectReplacement,
+) {
+    suspend fun choose() {
+        val files = platform.files.open(KINDS)
+        if (files.isNotEmpty()) open(files)
+    }
+
+    suspend fun open(files: List<OpenedFile>) {
+        val given = files.map { file -> GivenFile(file.name, file.bytes, file.place?.let { FilePlace(it, file.name) }) }
+        when (val opening = withContext(platform.background) { openFiles(given, preferences.language) }) {
+            is Opening.Opened -> take(opening)
+            is Opening.Refused -> view.show(DocumentDialog.Refused(opening.trouble))
+        }
+    }
+
+    suspend fun openLink(link: String) {
+        when (val opening = openLinkText(link, preferences.language)) {
+            is Opening.Opened -> {
+                view.show(null)
+                take(opening)
+            }
+
+            is Opening.Refused -> {
+                view.show(DocumentDialog.PastingLink((opening.trouble as? OpeningTrouble.InLink)?.message))
+            }
+        }
+    }
+
+    /** Opens the file again as somebody else has changed it. */
+    suspend fun reopen() {
+        val place = keeper.file?.place ?: return
+        val bytes = platform.files.read(place.address) ?: return
+        open(listOf(OpenedFile(place.name, bytes, place.address)))
+    }
+
+    private suspend fun take(opened: Opening.Opened) {
+        val first = opened.projects.firstOrNull() ?: return takeParts(opened)
+        val others = keepOthers(opened.projects.drop(1))
+        replacement.replace { before ->
+            editor.openProject(first.project)
+            keeper.opened(first.name, first.file, before)
+            view.show(null)
+            opened.world?.let { editor.changeWorld(it) }
+            replacement.sayKept(before)
+            addPrograms(opened)
+        }
+        if (!keeper.claimFile()) {
+            notices.say(Notice.FileOpenElsewhere(keeper.file?.place?.name.orEmpty()))
+        } else if (others) {
+            notices.say(Notice.MoreProjectsOpened(opened.projects.size - 1))
+        }
+    }
+
+    /** A world is a new work, with the programs that are there; programs come to the others. */
+    private suspend fun takeParts(opened: Opening.Opened) {
+        val world = opened.world ?: return addPrograms(opened)
+        replacement.replace { before ->
+            editor.changeWorld(world, isAnother = true)
+            keeper.opened(workName(world.title) ?: newWorkName(preferences.language), null, before)
+            view.show(null)
+            replacement.sayKept(before)
+            addPrograms(opened)
+        }
+    }
+
+    private fun addPrograms(opened: Opening.Opened) {
+        opened.programs.forEach { program ->
+            tabs.addProgram(PupilProgram(program.files.map { ProgramFile(it.name, it.text) }), replacing = true)
+        }
+        val names = current.project.robots.firstOrNull()?.programs.orEmpty().map { it.name }
+        val missing = opened.programs.filterNot { it.name in names }
+        if (missing.isNotEmpty()) {
+            notices.say(Notice.NoSlotForProgram(missing.first().name, Brick.MOST_PROGRAMS))
+        }
+        if (opened.world != null && opened.programs.isEmpty()) navigator.show(Pane.WORLD)
+    }
+
+    /** Projects beyond the first are kept without being shown; whether there are any. */
+    private suspend fun keepOthers(projects: List<OpenedProject>): Boolean {
+        val now = platform.clock.now
+        projects.forEachIndexed { number, opened ->
+            val id = "o${(now + number).toString(radix = 36)}"
+            keeper.shelf.keep(KeptWork(id, opened.name, now - 1 - number, opened.project, opened.file, saved = opened.file != null))
+        }
+        return projects.isNotEmpty()
+    }
+
+    private companion object {
+        val KINDS = listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.ROBOLANG, FileKind.JAVA)
+    }
+}

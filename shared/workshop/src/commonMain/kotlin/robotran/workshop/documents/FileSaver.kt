@@ -1,0 +1,78 @@
+package robotran.workshop.documents
+
+import kotlinx.coroutines.withContext
+import robotran.documents.FilePlace
+import robotran.documents.FileStamp
+import robotran.documents.SavingCheck
+import robotran.documents.WorkFile
+import robotran.documents.checkBeforeSaving
+import robotran.documents.fileNameFor
+import robotran.documents.projectFile
+import robotran.documents.workNameOfFile
+import robotran.projects.Project
+import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Saving
+import robotran.workshop.programs.fileNameFor
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.Notice
+
+/** Saves the project to its file, or to one that is chosen. */
+internal class FileSaver(
+    private val platform: Platform,
+    private val current: CurrentProject,
+    private val notices: Notices,
+    private val keeper: DocumentKeeper,
+    private val view: DocumentView,
+) {
+    /** Writes to the work's file; whether it is saved. */
+    suspend fun save(overOthers: Boolean = false): Boolean {
+        val file = keeper.file ?: return saveAs()
+        val project = current.project
+        val bytes = bytesOf(project) ?: return false
+        val now = if (overOthers) null else platform.files.read(file.place.address)
+        if (checkBeforeSaving(file, now, bytes) == SavingCheck.CHANGED_MEANWHILE) {
+            view.show(DocumentDialog.ChangedMeanwhile(file.place.name))
+            return false
+        }
+        return tell(platform.files.write(file.place.address, file.place.name, bytes), project, bytes)
+    }
+
+    /** Lets a file be chosen and writes to that; whether it is saved. */
+    suspend fun saveAs(): Boolean {
+        val project = current.project
+        val bytes = bytesOf(project) ?: return false
+        val name = fileNameFor(keeper.name.ifEmpty { project.world.title }, FileKind.PROJECT)
+        return tell(platform.files.save(name, FileKind.PROJECT, bytes), project, bytes)
+    }
+
+    private suspend fun bytesOf(project: Project): ByteArray? {
+        val bytes = withContext(platform.background) { projectFile(project) }
+        if (bytes == null) notices.say(Notice.ProjectTooLong)
+        return bytes
+    }
+
+    private suspend fun tell(saving: Saving, project: Project, bytes: ByteArray): Boolean {
+        when (saving) {
+            is Saving.Saved -> {
+                keeper.saved(project, saving.place?.let { WorkFile(FilePlace(it, saving.name), FileStamp.of(bytes)) })
+                keeper.name = workNameOfFile(saving.name)
+                view.show(null)
+                if (keeper.claimFile()) {
+                    notices.say(Notice.FileSaved(saving.name))
+                } else {
+                    notices.say(Notice.FileOpenElsewhere(saving.name))
+                }
+            }
+
+            Saving.GivenUp -> {}
+
+            is Saving.Failed -> {
+                notices.say(Notice.FileNotSaved(saving.reason, saving.isFull))
+            }
+        }
+        return saving is Saving.Saved
+    }
+}
