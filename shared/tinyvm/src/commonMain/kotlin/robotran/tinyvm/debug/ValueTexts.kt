@@ -11,7 +11,7 @@ internal class ValueTexts(private val machine: Machine) {
     fun of(descriptor: String, word: Int): String = when (descriptor[0]) {
         'Z' -> if (word != 0) "true" else "false"
         'C' -> "'${word.toChar()}'"
-        'F', 'D' -> DecimalText.of(Float.fromBits(word))
+        'F', 'D' -> BrickFloatText.of(Float.fromBits(word))
         'L', '[' -> reference(word)
         else -> word.toString()
     }
