@@ -1,0 +1,25 @@
+package robotran.language
+
+/**
+ * How many slips of a finger lie between two words: a letter too many, too few, a wrong one, or two neighbours that changed places (the optimal
+ * string alignment variant of the Damerau-Levenshtein distance).
+ */
+fun editDistance(typed: String, meant: String): Int {
+    var beforeLast = IntArray(meant.length + 1)
+    var last = IntArray(meant.length + 1) { it }
+    for (row in 1..typed.length) {
+        val current = IntArray(meant.length + 1)
+        current[0] = row
+        for (column in 1..meant.length) {
+            val wrong = if (typed[row - 1] == meant[column - 1]) 0 else 1
+            var fewest = minOf(last[column] + 1, current[column - 1] + 1, last[column - 1] + wrong)
+            val swapped = row > 1 && column > 1 &&
+                typed[row - 1] == meant[column - 2] && typed[row - 2] == meant[column - 1]
+            if (swapped) fewest = minOf(fewest, beforeLast[column - 2] + 1)
+            current[column] = fewest
+        }
+        beforeLast = last
+        last = current
+    }
+    return last[meant.length]
+}
