@@ -2,18 +2,20 @@
 
 package robotran.benchmarks
 
-import kotlinx.coroutines.DelicateCoroutinesApi
-import kotlinx.coroutines.GlobalScope
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.SupervisorJob
 import kotlinx.coroutines.promise
 import kotlin.js.Promise
 
 /** Gives the page the object `benchmarks`: `names` with commas between them, and `measure(name)`, which promises a line. */
-@OptIn(DelicateCoroutinesApi::class)
-fun main() =
+fun main() {
+    val scope = CoroutineScope(SupervisorJob() + Dispatchers.Default)
     publish(
         names = BENCHMARKS.keys.joinToString(","),
-        measure = { name -> GlobalScope.promise { measured(name).toJsString() } },
+        measure = { name -> scope.promise { measured(name).toJsString() } },
     )
+}
 
 private fun publish(
     names: String,

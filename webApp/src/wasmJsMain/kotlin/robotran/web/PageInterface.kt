@@ -2,12 +2,12 @@
 
 package robotran.web
 
-import kotlinx.coroutines.DelicateCoroutinesApi
-import kotlinx.coroutines.GlobalScope
+import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.promise
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.RobotLoads
@@ -19,7 +19,6 @@ import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.report
 import robotran.simulation.runUnattended
 import robotran.workshop.Workshop
-import robotran.workshop.state.PENBOT_CALIBRATION
 import robotran.world.file.BuiltInWorlds
 import kotlin.js.Promise
 
@@ -31,44 +30,47 @@ import kotlin.js.Promise
  *   none one in Robolang;
  * - `runProject(project, milliseconds)` promises `{ report }` of the run of a project file's text with all that was done to it from outside; it is refused with
  *   what is wrong with the project.
+ *
+ * @param scope what the promises run in.
  */
-internal fun openPageInterface(workshop: Workshop) =
-    publish(report = { workshop.report().toJson() }, run = ::promiseRun, runProject = ::promiseProjectRun)
+internal fun openPageInterface(
+    workshop: Workshop,
+    scope: CoroutineScope,
+) = publish(
+    report = { workshop.report().toJson() },
+    run = { program, milliseconds, name -> scope.promise { runOf(program, milliseconds, name) } },
+    runProject = { text, milliseconds -> scope.promise { projectRunOf(text, milliseconds) } },
+)
 
-@OptIn(DelicateCoroutinesApi::class)
-private fun promiseRun(
+private suspend fun runOf(
     program: String,
     milliseconds: Int,
     name: String,
-): Promise<JsAny?> =
-    GlobalScope.promise {
-        val source =
-            if (name.endsWith(JAVA)) ProgramSource.Java(name, listOf(SourceFile(name, program))) else ProgramSource.Robolang(name, program)
-        val world = BuiltInWorlds.plain
-        when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
-            is RobotLoads.Mistaken -> {
-                refusal(result.mistakes.first().let { mistake -> mistake.range?.let { "Line ${it.line}: " }.orEmpty() + mistake.message })
-            }
+): JsAny? {
+    val source =
+        if (name.endsWith(JAVA)) ProgramSource.Java(name, listOf(SourceFile(name, program))) else ProgramSource.Robolang(name, program)
+    val world = BuiltInWorlds.plain
+    return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
+        is RobotLoads.Mistaken -> {
+            refusal(result.mistakes.first().let { mistake -> mistake.range?.let { "Line ${it.line}: " }.orEmpty() + mistake.message })
+        }
 
-            is RobotLoads.Ready -> {
-                val session = Session(world, result.loads, loadPhysicsEngine())
-                session.runUnattended(milliseconds)
-                session.close()
-                runResult(session.report().toJson(), session.romLog.entries.joinToString("") { it.text + "\n" })
-            }
+        is RobotLoads.Ready -> {
+            val session = Session(world, result.loads, loadPhysicsEngine())
+            session.runUnattended(milliseconds)
+            session.close()
+            runResult(session.report().toJson(), session.romLog.entries.joinToString("") { it.text + "\n" })
         }
     }
+}
 
-@OptIn(DelicateCoroutinesApi::class)
-private fun promiseProjectRun(
+private suspend fun projectRunOf(
     text: String,
     milliseconds: Int,
-): Promise<JsAny?> =
-    GlobalScope.promise {
-        when (val file = readProject(text)) {
-            is ProjectFileResult.Refused -> refusal(file.message)
-            is ProjectFileResult.Loaded -> runOf(file.project, milliseconds)
-        }
+): JsAny? =
+    when (val file = readProject(text)) {
+        is ProjectFileResult.Refused -> refusal(file.message)
+        is ProjectFileResult.Loaded -> runOf(file.project, milliseconds)
     }
 
 private suspend fun runOf(
