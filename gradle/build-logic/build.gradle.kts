@@ -47,6 +47,10 @@ gradlePlugin {
             id = "robotran.benchmarks"
             implementationClass = "robotran.build.BenchmarksPlugin"
         }
+        create("jvmApp") {
+            id = "robotran.jvm-app"
+            implementationClass = "robotran.build.JvmAppPlugin"
+        }
         create("desktop") {
             id = "robotran.desktop"
             implementationClass = "robotran.build.DesktopPlugin"

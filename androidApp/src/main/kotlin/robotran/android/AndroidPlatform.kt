@@ -8,6 +8,7 @@ import robotran.android.platform.AndroidFileDesk
 import robotran.android.platform.AndroidSharing
 import robotran.android.platform.ContentFiles
 import robotran.android.sound.audioTrackSpeaker
+import robotran.simulation.picture.WorldPictures
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.platform.FolderWorkStore
 import robotran.ui.platform.JavaClock
@@ -16,7 +17,6 @@ import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.WallClock
 import robotran.workshop.platform.WorkStore
-import robotran.workshop.platform.WorldPictures
 import robotran.workshop.sound.LoudSpeaker
 import java.util.Locale
 import kotlin.coroutines.CoroutineContext

@@ -1,6 +1,7 @@
 package robotran.desktop
 
-import robotran.desktop.messages.CommandMessages
+import robotran.cli.console.ExitCode
+import robotran.cli.files.noFile
 import robotran.desktop.platform.openedFile
 import robotran.desktop.window.showWindows
 import robotran.projects.isLink
@@ -49,7 +50,7 @@ internal fun readArrival(names: List<String>): ReadArrival {
                 try {
                     Path.of(name)
                 } catch (_: InvalidPathException) {
-                    return ReadArrival.Refused(CommandMessages.of(spokenLanguage(null)).noFile(name))
+                    return ReadArrival.Refused(noFile(name, spokenLanguage(null)))
                 }
             var trouble = ""
             openedFile(path) { trouble = it } ?: return ReadArrival.Refused(trouble)

@@ -2,14 +2,11 @@ package robotran.desktop.platform
 
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
-import robotran.desktop.files.FileContent
-import robotran.desktop.files.LARGEST_FILE_BYTES
-import robotran.desktop.files.readContent
-import robotran.desktop.files.reading
-import robotran.desktop.messages.CommandMessages
-import robotran.desktop.messages.EnglishCommandMessages
+import robotran.cli.files.FileContent
+import robotran.cli.files.readFile
 import robotran.documents.FileKind
 import robotran.documents.StoreResult
+import robotran.language.Language
 import robotran.ui.platform.writeSafely
 import robotran.workshop.platform.FileDesk
 import robotran.workshop.platform.OpenedFile
@@ -17,7 +14,6 @@ import robotran.workshop.platform.Saving
 import robotran.workshop.platform.spokenLanguage
 import java.awt.FileDialog
 import java.awt.Frame
-import java.io.IOException
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.name
@@ -71,13 +67,7 @@ internal class DesktopFileDesk(
         }
 
     override suspend fun read(place: String): ByteArray? =
-        withContext(Dispatchers.IO) {
-            try {
-                (readContent(Path.of(place), place, LARGEST_FILE_BYTES, EnglishCommandMessages) as? FileContent.Read)?.bytes
-            } catch (_: IOException) {
-                null
-            }
-        }
+        withContext(Dispatchers.IO) { (readFile(Path.of(place), Language.ENGLISH) as? FileContent.Read)?.bytes }
 
     private fun choosePlace(name: String): Path? {
         val dialog = FileDialog(window(), "", FileDialog.SAVE)
@@ -95,10 +85,7 @@ internal fun openedFile(
     tell: (String) -> Unit,
 ): OpenedFile? {
     val place = path.toAbsolutePath().normalize()
-    val messages = CommandMessages.of(spokenLanguage(null))
-    return when (
-        val file = reading(place.name, messages, FileContent::Refused) { readContent(place, place.name, LARGEST_FILE_BYTES, messages) }
-    ) {
+    return when (val file = readFile(place, spokenLanguage(null))) {
         is FileContent.Read -> {
             OpenedFile(place.name, file.bytes, place.toString())
         }

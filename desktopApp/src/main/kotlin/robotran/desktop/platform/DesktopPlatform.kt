@@ -1,6 +1,7 @@
 package robotran.desktop.platform
 
 import kotlinx.coroutines.Dispatchers
+import robotran.simulation.picture.WorldPictures
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.platform.JavaClock
 import robotran.workshop.platform.Arrivals
@@ -9,7 +10,6 @@ import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.WallClock
 import robotran.workshop.platform.WorkStore
-import robotran.workshop.platform.WorldPictures
 import robotran.workshop.sound.LoudSpeaker
 import kotlin.coroutines.CoroutineContext
 

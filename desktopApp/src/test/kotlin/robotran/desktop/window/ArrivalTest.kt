@@ -1,6 +1,7 @@
 package robotran.desktop.window
 
 import robotran.desktop.ReadArrival
+import robotran.desktop.platform.openedFile
 import robotran.desktop.readArrival
 import robotran.workshop.platform.Arrival
 import java.awt.datatransfer.DataFlavor
@@ -10,7 +11,9 @@ import java.awt.datatransfer.UnsupportedFlavorException
 import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.concurrent.TimeUnit
 import kotlin.io.path.ExperimentalPathApi
+import kotlin.io.path.createSymbolicLinkPointingTo
 import kotlin.io.path.deleteRecursively
 import kotlin.io.path.writeText
 import kotlin.test.AfterTest
@@ -49,6 +52,18 @@ class ArrivalTest {
         assertContains(assertIs<ReadArrival.Refused>(readArrival(listOf("$folder/none.robo"))).reason, "There is no file none.robo.")
         assertContains(assertIs<ReadArrival.Refused>(readArrival(listOf("Main.class"))).reason, "is compiled")
         assertIs<ReadArrival.Refused>(readArrival(listOf("$folder")))
+    }
+
+    @Test
+    fun `a device or a pipe is refused at once, named, chosen or dropped`() {
+        val zero = folder.resolve("zero.robo").createSymbolicLinkPointingTo(Path.of("/dev/zero"))
+        assertContains(assertIs<ReadArrival.Refused>(readArrival(listOf("$zero"))).reason, "zero.robo")
+        val pipe = folder.resolve("pipe.robo")
+        val made = ProcessBuilder("mkfifo", "$pipe").start()
+        check(made.waitFor(10, TimeUnit.SECONDS) && made.exitValue() == 0)
+        var told = ""
+        assertNull(openedFile(pipe) { told = it })
+        assertContains(told, "pipe.robo")
     }
 
     @Test

@@ -4,11 +4,11 @@ import kotlinx.coroutines.runBlocking
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.RobotLoads
 import robotran.projects.forFirstRobot
 import robotran.projects.readRobotLoads
 import robotran.simulation.RobotLoad
-import robotran.workshop.state.PENBOT_CALIBRATION
 import robotran.world.World
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld

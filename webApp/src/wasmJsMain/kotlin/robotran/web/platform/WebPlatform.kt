@@ -4,6 +4,7 @@ package robotran.web.platform
 
 import kotlinx.coroutines.await
 import robotran.projects.isLink
+import robotran.simulation.picture.WorldPictures
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.pictures.pictureFonts
 import robotran.web.window.PageFonts
@@ -17,7 +18,6 @@ import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.WallClock
 import robotran.workshop.platform.WindowMemory
 import robotran.workshop.platform.WorkStore
-import robotran.workshop.platform.WorldPictures
 import robotran.workshop.sound.LoudSpeaker
 import kotlin.js.Promise
 

@@ -6,12 +6,12 @@ import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.projects.PENBOT_CALIBRATION
 import robotran.rcxrom.program.RcxProgram
 import robotran.ui.sheet.PictureRoom
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
 import robotran.workshop.examples.examples
-import robotran.workshop.state.PENBOT_CALIBRATION
 import robotran.workshop.state.ProgramLanguage
 import robotran.world.file.BuiltInWorlds
 

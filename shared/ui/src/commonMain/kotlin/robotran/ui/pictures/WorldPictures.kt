@@ -5,12 +5,12 @@ import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
+import robotran.simulation.picture.WorldPictures
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.PICTURE_PIXELS
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.renderSheet
 import robotran.ui.sheet.svg.SheetSvg
-import robotran.workshop.platform.WorldPictures
 import robotran.world.World
 
 /**

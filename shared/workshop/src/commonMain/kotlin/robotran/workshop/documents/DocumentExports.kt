@@ -9,6 +9,7 @@ import robotran.documents.zipOf
 import robotran.programs.ProgramReader
 import robotran.programs.ProgramResult
 import robotran.projects.LinkMaking
+import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.linkOf
 import robotran.robolang.RobolangResult
 import robotran.robolang.readRobolang
@@ -25,7 +26,6 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
-import robotran.workshop.state.PENBOT_CALIBRATION
 import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 

@@ -1,5 +1,7 @@
 package robotran.workshop.platform
 
+import robotran.simulation.picture.NoWorldPictures
+import robotran.simulation.picture.WorldPictures
 import robotran.workshop.sound.LoudSpeaker
 import robotran.workshop.sound.NoLoudSpeaker
 import kotlin.coroutines.CoroutineContext

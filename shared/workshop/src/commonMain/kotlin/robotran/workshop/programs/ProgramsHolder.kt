@@ -6,6 +6,7 @@ import androidx.compose.runtime.setValue
 import robotran.language.Language
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramReader
+import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.Project
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
@@ -17,7 +18,6 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.Notice
-import robotran.workshop.state.PENBOT_CALIBRATION
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramReading
 import robotran.workshop.state.ProgramsState

@@ -1,11 +1,11 @@
 package robotran.ui.program.editor
 
 import robotran.programs.Mistake
+import robotran.projects.PENBOT_CALIBRATION
 import robotran.robolang.RobolangResult
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.readRobolang
-import robotran.workshop.state.PENBOT_CALIBRATION
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

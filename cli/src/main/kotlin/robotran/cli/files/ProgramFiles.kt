@@ -1,0 +1,120 @@
+package robotran.cli.files
+
+import robotran.cli.messages.EnglishCommandMessages
+import robotran.cli.messages.FileMessages
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.rcxrom.Brick
+import java.nio.file.Path
+import kotlin.io.path.isDirectory
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+
+/** The programs that files named by a person hold. */
+internal sealed interface ProgramFiles {
+    /** One program or more, at most as many as a brick takes, in the order in which their first files were named. */
+    data class Read(val programs: List<NamedProgram>) : ProgramFiles
+
+    /** They cannot be used; [reason] is a sentence that names the file. */
+    data class Refused(val reason: String) : ProgramFiles
+}
+
+/**
+ * A program and where it is from.
+ *
+ * @property path its first file as it was named.
+ * @property project the project or link it is in, as a person is told of that; null if it is a file of its own.
+ */
+internal data class NamedProgram(
+    val path: String,
+    val source: ProgramSource,
+    val project: String? = null,
+)
+
+/**
+ * Reads the files [names]: each `.robo` file, `.jar` file and folder of `.class` files is a program, all `.java` files together are one, and
+ * so are all `.class` files. A file that is named twice counts once.
+ */
+internal fun readProgramFiles(
+    names: List<String>,
+    messages: FileMessages = EnglishCommandMessages,
+): ProgramFiles {
+    val groups = names.distinct().groupBy { name -> FILES_OF_ONE_PROGRAM.firstOrNull { name.endsWith(it) } ?: name }.values
+    if (groups.size > Brick.MOST_PROGRAMS) {
+        return ProgramFiles.Refused(messages.tooManyPrograms(Brick.MOST_PROGRAMS, groups.size))
+    }
+    val programs =
+        groups.map { files ->
+            when (val result = readProgram(files, messages)) {
+                is ReadProgram.Read -> NamedProgram(files.first(), result.source)
+                is ReadProgram.Refused -> return ProgramFiles.Refused(result.reason)
+            }
+        }
+    return ProgramFiles.Read(programs)
+}
+
+private fun readProgram(
+    names: List<String>,
+    messages: FileMessages,
+): ReadProgram {
+    val first = names.first()
+    return when {
+        first.endsWith(ROBOLANG) -> readRobolang(first, messages)
+        first.endsWith(JAVA) -> readJava(names, messages)
+        first.endsWith(CLASS) -> readClassFiles(names, messages)
+        first.endsWith(JAR) -> readJar(first, messages)
+        isFolder(first) -> readClassFolder(first, messages)
+        else -> ReadProgram.Refused(messages.notAProgram(first, listOf(ROBOLANG, JAVA, CLASS, JAR)))
+    }
+}
+
+private fun readRobolang(
+    name: String,
+    messages: FileMessages,
+): ReadProgram =
+    when (val file = readTextFile(name, messages)) {
+        is TextFile.Read -> ReadProgram.Read(ProgramSource.Robolang(nameOf(name), file.text))
+        is TextFile.Refused -> ReadProgram.Refused(file.reason)
+    }
+
+private fun readJava(
+    names: List<String>,
+    messages: FileMessages,
+): ReadProgram {
+    val files =
+        names.map { name ->
+            when (val file = readTextFile(name, messages)) {
+                is TextFile.Read -> SourceFile(name, file.text)
+                is TextFile.Refused -> return ReadProgram.Refused(file.reason)
+            }
+        }
+    return ReadProgram.Read(ProgramSource.Java(nameOf(names.first()), files))
+}
+
+/**
+ * The files to be given to [readProgramFiles] for what somebody names as one program: those of a folder of Java sources, all of them; otherwise the file or
+ * folder itself.
+ */
+internal fun filesOfProgram(name: String): List<String> {
+    val sources =
+        if (isFolder(name)) {
+            runCatching { Path.of(name).listDirectoryEntries("*$JAVA") }.getOrDefault(emptyList()).map { it.toString() }.sorted()
+        } else {
+            emptyList()
+        }
+    return sources.ifEmpty { listOf(name) }
+}
+
+/** The name of the file or folder [path] without the folders it is in. */
+internal fun nameOf(path: String): String = Path.of(path).toAbsolutePath().normalize().name
+
+private fun isFolder(name: String): Boolean = runCatching { Path.of(name).isDirectory() }.getOrDefault(false)
+
+/** How the name of a Robolang program ends. */
+internal const val ROBOLANG = ".robo"
+
+/** How the name of a Java source ends. */
+internal const val JAVA = ".java"
+
+private const val JAR = ".jar"
+private val FILES_OF_ONE_PROGRAM = listOf(JAVA, CLASS)

@@ -1,0 +1,62 @@
+package robotran.cli.input
+
+import robotran.cli.files.ROBOLANG
+import robotran.cli.files.TextFile
+import robotran.cli.files.readTextFile
+import robotran.cli.messages.CommandMessages
+import robotran.language.Language
+import robotran.projects.PENBOT_CALIBRATION
+import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangResult
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.readRobolang
+import kotlin.io.path.Path
+import kotlin.io.path.name
+
+/** A Robolang file as the commands meet it. */
+internal sealed interface RobolangFile {
+    /** It can run; [warnings] are what is doubtful. */
+    data class Ready(val source: String, val program: RobolangProgram, val warnings: List<Diagnostic>) : RobolangFile
+
+    /** It has mistakes. */
+    data class Mistaken(val diagnostics: List<Diagnostic>) : RobolangFile
+
+    /** There is no such program; [reason] is a sentence that names the file. */
+    data class Unreadable(val reason: String) : RobolangFile
+}
+
+/** Reads and checks the Robolang file [name]. */
+internal fun readRobolangFile(
+    name: String,
+    language: Language,
+): RobolangFile =
+    when (val file = readRobolangText(name, language)) {
+        is TextFile.Refused -> {
+            RobolangFile.Unreadable(file.reason)
+        }
+
+        is TextFile.Read -> {
+            when (val result = readRobolang(Path(name).name, file.text, PENBOT_CALIBRATION, RobolangMessages.of(language))) {
+                is RobolangResult.Ready -> RobolangFile.Ready(file.text, result.program, result.warnings)
+                is RobolangResult.Mistaken -> RobolangFile.Mistaken(result.diagnostics)
+            }
+        }
+    }
+
+/** Reads the text of the Robolang file [name]. */
+internal fun readRobolangText(
+    name: String,
+    language: Language,
+): TextFile =
+    if (name.endsWith(ROBOLANG)) {
+        readTextFile(name, CommandMessages.of(language))
+    } else {
+        TextFile.Refused(CommandMessages.of(language).notRobolang(name, ROBOLANG))
+    }
+
+/** [diagnostic] in one line for a person, with the place that editors jump to. */
+internal fun lineOf(
+    name: String,
+    diagnostic: Diagnostic,
+): String = "$name:${diagnostic.range.line}:${diagnostic.range.column}: ${diagnostic.message}"

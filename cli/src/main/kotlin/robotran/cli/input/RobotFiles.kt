@@ -1,0 +1,81 @@
+package robotran.cli.input
+
+import kotlinx.coroutines.runBlocking
+import robotran.cli.console.messages
+import robotran.cli.files.NamedProgram
+import robotran.cli.files.ProgramFiles
+import robotran.cli.files.readProgramFiles
+import robotran.cli.messages.CommandMessages
+import robotran.programs.ProgramReader
+import robotran.programs.ProgramResult
+import robotran.projects.ProjectRobot
+import robotran.projects.RobotLoads
+import robotran.projects.loadsWith
+import robotran.projects.readRobotLoads
+import robotran.simulation.RobotLoad
+
+/** A program for a robot of the world, as `--robot red=Ram.robo` says it. */
+internal data class RobotFile(
+    val robot: String,
+    val file: String,
+)
+
+/** Reads `NAME=FILE`; null if that is not what [text] is. */
+internal fun readRobotFile(text: String): RobotFile? {
+    val name = text.substringBefore('=', "").trim()
+    val file = text.substringAfter('=', "").trim()
+    return RobotFile(name, file).takeIf { name.isNotEmpty() && file.isNotEmpty() }
+}
+
+/** What came of reading what the robots of a world are to run. */
+internal sealed interface Loading {
+    /** @property loads one for each robot, in the world's order. */
+    data class Loaded(val loads: List<RobotLoad>) : Loading
+
+    /** They cannot run; each of [reasons] is a line for a person. If they are readable, they have mistakes. */
+    data class Refused(val reasons: List<String>, val isReadable: Boolean = true) : Loading
+}
+
+/**
+ * Reads the programs of all robots of the world [place]: [own] for the first one, [others] for those that are named, else what the world or the project it is
+ * from gives them.
+ */
+internal fun readLoads(
+    place: GivenWorld,
+    reader: ProgramReader,
+    own: HandIn,
+    others: List<RobotFile>,
+): Loading {
+    val world = place.world
+    val messages = CommandMessages.of(reader.language)
+    val given = mutableMapOf<String, List<NamedProgram>>()
+    for ((robot, files) in others.groupBy({ it.robot }, { it.file })) {
+        when (val read = readProgramFiles(files, messages)) {
+            is ProgramFiles.Read -> given[robot] = read.programs
+            is ProgramFiles.Refused -> return Loading.Refused(listOf(read.reason))
+        }
+    }
+    val first = world.robots.first().name
+    if (first in given) return Loading.Refused(listOf(messages.firstRobotNamed(first)))
+    val robots = place.others.filter { it.name !in given }
+    robots.forEach { robot -> given[robot.name] = robot.programs.map { NamedProgram(it.name, it.source) } }
+    given[first] = own.programs
+    val result = runBlocking { readRobotLoads(world, reader, given.mapValues { (_, programs) -> programs.map { it.source } }) }
+    val choices = robots + ProjectRobot(first, firstProgram = own.firstProgram, lightFacing = own.lightFacing)
+    return when (result) {
+        is RobotLoads.Ready -> Loading.Loaded(loadsWith(choices, world, result.loads))
+        is RobotLoads.Mistaken -> Loading.Refused(linesOf(result, given[result.robot].orEmpty(), reader))
+    }
+}
+
+/** The mistakes with the files as they were named, which only reading each program by itself tells. */
+private fun linesOf(
+    mistaken: RobotLoads.Mistaken,
+    programs: List<NamedProgram>,
+    reader: ProgramReader,
+): List<String> =
+    programs
+        .flatMap { program ->
+            val result = runBlocking { reader.read(program.source) }
+            (result as? ProgramResult.Mistaken)?.mistakes.orEmpty().map { lineOf(program, it) }
+        }.ifEmpty { mistaken.mistakes.map { if (it.file.isEmpty()) it.message else lineOf(it.file, it) } }

@@ -1,0 +1,182 @@
+package robotran.cli.run
+
+import kotlinx.coroutines.runBlocking
+import robotran.cli.console.Console
+import robotran.cli.console.DesktopApp
+import robotran.cli.console.ExitCode
+import robotran.cli.console.messages
+import robotran.cli.input.GivenWorld
+import robotran.cli.input.HandIn
+import robotran.cli.input.Loading
+import robotran.cli.input.ReadHandIn
+import robotran.cli.input.RobotFile
+import robotran.cli.input.WorldChanges
+import robotran.cli.input.isProject
+import robotran.cli.input.lineOf
+import robotran.cli.input.projectOf
+import robotran.cli.input.readGivenWorld
+import robotran.cli.input.readHandIn
+import robotran.cli.input.readLoads
+import robotran.programs.JavaSettings
+import robotran.programs.ProgramReader
+import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.RobotLoads
+import robotran.projects.readRobotLoads
+import robotran.rcxrom.state.RunState
+import robotran.simulation.RecordedInput
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.grade.runForGoals
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.runUnattended
+import robotran.world.World
+import robotran.world.file.BuiltInWorlds
+
+/**
+ * What to run.
+ *
+ * @property programs the programs' files for the first robot; or one project, which with [world] is one for the first robot, too, see [readHandIn].
+ * @property robots programs for other robots.
+ * @property java how Java programs are to run.
+ * @property world the world's file, or a project or link with it; if null, the plain sheet or that of the project.
+ * @property milliseconds how much virtual time may pass at most; null for the world's time limit.
+ * @property presses what is done to the buttons; if empty, Run is pressed.
+ */
+internal class RunRequest(
+    val programs: List<String>,
+    val robots: List<RobotFile>,
+    val java: JavaSettings,
+    val world: String?,
+    val changes: WorldChanges,
+    val milliseconds: Int?,
+    val presses: List<ButtonPress>,
+)
+
+/** Runs programs in one world as `robotran run` does: reads all, presses Run, lets virtual time pass, writes the results. */
+internal class ProgramRunner(
+    private val console: Console,
+    private val desktop: DesktopApp?,
+) {
+    fun run(
+        request: RunRequest,
+        outputs: RunOutputs,
+    ): ExitCode {
+        val project = request.programs.singleOrNull()?.takeIf(::isProject)
+        if (project != null && request.world == null) return runProject(project, request, outputs)
+        val own = readOwn(request.programs)
+        val place = if (request.world == null) GivenWorld(BuiltInWorlds.plain) else readGivenWorld(request.world, console)
+        if (own == null || place == null) return ExitCode.BAD_INPUT
+        val loads = readLoads(place, own, request) ?: return ExitCode.BAD_INPUT
+        return run(request.changes.of(place.world), loads, request, outputs)
+    }
+
+    /** What is said on the command line counts more than what the project says; its inputs are not repeated if buttons are pressed. */
+    private fun runProject(
+        name: String,
+        request: RunRequest,
+        outputs: RunOutputs,
+    ): ExitCode {
+        if (request.robots.isNotEmpty()) {
+            console.complain(console.messages.projectHasItsOwn())
+            return ExitCode.BAD_INPUT
+        }
+        val project = projectOf(name, console) ?: return ExitCode.BAD_INPUT
+        val usual = JavaSettings()
+        val java =
+            JavaSettings(
+                if (request.java.mode == usual.mode) project.settings.java.mode else request.java.mode,
+                if (request.java.speed == usual.speed) project.settings.java.speed else request.java.speed,
+            )
+        return when (val result = runBlocking { readRobotLoads(project, ProgramReader(PENBOT_CALIBRATION, java, console.language)) }) {
+            is RobotLoads.Ready -> {
+                run(request.changes.of(project.worldToRun), result.loads, request, outputs, project.inputs)
+            }
+
+            is RobotLoads.Mistaken -> {
+                result.mistakes.forEach { console.complain(if (it.file.isEmpty()) it.message else lineOf(it.file, it)) }
+                ExitCode.BAD_INPUT
+            }
+        }
+    }
+
+    private fun run(
+        world: World,
+        loads: List<RobotLoad>,
+        request: RunRequest,
+        outputs: RunOutputs,
+        inputs: List<RecordedInput> = emptyList(),
+    ): ExitCode {
+        val session = runBlocking { Session(world, loads, loadPhysicsEngine(), console.language) }
+        try {
+            letRun(session, request, inputs)
+            val problems = RunResults(session, console, desktop).write(outputs)
+            problems.forEach(console::complain)
+            val run = session.state.brick.run
+            return when {
+                problems.isNotEmpty() -> ExitCode.BAD_INPUT
+                run is RunState.Failed -> ExitCode.PROGRAM_FAILED
+                else -> ExitCode.DONE
+            }
+        } finally {
+            session.close()
+        }
+    }
+
+    private fun letRun(
+        session: Session,
+        request: RunRequest,
+        inputs: List<RecordedInput>,
+    ) {
+        val milliseconds = request.milliseconds ?: (session.world.timeLimit * 1000)
+        when {
+            request.presses.isNotEmpty() -> {
+                session.runWithPresses(request.presses, milliseconds)
+                session.finish()
+            }
+
+            inputs.isNotEmpty() -> {
+                session.runWithInputs(inputs, milliseconds)
+                session.finish()
+            }
+
+            // As it is graded, so that goals come out the same.
+            session.world.goals.isNotEmpty() -> {
+                session.runForGoals(milliseconds, endsWhenDecided = false)
+            }
+
+            else -> {
+                session.runUnattended(milliseconds)
+            }
+        }
+    }
+
+    /** Null if any of them cannot be read; why is told. */
+    private fun readOwn(names: List<String>): HandIn? =
+        when (val read = readHandIn(names, console)) {
+            is ReadHandIn.Read -> {
+                read.handIn
+            }
+
+            is ReadHandIn.Refused -> {
+                console.complain(read.reason)
+                null
+            }
+        }
+
+    /** Null if any of them cannot run; why is told. */
+    private fun readLoads(
+        place: GivenWorld,
+        own: HandIn,
+        request: RunRequest,
+    ): List<RobotLoad>? =
+        when (val loading = readLoads(place, ProgramReader(PENBOT_CALIBRATION, request.java, console.language), own, request.robots)) {
+            is Loading.Loaded -> {
+                loading.loads
+            }
+
+            is Loading.Refused -> {
+                loading.reasons.forEach(console::complain)
+                null
+            }
+        }
+}

@@ -1,0 +1,119 @@
+package robotran.cli.run
+
+import robotran.cli.console.Console
+import robotran.cli.console.DesktopApp
+import robotran.cli.console.messages
+import robotran.cli.files.writeFile
+import robotran.rcxrom.log.RomLogFilter
+import robotran.rcxrom.log.toCsv
+import robotran.rcxrom.log.toLogText
+import robotran.rcxrom.messages.BrickMessages
+import robotran.rcxrom.messages.place
+import robotran.simulation.GoalReport
+import robotran.simulation.RunReport
+import robotran.simulation.RunStatus
+import robotran.simulation.Session
+import robotran.simulation.report
+import kotlin.math.roundToInt
+
+/**
+ * Writes what a finished run is to leave behind.
+ *
+ * @param desktop draws the picture; null if none is asked for.
+ */
+internal class RunResults(
+    private val session: Session,
+    private val console: Console,
+    private val desktop: DesktopApp?,
+) {
+    private val messages = console.messages
+
+    /** Writes all that [outputs] ask for and says in a sentence how the run ended; the answer is what could not be written. */
+    fun write(outputs: RunOutputs): List<String> {
+        val report = session.report()
+        val problems =
+            listOfNotNull(
+                outputs.picture?.let { writeFile(it, pictureFor(it), messages) },
+                outputs.romLog?.let { writeText(it, romLogText(outputs)) },
+                outputs.report?.let { writeText(it, report.toJson() + "\n") },
+                outputs.brickReport?.let { writeText(it, brickReport(session) + "\n") },
+                outputs.memory?.let { writeText(it, memoryListing(session.memory())) },
+            )
+        report.error?.let { console.complain(it) }
+        session.remarks.forEach {
+            console.complain(listOfNotNull(it.place(BrickMessages.of(console.language)), it.message).joinToString(": "))
+        }
+        val forgotten = session.romLog.total - session.romLog.entries.size
+        if (outputs.romLog != null && forgotten > 0) {
+            console.complain(messages.romLogLacks(forgotten))
+        }
+        if (outputs.explains) explain()
+        if (CONSOLE !in listOf(outputs.romLog, outputs.report, outputs.brickReport, outputs.memory)) console.say(summary(report))
+        return problems
+    }
+
+    /** A picture of the kind that the file's [name] asks for. */
+    private fun pictureFor(name: String): ByteArray {
+        val pictures = checkNotNull(desktop) { "A picture needs the desktop app." }.pictures
+        return if (name.endsWith(".svg", ignoreCase = true)) {
+            pictures.svg(session.world, session.state).encodeToByteArray()
+        } else {
+            pictures.png(session.world, session.state)
+        }
+    }
+
+    /** Says for each robot what has made it stray. */
+    private fun explain() {
+        val influences = session.explain()
+        if (influences.isEmpty()) console.say(messages.nothingStrayed())
+        val several = session.world.robots.size > 1
+        for ((robot, told) in influences.groupBy { it.robot }) {
+            if (several) console.say("$robot:")
+            told.forEach { console.say(it.sentence) }
+        }
+    }
+
+    private fun romLogText(outputs: RunOutputs): String {
+        val entries = session.romLog.entries.filter(RomLogFilter(outputs.romLogGroups)::accepts)
+        return if (outputs.romLog.orEmpty().endsWith(".csv", ignoreCase = true)) entries.toCsv() else entries.toLogText()
+    }
+
+    private fun writeText(
+        name: String,
+        text: String,
+    ): String? =
+        if (name == CONSOLE) {
+            console.say(text.trimEnd('\n'))
+            null
+        } else {
+            writeFile(name, text.encodeToByteArray(), messages)
+        }
+
+    /** The run in one sentence, for a person at the console. */
+    private fun summary(report: RunReport): String {
+        val seconds = "${report.seconds}"
+        val outcome =
+            when (report.status) {
+                RunStatus.ENDED -> messages.ended(seconds)
+                RunStatus.RUNNING -> messages.timeUp(seconds)
+                RunStatus.FAILED -> messages.failed(seconds)
+            }
+        val place = with(report.pose) { messages.robotIsAt("$x", "$y", "$heading", "${report.inkCentimetres}") }
+        val explanation = session.state.brick.explanation.takeIf { report.status == RunStatus.ENDED }
+        val sentences = listOfNotNull(outcome, place, explanation).joinToString(" ")
+        return (listOf(sentences) + goalLines(report.goals, "")).joinToString("\n")
+    }
+
+    private fun goalLines(
+        goals: List<GoalReport>,
+        indentation: String,
+    ): List<String> =
+        goals.flatMap { goal ->
+            val told = if (goal.met) messages.goalMet(goal.goal) else messages.goalNotMet(goal.goal, (goal.progress * 100).roundToInt())
+            listOf("$indentation$told") + goalLines(goal.parts, "$indentation  ")
+        }
+
+    private companion object {
+        const val CONSOLE = "-"
+    }
+}

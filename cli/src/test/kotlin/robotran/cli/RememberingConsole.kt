@@ -1,0 +1,22 @@
+package robotran.cli
+
+import robotran.cli.console.Console
+
+/** A console that keeps what it was told. */
+internal class RememberingConsole : Console {
+    val said = mutableListOf<String>()
+    val complaints = mutableListOf<String>()
+    val mentions = mutableListOf<String>()
+
+    override fun say(words: String) {
+        said += words
+    }
+
+    override fun complain(words: String) {
+        complaints += words
+    }
+
+    override fun mention(words: String) {
+        mentions += words
+    }
+}
