@@ -4,19 +4,19 @@ import android.content.Context
 import android.content.res.Configuration
 import kotlinx.coroutines.Dispatchers
 import robotran.android.R
-import robotran.android.platform.AndroidFileDesk
+import robotran.android.platform.AndroidFilePicker
 import robotran.android.platform.AndroidSharing
 import robotran.android.platform.ContentFiles
 import robotran.android.sound.audioTrackSpeaker
 import robotran.simulation.picture.WorldPictures
 import robotran.ui.pictures.DrawnWorldPictures
-import robotran.ui.platform.FolderWorkStore
+import robotran.ui.platform.FolderKeyValueStore
 import robotran.ui.platform.JavaClock
-import robotran.workshop.platform.Arrivals
+import robotran.workshop.platform.KeyValueStore
+import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.WallClock
-import robotran.workshop.platform.WorkStore
 import robotran.workshop.sound.LoudSpeaker
 import java.util.Locale
 import kotlin.coroutines.CoroutineContext
@@ -27,10 +27,10 @@ class AndroidPlatform(
     private val context: Context,
 ) : Platform {
     override val pictures: WorldPictures = DrawnWorldPictures()
-    override val arrivals = Arrivals()
+    override val arrivals = OpenRequests()
     override val speaker: LoudSpeaker = audioTrackSpeaker()
-    override val store: WorkStore = FolderWorkStore(context.filesDir.toPath().resolve("work"), EmptyCoroutineContext)
-    override val files = AndroidFileDesk(ContentFiles(context.contentResolver), arrivals, ::unreadable)
+    override val store: KeyValueStore = FolderKeyValueStore(context.filesDir.toPath().resolve("work"), EmptyCoroutineContext)
+    override val files = AndroidFilePicker(ContentFiles(context.contentResolver), arrivals, ::unreadable)
     override val sharing: Sharing = AndroidSharing(context)
     override val clock: WallClock = JavaClock
     override val pageAddress: String = context.getString(R.string.page_address)

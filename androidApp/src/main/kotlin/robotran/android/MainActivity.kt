@@ -13,8 +13,8 @@ import androidx.lifecycle.viewmodel.viewModelFactory
 
 /** The one activity: the workshop from edge to edge. */
 class MainActivity : ComponentActivity() {
-    private val kept: KeptWorkshop by viewModels {
-        viewModelFactory { initializer { KeptWorkshop(application, createSavedStateHandle()) } }
+    private val kept: WorkshopViewModel by viewModels {
+        viewModelFactory { initializer { WorkshopViewModel(application, createSavedStateHandle()) } }
     }
 
     override fun onCreate(savedInstanceState: Bundle?) {

@@ -31,7 +31,7 @@ class TestedApp : TestRule {
     private lateinit var controller: ActivityController<MainActivity>
 
     val activity: MainActivity get() = controller.get()
-    val workshop: Workshop get() = checkNotNull(ViewModelProvider(activity)[KeptWorkshop::class.java].workshop)
+    val workshop: Workshop get() = checkNotNull(ViewModelProvider(activity)[WorkshopViewModel::class.java].workshop)
 
     override fun apply(
         base: Statement,
@@ -55,7 +55,7 @@ class TestedApp : TestRule {
         RuntimeEnvironment.setFontScale(fontScale)
         controller = Robolectric.buildActivity(MainActivity::class.java, intent)
         if (saved == null) controller.setup() else controller.setup(saved)
-        val kept = ViewModelProvider(activity)[KeptWorkshop::class.java]
+        val kept = ViewModelProvider(activity)[WorkshopViewModel::class.java]
         waitUntil("The workshop does not open") { kept.workshop != null }
         pass(SETTLING)
     }
@@ -113,7 +113,7 @@ class TestedApp : TestRule {
     fun endTheProcessAndComeBack() {
         val saved = Bundle()
         controller.pause().stop().saveInstanceState(saved)
-        val kept = ViewModelProvider(activity)[KeptWorkshop::class.java]
+        val kept = ViewModelProvider(activity)[WorkshopViewModel::class.java]
         waitUntil("The work is not kept") { kept.resting?.isCompleted == true }
         controller.destroy()
         settle()

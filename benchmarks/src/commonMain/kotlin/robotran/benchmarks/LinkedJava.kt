@@ -1,7 +1,7 @@
 package robotran.benchmarks
 
 import robotran.programs.JavaSettings
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -13,7 +13,7 @@ internal suspend fun javaProgramOf(
     source: String,
     settings: JavaSettings = JavaSettings(),
 ): RcxProgram =
-    when (val result = ProgramReader(ANY_CALIBRATION, settings).read(ProgramSource.Java(name, listOf(SourceFile(name, source))))) {
+    when (val result = ProgramCompiler(ANY_CALIBRATION, settings).read(ProgramSource.Java(name, listOf(SourceFile(name, source))))) {
         is ProgramResult.Ready -> result.program
         is ProgramResult.Mistaken -> error(result.mistakes.first().message)
     }

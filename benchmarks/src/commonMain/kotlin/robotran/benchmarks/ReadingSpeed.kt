@@ -2,7 +2,7 @@ package robotran.benchmarks
 
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
-import robotran.robolang.readRobolang
+import robotran.robolang.compileRobolang
 import robotran.robolang.robot.Calibration
 import robotran.robolang.syntax.RobolangLimits
 
@@ -21,7 +21,7 @@ internal suspend fun readingSpeed(): Figure {
 internal suspend fun mistakesTime(): Figure {
     val source = "repaet 4 tmes quikly\n".repeat(WRONG_LINES)
     var told = 0
-    val seconds = seconds { told = (readRobolang("mistakes", source, ANY_CALIBRATION) as RobolangResult.Mistaken).diagnostics.size }
+    val seconds = seconds { told = (compileRobolang("mistakes", source, ANY_CALIBRATION) as RobolangResult.Mistaken).diagnostics.size }
     check(told == WRONG_LINES) { "Only $told of $WRONG_LINES mistakes were told." }
     return Figure(seconds, "s", "$told mistakes on as many lines")
 }
@@ -31,7 +31,7 @@ internal fun programOf(
     source: String,
     calibration: Calibration = ANY_CALIBRATION,
 ): RobolangProgram =
-    when (val result = readRobolang("benchmark", source, calibration)) {
+    when (val result = compileRobolang("benchmark", source, calibration)) {
         is RobolangResult.Ready -> result.program
         is RobolangResult.Mistaken -> error(result.diagnostics.first().message)
     }

@@ -5,7 +5,7 @@ import robotran.cli.files.noFile
 import robotran.desktop.platform.openedFile
 import robotran.desktop.window.showWindows
 import robotran.projects.isLink
-import robotran.workshop.platform.Arrival
+import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.spokenLanguage
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -31,7 +31,7 @@ internal fun openApp(files: List<String>): ExitCode {
 internal sealed interface ReadArrival {
     /** [arrival] is null if nothing was named. */
     data class Read(
-        val arrival: Arrival?,
+        val arrival: OpenRequest?,
     ) : ReadArrival
 
     data class Refused(
@@ -42,7 +42,7 @@ internal sealed interface ReadArrival {
 /** Reads [names], so that a shell is told of what cannot be read; what is in the files, the window tells. */
 internal fun readArrival(names: List<String>): ReadArrival {
     if (names.isEmpty()) return ReadArrival.Read(null)
-    names.singleOrNull()?.takeIf(::isLink)?.let { return ReadArrival.Read(Arrival.OfLink(it)) }
+    names.singleOrNull()?.takeIf(::isLink)?.let { return ReadArrival.Read(OpenRequest.OfLink(it)) }
     names.firstOrNull { it.endsWith(".class") || it.endsWith(".jar") }?.let { return ReadArrival.Refused(COMPILED.replace("NAME", it)) }
     val opened =
         names.distinct().map { name ->
@@ -55,7 +55,7 @@ internal fun readArrival(names: List<String>): ReadArrival {
             var trouble = ""
             openedFile(path) { trouble = it } ?: return ReadArrival.Refused(trouble)
         }
-    return ReadArrival.Read(Arrival.OfFiles(opened))
+    return ReadArrival.Read(OpenRequest.OfFiles(opened))
 }
 
 private fun refuse(

@@ -4,7 +4,7 @@ package robotran.web
 
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.promise
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.projects.PENBOT_CALIBRATION
@@ -77,7 +77,7 @@ private suspend fun runOf(
     project: Project,
     milliseconds: Int,
 ): JsAny =
-    when (val robots = readRobotLoads(project, ProgramReader(PENBOT_CALIBRATION, project.settings.java))) {
+    when (val robots = readRobotLoads(project, ProgramCompiler(PENBOT_CALIBRATION, project.settings.java))) {
         is RobotLoads.Mistaken -> {
             refusal(robots.mistakes.first().message)
         }
@@ -106,6 +106,6 @@ private fun publish(
     js("{ globalThis.robotran = { report, runProject, run: (program, time, name = 'program') => run(program, time, name) }; }")
 
 /** One for all runs, so that the compiler for Java is loaded once. */
-private val reader = ProgramReader(PENBOT_CALIBRATION)
+private val reader = ProgramCompiler(PENBOT_CALIBRATION)
 
 private const val JAVA = ".java"

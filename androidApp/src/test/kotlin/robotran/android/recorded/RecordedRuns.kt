@@ -1,6 +1,6 @@
 package robotran.android.recorded
 
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -33,7 +33,7 @@ internal class RecordedRuns(private val tree: File) {
     /** Every session whose report or ROM log is not what was recorded, after all of them have been made. */
     suspend fun differences(): Outcome {
         val physics = loadPhysicsEngine()
-        val reader = ProgramReader(calibration)
+        val reader = ProgramCompiler(calibration)
         val robolang = files("examples", ".robo").map { file ->
             compare(example(reader, ProgramSource.Robolang(file.name, file.readText()), physics), file, "shared/simulation")
         }
@@ -47,7 +47,7 @@ internal class RecordedRuns(private val tree: File) {
         return Outcome(robolang.size, java.size, projects.size, (robolang + java + projects).filterNotNull())
     }
 
-    private suspend fun example(reader: ProgramReader, source: ProgramSource, physics: PhysicsEngine): Session {
+    private suspend fun example(reader: ProgramCompiler, source: ProgramSource, physics: PhysicsEngine): Session {
         val result = reader.read(source)
         check(result is ProgramResult.Ready) { "$source has mistakes: $result" }
         val load = RobotLoad(listOf(result.program), lightFacing = lightFacingOf(result.program))
@@ -56,7 +56,7 @@ internal class RecordedRuns(private val tree: File) {
 
     private suspend fun project(text: String, physics: PhysicsEngine): Session {
         val project = (readProject(text) as ProjectFileResult.Loaded).project
-        val loads = (readRobotLoads(project, ProgramReader(calibration, project.settings.java)) as RobotLoads.Ready).loads
+        val loads = (readRobotLoads(project, ProgramCompiler(calibration, project.settings.java)) as RobotLoads.Ready).loads
         return Session.replay(project.worldToRun, loads, physics, project.inputs, EXAMPLE_MILLISECONDS.toLong()).apply { finish() }
     }
 

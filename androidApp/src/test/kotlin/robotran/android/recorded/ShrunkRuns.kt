@@ -1,7 +1,7 @@
 package robotran.android.recorded
 
 import kotlinx.coroutines.runBlocking
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -25,7 +25,7 @@ fun main(arguments: Array<String>) = runBlocking {
 }
 
 private suspend fun mistakeFaults(): List<String> {
-    val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     val text = "public class Oops {\n  public static void main(String[] words) {\n    int count = \"five\";\n  }\n}\n"
     val result = reader.read(ProgramSource.Java("Oops.java", listOf(SourceFile("Oops.java", text))))
     val mistake = (result as? ProgramResult.Mistaken)?.mistakes?.singleOrNull()

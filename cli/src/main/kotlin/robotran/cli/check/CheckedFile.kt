@@ -10,7 +10,7 @@ import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
 import robotran.language.Language
 import robotran.programs.Mistake
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -58,7 +58,7 @@ private fun checkJava(
     val sources = read.mapNotNull { (name, file) -> (file as? TextFile.Read)?.let { SourceFile(name, it.text) } }
     if (sources.isEmpty()) return read.mapValues { (_, file) -> CheckedFile.Unreadable((file as TextFile.Refused).reason) }
     val result =
-        runBlocking { ProgramReader(PENBOT_CALIBRATION, language = language).read(ProgramSource.Java(sources.first().name, sources)) }
+        runBlocking { ProgramCompiler(PENBOT_CALIBRATION, language = language).read(ProgramSource.Java(sources.first().name, sources)) }
     val mistakes = byFile((result as? ProgramResult.Mistaken)?.mistakes.orEmpty(), sources)
     val warnings = byFile((result as? ProgramResult.Ready)?.warnings.orEmpty(), sources)
     return read.mapValues { (name, file) ->

@@ -59,7 +59,7 @@ private fun readProgram(
 ): ReadProgram {
     val first = names.first()
     return when {
-        first.endsWith(ROBOLANG) -> readRobolang(first, messages)
+        first.endsWith(ROBOLANG) -> compileRobolang(first, messages)
         first.endsWith(JAVA) -> readJava(names, messages)
         first.endsWith(CLASS) -> readClassFiles(names, messages)
         first.endsWith(JAR) -> readJar(first, messages)
@@ -68,7 +68,7 @@ private fun readProgram(
     }
 }
 
-private fun readRobolang(
+private fun compileRobolang(
     name: String,
     messages: FileMessages,
 ): ReadProgram =

@@ -13,7 +13,7 @@ import robotran.cli.input.WorldChanges
 import robotran.cli.input.readGivenWorld
 import robotran.cli.input.readHandIn
 import robotran.cli.input.readLoads
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.isLink
 import robotran.simulation.RobotLoad
@@ -76,7 +76,7 @@ internal class ProgramGrader(
     ): Loading =
         when (val read = readHandIn(filesOfProgram(name), console, shownName)) {
             is ReadHandIn.Read -> {
-                val reader = ProgramReader(PENBOT_CALIBRATION, request.options.java, console.language)
+                val reader = ProgramCompiler(PENBOT_CALIBRATION, request.options.java, console.language)
                 readLoads(place, reader, read.handIn, request.options.robots)
             }
 

@@ -8,9 +8,9 @@ import robotran.language.Language
 import robotran.projects.PENBOT_CALIBRATION
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.readRobolang
 import kotlin.io.path.Path
 import kotlin.io.path.name
 
@@ -37,7 +37,7 @@ internal fun readRobolangFile(
         }
 
         is TextFile.Read -> {
-            when (val result = readRobolang(Path(name).name, file.text, PENBOT_CALIBRATION, RobolangMessages.of(language))) {
+            when (val result = compileRobolang(Path(name).name, file.text, PENBOT_CALIBRATION, RobolangMessages.of(language))) {
                 is RobolangResult.Ready -> RobolangFile.Ready(file.text, result.program, result.warnings)
                 is RobolangResult.Mistaken -> RobolangFile.Mistaken(result.diagnostics)
             }

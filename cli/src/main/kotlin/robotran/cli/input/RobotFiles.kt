@@ -6,7 +6,7 @@ import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readProgramFiles
 import robotran.cli.messages.CommandMessages
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.projects.ProjectRobot
 import robotran.projects.RobotLoads
@@ -42,7 +42,7 @@ internal sealed interface Loading {
  */
 internal fun readLoads(
     place: GivenWorld,
-    reader: ProgramReader,
+    reader: ProgramCompiler,
     own: HandIn,
     others: List<RobotFile>,
 ): Loading {
@@ -72,7 +72,7 @@ internal fun readLoads(
 private fun linesOf(
     mistaken: RobotLoads.Mistaken,
     programs: List<NamedProgram>,
-    reader: ProgramReader,
+    reader: ProgramCompiler,
 ): List<String> =
     programs
         .flatMap { program ->

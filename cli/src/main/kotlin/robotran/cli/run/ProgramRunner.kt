@@ -18,7 +18,7 @@ import robotran.cli.input.readGivenWorld
 import robotran.cli.input.readHandIn
 import robotran.cli.input.readLoads
 import robotran.programs.JavaSettings
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
@@ -87,7 +87,7 @@ internal class ProgramRunner(
                 if (request.java.mode == usual.mode) project.settings.java.mode else request.java.mode,
                 if (request.java.speed == usual.speed) project.settings.java.speed else request.java.speed,
             )
-        return when (val result = runBlocking { readRobotLoads(project, ProgramReader(PENBOT_CALIBRATION, java, console.language)) }) {
+        return when (val result = runBlocking { readRobotLoads(project, ProgramCompiler(PENBOT_CALIBRATION, java, console.language)) }) {
             is RobotLoads.Ready -> {
                 run(request.changes.of(project.worldToRun), result.loads, request, outputs, project.inputs)
             }
@@ -169,7 +169,7 @@ internal class ProgramRunner(
         own: HandIn,
         request: RunRequest,
     ): List<RobotLoad>? =
-        when (val loading = readLoads(place, ProgramReader(PENBOT_CALIBRATION, request.java, console.language), own, request.robots)) {
+        when (val loading = readLoads(place, ProgramCompiler(PENBOT_CALIBRATION, request.java, console.language), own, request.robots)) {
             is Loading.Loaded -> {
                 loading.loads
             }

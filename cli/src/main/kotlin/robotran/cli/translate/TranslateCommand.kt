@@ -20,7 +20,7 @@ import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
 import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.projects.PENBOT_CALIBRATION
 import robotran.robolang.translate.KitFile
@@ -60,7 +60,7 @@ internal class TranslateCommand(
                 is ProgramFiles.Read -> read.programs.single()
                 is ProgramFiles.Refused -> return refuse(read.reason)
             }
-        val reader = ProgramReader(PENBOT_CALIBRATION, language = spoken.language)
+        val reader = ProgramCompiler(PENBOT_CALIBRATION, language = spoken.language)
         return when (val result = runBlocking { reader.read(files.source) }) {
             is Reading.Mistaken -> {
                 result.mistakes.forEach { console.complain(lineOf(files, it)) }

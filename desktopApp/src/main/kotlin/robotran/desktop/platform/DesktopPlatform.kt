@@ -4,21 +4,21 @@ import kotlinx.coroutines.Dispatchers
 import robotran.simulation.picture.WorldPictures
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.platform.JavaClock
-import robotran.workshop.platform.Arrivals
-import robotran.workshop.platform.FileDesk
+import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.KeyValueStore
+import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.WallClock
-import robotran.workshop.platform.WorkStore
 import robotran.workshop.sound.LoudSpeaker
 import kotlin.coroutines.CoroutineContext
 
 /** What this machine offers to one window. */
 internal class DesktopPlatform(
     override val speaker: LoudSpeaker,
-    override val store: WorkStore,
-    override val files: FileDesk,
-    override val arrivals: Arrivals,
+    override val store: KeyValueStore,
+    override val files: FilePicker,
+    override val arrivals: OpenRequests,
     override val goesOn: Boolean,
 ) : Platform {
     override val pictures: WorldPictures = DrawnWorldPictures()

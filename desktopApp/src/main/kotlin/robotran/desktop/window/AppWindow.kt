@@ -35,7 +35,7 @@ internal fun AppWindow(
     close: () -> Unit,
 ) {
     val icon = remember { BrickIcon() }
-    val rescue = remember { Rescue(open, close) }
+    val rescue = remember { CrashHandler(open, close) }
     val askToClose: () -> Unit = { open.scope.launch { if (open.workshop?.closeDocument() != false) close() } }
     DisposableEffect(Unit) { onDispose { open.close() } }
     KeepPlace(open, state)

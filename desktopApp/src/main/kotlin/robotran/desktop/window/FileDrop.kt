@@ -11,7 +11,7 @@ import androidx.compose.ui.draganddrop.DragAndDropTarget
 import androidx.compose.ui.draganddrop.awtTransferable
 import robotran.desktop.platform.openedFile
 import robotran.projects.isLink
-import robotran.workshop.platform.Arrival
+import robotran.workshop.platform.OpenRequest
 import java.awt.datatransfer.DataFlavor
 import java.awt.datatransfer.Transferable
 import java.awt.datatransfer.UnsupportedFlavorException
@@ -21,7 +21,7 @@ import java.io.IOException
 /** Opens files and links that are dropped anywhere on it. */
 @OptIn(ExperimentalFoundationApi::class, ExperimentalComposeUiApi::class)
 @Composable
-internal fun Modifier.opensDroppedFiles(onArrival: (Arrival) -> Unit): Modifier {
+internal fun Modifier.opensDroppedFiles(onArrival: (OpenRequest) -> Unit): Modifier {
     val target =
         remember(onArrival) {
             object : DragAndDropTarget {
@@ -36,15 +36,15 @@ internal fun Modifier.opensDroppedFiles(onArrival: (Arrival) -> Unit): Modifier 
 }
 
 /** What a drag brings: its files together, or the link in its text; none if there is neither. */
-internal fun arrivalsIn(dropped: Transferable): List<Arrival> {
+internal fun arrivalsIn(dropped: Transferable): List<OpenRequest> {
     val files = (dropped.contentIn(DataFlavor.javaFileListFlavor) as? List<*>)?.filterIsInstance<File>().orEmpty()
     if (files.isEmpty()) {
         val text = dropped.contentIn(DataFlavor.stringFlavor) as? String
-        return listOfNotNull(text?.takeIf(::isLink)?.let(Arrival::OfLink))
+        return listOfNotNull(text?.takeIf(::isLink)?.let(OpenRequest::OfLink))
     }
-    val troubles = mutableListOf<Arrival>()
-    val opened = files.mapNotNull { file -> openedFile(file.toPath()) { troubles += Arrival.Unreadable(it) } }
-    return troubles + listOfNotNull(opened.takeIf { it.isNotEmpty() }?.let(Arrival::OfFiles))
+    val troubles = mutableListOf<OpenRequest>()
+    val opened = files.mapNotNull { file -> openedFile(file.toPath()) { troubles += OpenRequest.Unreadable(it) } }
+    return troubles + listOfNotNull(opened.takeIf { it.isNotEmpty() }?.let(OpenRequest::OfFiles))
 }
 
 private fun Transferable.contentIn(flavour: DataFlavor): Any? =

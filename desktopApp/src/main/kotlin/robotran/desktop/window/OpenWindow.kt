@@ -11,14 +11,14 @@ import kotlinx.coroutines.cancel
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.swing.Swing
 import kotlinx.coroutines.withContext
-import robotran.desktop.platform.DesktopFileDesk
+import robotran.desktop.platform.DesktopFilePicker
 import robotran.desktop.platform.DesktopPlatform
 import robotran.desktop.sound.soundCardSpeaker
 import robotran.workshop.Workshop
 import robotran.workshop.openWorkshop
-import robotran.workshop.platform.Arrival
-import robotran.workshop.platform.Arrivals
-import robotran.workshop.platform.WorkStore
+import robotran.workshop.platform.KeyValueStore
+import robotran.workshop.platform.OpenRequest
+import robotran.workshop.platform.OpenRequests
 import robotran.workshop.state.Notice
 import java.awt.Frame
 
@@ -28,11 +28,11 @@ import java.awt.Frame
  * @param arrival what it begins with; null for the work that was open last or, if it does not go on, for a new one.
  */
 internal class OpenWindow(
-    store: WorkStore,
-    arrival: Arrival?,
+    store: KeyValueStore,
+    arrival: OpenRequest?,
     goesOn: Boolean,
 ) {
-    private val arrivals = Arrivals().also { arrivals -> arrival?.let(arrivals::bring) }
+    private val arrivals = OpenRequests().also { arrivals -> arrival?.let(arrivals::bring) }
 
     /** The window on the screen; null while there is none. */
     var frame: Frame? = null
@@ -43,7 +43,7 @@ internal class OpenWindow(
     /** How often what is drawn had to be begun anew after something went wrong. */
     var attempt: Int by mutableIntStateOf(0)
 
-    val platform = DesktopPlatform(soundCardSpeaker(), store, DesktopFileDesk({ frame }, ::tellUnreadable), arrivals, goesOn)
+    val platform = DesktopPlatform(soundCardSpeaker(), store, DesktopFilePicker({ frame }, ::tellUnreadable), arrivals, goesOn)
 
     /** Lives as long as the window; runs on its thread. */
     val scope = CoroutineScope(SupervisorJob() + Dispatchers.Swing)
@@ -70,7 +70,7 @@ internal class OpenWindow(
         scope.cancel()
     }
 
-    fun bring(arrival: Arrival) = arrivals.bring(arrival)
+    fun bring(arrival: OpenRequest) = arrivals.bring(arrival)
 
-    private fun tellUnreadable(sentence: String) = arrivals.bring(Arrival.Unreadable(sentence))
+    private fun tellUnreadable(sentence: String) = arrivals.bring(OpenRequest.Unreadable(sentence))
 }

@@ -7,14 +7,14 @@ import androidx.compose.ui.window.application
 import kotlinx.coroutines.runBlocking
 import robotran.desktop.platform.dataFolder
 import robotran.desktop.platform.openedFile
-import robotran.ui.platform.FolderWorkStore
-import robotran.workshop.platform.Arrival
+import robotran.ui.platform.FolderKeyValueStore
+import robotran.workshop.platform.OpenRequest
 import java.awt.Desktop
 import kotlin.coroutines.EmptyCoroutineContext
 
 /** Shows a window with what [arrival] brings or, without, with the work that was open last, and returns when all windows are closed. */
-internal fun showWindows(arrival: Arrival?) {
-    val store = FolderWorkStore(dataFolder(), EmptyCoroutineContext)
+internal fun showWindows(arrival: OpenRequest?) {
+    val store = FolderKeyValueStore(dataFolder(), EmptyCoroutineContext)
     val place = runBlocking { store.read(PLACE) }?.let { WindowPlace.of(it) }
     val windows = mutableStateListOf(OpenWindow(store, arrival, goesOn = true))
     Thread.setDefaultUncaughtExceptionHandler { _, problem ->
@@ -41,10 +41,10 @@ internal fun showWindows(arrival: Arrival?) {
 }
 
 /** A Mac hands files over to the app that runs already, other systems start it anew. */
-private fun onFilesOpened(bring: (Arrival) -> Unit) {
+private fun onFilesOpened(bring: (OpenRequest) -> Unit) {
     if (!Desktop.isDesktopSupported() || !Desktop.getDesktop().isSupported(Desktop.Action.APP_OPEN_FILE)) return
     Desktop.getDesktop().setOpenFileHandler { event ->
-        val files = event.files.mapNotNull { file -> openedFile(file.toPath()) { bring(Arrival.Unreadable(it)) } }
-        if (files.isNotEmpty()) bring(Arrival.OfFiles(files))
+        val files = event.files.mapNotNull { file -> openedFile(file.toPath()) { bring(OpenRequest.Unreadable(it)) } }
+        if (files.isNotEmpty()) bring(OpenRequest.OfFiles(files))
     }
 }

@@ -1,7 +1,7 @@
 package robotran.desktop.worlds
 
 import kotlinx.coroutines.runBlocking
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.projects.PENBOT_CALIBRATION
@@ -18,7 +18,7 @@ import java.io.File
 internal object ShippedWorlds {
     private val tree = File(System.getProperty("robotran.tree"))
     private val solutions = tree.resolve("examples/solutions").listFiles().orEmpty().sortedBy { it.name }
-    private val reader = ProgramReader(PENBOT_CALIBRATION)
+    private val reader = ProgramCompiler(PENBOT_CALIBRATION)
 
     /** Each world by its name, such as `line-loop`. */
     val all: Map<String, World> = tree.resolve("worlds").listFiles().orEmpty().filter { it.name.endsWith(ENDING) }.sortedBy { it.name }

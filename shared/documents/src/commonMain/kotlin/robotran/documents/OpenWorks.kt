@@ -3,7 +3,7 @@ package robotran.documents
 /**
  * Which works are open in windows, so that they come back after the app has ended, in whatever way: a small text for each, which outlives its window.
  */
-class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
+class OpenWorks(private val store: KeyValueStore, private val shelf: ProjectRepository) {
     /** The work [id] is shown in a window. */
     suspend fun opened(id: String, now: Long): StoreResult = store.write(nameOf(id), "$RUNNING $now")
 
@@ -17,15 +17,15 @@ class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
      *
      * @param hasEnded whether the window with the work of this id has ended as it should, although it could not say so here any more.
      */
-    suspend fun takeBack(hasEnded: (id: String) -> Boolean = { false }): ComingBack? {
-        var back: ComingBack? = null
+    suspend fun takeBack(hasEnded: (id: String) -> Boolean = { false }): RestoredProject? {
+        var back: RestoredProject? = null
         var cutShort = 0
         for (open in orphans()) {
             val claim = shelf.claim(open.id) ?: continue
             val wasCutShort = open.wasRunning && !hasEnded(open.id)
             val reading = if (back == null) shelf.read(open.id) else null
             if (reading is WorkReading.Found) {
-                back = ComingBack(reading.work, claim, wasCutShort = wasCutShort || reading.wasTorn)
+                back = RestoredProject(reading.work, claim, wasCutShort = wasCutShort || reading.isPartial)
             } else {
                 claim.release()
                 if (back != null && wasCutShort) cutShort++
@@ -41,15 +41,15 @@ class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
      * @param hasEnded whether that window has ended as it should, although it could not say so here any more.
      * @param left what that window has left of it elsewhere as it ended, see [leftText]; counts if it is newer than what was kept.
      */
-    suspend fun takeBack(id: String, claim: WorkClaim, hasEnded: Boolean, left: String? = null): ComingBack? {
+    suspend fun takeBack(id: String, claim: ProjectLock, hasEnded: Boolean, left: String? = null): RestoredProject? {
         val reading = shelf.read(id)
         if (reading is WorkReading.Unusable) return null
         val kept = reading as? WorkReading.Found
         val newer = left?.let { WorkText.open(id, it) as? WorkCopy.Whole }?.takeIf { it.isNewerThan(kept) }
         val found = newer?.read() as? WorkReading.Found ?: kept ?: return null
         val wasRunning = store.read(nameOf(id))?.startsWith(RUNNING) ?: false
-        val wasCutShort = kept?.wasTorn == true || (wasRunning && !hasEnded)
-        return ComingBack(found.work, claim, wasCutShort, isKept = found === kept)
+        val wasCutShort = kept?.isPartial == true || (wasRunning && !hasEnded)
+        return RestoredProject(found.work, claim, wasCutShort, isKept = found === kept)
     }
 
     /**
@@ -65,9 +65,9 @@ class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
         if (copy !is WorkCopy.Whole) return false
         if (!copy.isNewerThan(reading as? WorkReading.Found)) return true
         val work = (copy.read() as? WorkReading.Found)?.work ?: return false
-        if (reading is WorkReading.Found) return shelf.keep(work) == Keeping.Kept
+        if (reading is WorkReading.Found) return shelf.keep(work) == SaveResult.Kept
         val name = if (work.file == null) freeWorkName(work.name, shelf.works().map { it.name }) else work.name
-        return shelf.keep(work.copy(name = name)) == Keeping.Kept && closed(id, work.keptAt, comesBack = true) == StoreResult.Done
+        return shelf.keep(work.copy(name = name)) == SaveResult.Kept && closed(id, work.keptAt, comesBack = true) == StoreResult.Done
     }
 
     /** Of two at the same time, what was left is that of a page that could not keep it any more. */
@@ -98,7 +98,13 @@ class OpenWorks(private val store: WorkStore, private val shelf: WorkShelf) {
  * @property others how many other works were cut short with it.
  * @property isKept whether it is kept as it is here.
  */
-data class ComingBack(val work: KeptWork, val claim: WorkClaim, val wasCutShort: Boolean, val others: Int = 0, val isKept: Boolean = true)
+data class RestoredProject(
+    val work: SavedProject,
+    val claim: ProjectLock,
+    val wasCutShort: Boolean,
+    val others: Int = 0,
+    val isKept: Boolean = true,
+)
 
 /** [work] as a window that ends can leave it somewhere else than in its store, see [OpenWorks.takeBack]. */
-fun leftText(work: KeptWork): String = WorkText.write(work, order = 0)
+fun leftText(work: SavedProject): String = WorkText.write(work, order = 0)

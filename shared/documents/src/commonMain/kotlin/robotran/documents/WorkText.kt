@@ -1,6 +1,6 @@
 package robotran.documents
 
-import robotran.json.JsonPlace
+import robotran.json.JsonCursor
 import robotran.json.JsonReading
 import robotran.json.jsonObject
 import robotran.json.readJson
@@ -18,7 +18,7 @@ internal object WorkText {
      * @param order grows with every copy.
      * @param project the project of [work] as a file has it.
      */
-    fun write(work: KeptWork, order: Long, project: String = writeProject(work.project)): String {
+    fun write(work: SavedProject, order: Long, project: String = writeProject(work.project)): String {
         val sealed = "$FORMAT$VERSION\n${writeCompactJson(headOf(work, order))}\n$project"
         return "$sealed$END${FileStamp.of(sealed).text}\n"
     }
@@ -38,7 +38,7 @@ internal object WorkText {
         }
     }
 
-    private fun headOf(work: KeptWork, order: Long) = jsonObject {
+    private fun headOf(work: SavedProject, order: Long) = jsonObject {
         text("name", work.name)
         number("order", order)
         number("keptAt", work.keptAt)
@@ -48,7 +48,7 @@ internal object WorkText {
         flag("saved", work.saved, usual = false)
     }
 
-    private fun headIn(head: JsonPlace, id: String, project: String): WorkCopy.Whole {
+    private fun headIn(head: JsonCursor, id: String, project: String): WorkCopy.Whole {
         val entry = WorkEntry(
             id = id,
             name = head.member("name").textOrNull().orEmpty(),
@@ -85,7 +85,7 @@ internal sealed interface WorkCopy {
     ) : WorkCopy {
         fun read(): WorkReading = when (val result = readProject(project)) {
             is ProjectFileResult.Loaded -> {
-                WorkReading.Found(KeptWork(entry.id, entry.name, entry.keptAt, result.project, file, saved), wasTorn = false)
+                WorkReading.Found(SavedProject(entry.id, entry.name, entry.keptAt, result.project, file, saved), isPartial = false)
             }
 
             is ProjectFileResult.Refused -> {

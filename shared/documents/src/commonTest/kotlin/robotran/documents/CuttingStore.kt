@@ -5,10 +5,10 @@ package robotran.documents
  * disk may do; then either the app is killed or the disk says that it is full.
  */
 internal class CuttingStore(
-    private val disk: MemoryWorkStore,
+    private val disk: MemoryKeyValueStore,
     private var room: Int,
     private val kills: Boolean,
-) : WorkStore by disk {
+) : KeyValueStore by disk {
     override suspend fun write(name: String, text: String): StoreResult {
         if (text.length <= room) {
             room -= text.length

@@ -15,8 +15,10 @@ internal fun projectOf(text: String): Project {
     return Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program))))
 }
 
-internal fun workOf(text: String, id: String = "one", keptAt: Long = 1_000): KeptWork = KeptWork(id, "Maze", keptAt, projectOf(text))
+internal fun workOf(text: String, id: String = "one", keptAt: Long = 1_000): SavedProject =
+    SavedProject(id, "Maze", keptAt, projectOf(text))
 
-internal suspend fun WorkStore.work(id: String = "one"): WorkReading.Found = assertIs<WorkReading.Found>(WorkShelf(this).read(id))
+internal suspend fun KeyValueStore.work(id: String = "one"): WorkReading.Found =
+    assertIs<WorkReading.Found>(ProjectRepository(this).read(id))
 
-internal val KeptWork.text: String get() = project.robots.single().programs.single().files.single().text
+internal val SavedProject.text: String get() = project.robots.single().programs.single().files.single().text

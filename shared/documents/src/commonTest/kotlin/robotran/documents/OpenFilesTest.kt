@@ -74,9 +74,9 @@ class OpenFilesTest {
     fun `names of works and files are what every system takes`() {
         assertEquals("Maze", workName("  Maze\n"))
         assertEquals("Maze 🤖", workName("Maze 🤖\uD83E"))
-        assertEquals("x".repeat(KeptWork.MAXIMUM_NAME - 1), workName("x".repeat(KeptWork.MAXIMUM_NAME - 1) + "🤖"))
+        assertEquals("x".repeat(SavedProject.MAXIMUM_NAME - 1), workName("x".repeat(SavedProject.MAXIMUM_NAME - 1) + "🤖"))
         assertEquals(null, workName(" \t"))
-        assertEquals(KeptWork.MAXIMUM_NAME, workName("x".repeat(500))?.length)
+        assertEquals(SavedProject.MAXIMUM_NAME, workName("x".repeat(500))?.length)
         assertEquals("Maze", workNameOfFile("Maze.robotran"))
         assertEquals("Ann-s-Maze-.robotran", fileNameFor("Ann:s/Maze?", FileKind.PROJECT))
         assertEquals("robotran.robotran", fileNameFor(" .. ", FileKind.PROJECT))

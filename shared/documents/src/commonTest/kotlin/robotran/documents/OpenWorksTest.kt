@@ -9,8 +9,8 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class OpenWorksTest {
-    private val store = MemoryWorkStore()
-    private val shelf = WorkShelf(store)
+    private val store = MemoryKeyValueStore()
+    private val shelf = ProjectRepository(store)
     private val open = OpenWorks(store, shelf)
 
     @Test
@@ -61,7 +61,7 @@ class OpenWorksTest {
     fun `a work that another window has is left to it`() = runTest {
         shelf.keep(workOf("beep"))
         open.opened("one", now = 1)
-        assertNotNull(WorkShelf(store).claim("one"))
+        assertNotNull(ProjectRepository(store).claim("one"))
         assertNull(open.takeBack())
     }
 
@@ -99,10 +99,10 @@ class OpenWorksTest {
 
     @Test
     fun `what was left stays where it is as long as it cannot be kept`() = runTest {
-        val full = object : WorkStore by store {
+        val full = object : KeyValueStore by store {
             override suspend fun write(name: String, text: String): StoreResult = StoreResult.Full
         }
-        assertFalse(OpenWorks(full, WorkShelf(full)).keepLeft("one", leftText(workOf("forward 1"))))
+        assertFalse(OpenWorks(full, ProjectRepository(full)).keepLeft("one", leftText(workOf("forward 1"))))
         val newer = leftText(workOf("forward 1")).replaceFirst("robotran-work 1", "robotran-work 2").substringBeforeLast("end ")
         assertFalse(open.keepLeft("one", "${newer}end ${FileStamp.of(newer).text}\n"), "of a newer Robotran")
     }

@@ -47,16 +47,16 @@ class SavedFileTest {
 
     @Test
     fun `a work is kept at once, and then not more than twice a second`() {
-        val times = KeepingTimes()
+        val times = AutosaveThrottle()
         assertTrue(times.isDue(0))
         assertFalse(times.begun(1_000).isDue(1_499))
         assertTrue(times.begun(1_000).isDue(1_500))
-        assertTrue(KeepingTimes.INTERVAL + KeepingTimes.LOOK < 1_000)
+        assertTrue(AutosaveThrottle.INTERVAL + AutosaveThrottle.LOOK < 1_000)
     }
 
     @Test
     fun `a work whose keeping can be felt is kept when the keys rest, and every ten seconds`() {
-        val times = KeepingTimes().begun(1_000).ended(1_200)
+        val times = AutosaveThrottle().begun(1_000).ended(1_200)
         assertFalse(times.changed(3_900).isDue(4_000))
         assertFalse(times.changed(2_000).isDue(2_900), "a second of ten has to be free")
         assertTrue(times.changed(2_000).isDue(3_000))

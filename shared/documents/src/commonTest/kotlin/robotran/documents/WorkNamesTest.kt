@@ -22,9 +22,9 @@ class WorkNamesTest {
 
     @Test
     fun `a name stays short, and whole`() {
-        val long = "x".repeat(KeptWork.MAXIMUM_NAME - 3) + "\uD83D\uDE00"
+        val long = "x".repeat(SavedProject.MAXIMUM_NAME - 3) + "\uD83D\uDE00"
         val free = freeWorkName(long, listOf(long))
-        assertTrue(free.length <= KeptWork.MAXIMUM_NAME && free.endsWith("x 2"), free)
+        assertTrue(free.length <= SavedProject.MAXIMUM_NAME && free.endsWith("x 2"), free)
     }
 
     @Test

@@ -19,19 +19,19 @@ sealed interface JsonReading<out T> {
 }
 
 /**
- * Reads a JSON file with [read], which takes what it wants from the whole file and refuses the rest with a [JsonRefusal]. Whatever the text is,
+ * Reads a JSON file with [read], which takes what it wants from the whole file and refuses the rest with a [JsonValidationException]. Whatever the text is,
  * this ends quickly: its length and the depth of its brackets are bounded before it is taken apart.
  *
  * @param language what a refusal is told in.
  */
-fun <T> readJson(text: String, language: Language = Language.ENGLISH, read: (JsonPlace) -> T): JsonReading<T> {
+fun <T> readJson(text: String, language: Language = Language.ENGLISH, read: (JsonCursor) -> T): JsonReading<T> {
     val json = text.removePrefix(BYTE_ORDER_MARK)
     return try {
         boundJson(json)
-        val file = JsonPlace(Json.parseToJsonElement(json), JsonPath.WHOLE_FILE)
+        val file = JsonCursor(Json.parseToJsonElement(json), JsonPath.WHOLE_FILE)
         file.checkLiterals()
         JsonReading.Read(read(file))
-    } catch (refusal: JsonRefusal) {
+    } catch (refusal: JsonValidationException) {
         refusedBecause(refusal, json, language)
     } catch (mistake: SerializationException) {
         val line = lineAt(json, offsetOf(mistake) ?: json.length)
@@ -42,7 +42,7 @@ fun <T> readJson(text: String, language: Language = Language.ENGLISH, read: (Jso
 }
 
 /** The same for a file as it lies on a disk: text in UTF-8, with or without a byte order mark. */
-fun <T> readJson(bytes: ByteArray, language: Language = Language.ENGLISH, read: (JsonPlace) -> T): JsonReading<T> {
+fun <T> readJson(bytes: ByteArray, language: Language = Language.ENGLISH, read: (JsonCursor) -> T): JsonReading<T> {
     val text = if (bytes.size > JsonLimits.MAXIMUM_BYTES) {
         return JsonReading.Refused(JsonMessages.of(language).fileTooLong(JsonLimits.MAXIMUM_CHARACTERS), null, "")
     } else {
@@ -55,7 +55,7 @@ fun <T> readJson(bytes: ByteArray, language: Language = Language.ENGLISH, read: 
     return readJson(text, language, read)
 }
 
-private fun refusedBecause(refusal: JsonRefusal, text: String, language: Language): JsonReading.Refused {
+private fun refusedBecause(refusal: JsonValidationException, text: String, language: Language): JsonReading.Refused {
     val path = refusal.path ?: return JsonReading.Refused(refusal.reason(language), null, "")
     val line = lineOf(path, text)
     val sentence = JsonMessages.of(language).refused(line, path.toString(), refusal.reason(language))

@@ -5,7 +5,7 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
-/** An object with the members that [build] puts in, in that order, and what [JsonPlace.rest] has kept of it. */
+/** An object with the members that [build] puts in, in that order, and what [JsonCursor.rest] has kept of it. */
 fun jsonObject(rest: Map<String, JsonElement> = emptyMap(), build: ObjectBuilder.() -> Unit): JsonObject =
     JsonObject(ObjectBuilder().apply(build).members).withRest(rest)
 

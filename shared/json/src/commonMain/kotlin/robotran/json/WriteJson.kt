@@ -25,7 +25,7 @@ fun writeCompactJson(element: JsonElement): String = buildString { JsonWriter(th
 @OptIn(ExperimentalSerializationApi::class)
 fun decimal(number: Double): JsonElement = JsonUnquotedLiteral(writeDecimal(number))
 
-/** These members, and what [JsonPlace.rest] has kept of an object. */
+/** These members, and what [JsonCursor.rest] has kept of an object. */
 fun JsonObject.withRest(rest: Map<String, JsonElement>): JsonObject = if (rest.isEmpty()) {
     this
 } else {

@@ -3,7 +3,7 @@ package robotran.learning
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.programs.Mistake
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -52,7 +52,7 @@ class ExampleTest {
     }
 
     private companion object {
-        val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
         const val LONG_ENOUGH = 30_000
     }
 }

@@ -2,7 +2,7 @@ package robotran.learning
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.SourceFile
 import robotran.projects.ProgramLanguage
 import robotran.projects.Project
@@ -94,6 +94,6 @@ class TutorialTest {
     }
 
     private companion object {
-        val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     }
 }

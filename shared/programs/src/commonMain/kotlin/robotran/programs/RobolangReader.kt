@@ -1,9 +1,9 @@
 package robotran.programs
 
 import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration
 
 /** Reads programs in Robolang. */
@@ -12,7 +12,7 @@ internal class RobolangReader(
     private val messages: RobolangMessages,
 ) {
     fun read(source: ProgramSource.Robolang): ProgramResult =
-        when (val result = readRobolang(source.name, source.text, calibration, messages)) {
+        when (val result = compileRobolang(source.name, source.text, calibration, messages)) {
             is RobolangResult.Ready -> ProgramResult.Ready(result.program, result.warnings.map { mistakeOf(source.name, it) })
             is RobolangResult.Mistaken -> ProgramResult.Mistaken(result.diagnostics.map { mistakeOf(source.name, it) })
         }

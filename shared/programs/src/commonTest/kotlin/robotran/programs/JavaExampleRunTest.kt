@@ -22,7 +22,7 @@ import kotlin.time.Duration.Companion.minutes
  * be read when a hash differs. The command line and the web page are held against the same records; `record-runs.sh` makes them anew.
  */
 class JavaExampleRunTest {
-    private val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    private val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
 
     private suspend fun run(name: String, text: String, physics: PhysicsEngine): Session {
         val result = assertIs<ProgramResult.Ready>(reader.read(ProgramSource.Java(name, listOf(SourceFile(name, text)))), name)

@@ -22,7 +22,7 @@ import kotlin.time.Duration.Companion.minutes
  * takes hardly any time: a real one starts its wheels about a millisecond one after the other.
  */
 class TranslatedPoseTest {
-    private val reader = ProgramReader(testCalibration, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
+    private val reader = ProgramCompiler(testCalibration, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
 
     @Test
     fun theTranslationOfEveryProgramLeavesTheRobotAtTheSamePlace() = runTest(timeout = 10.minutes) {

@@ -9,7 +9,7 @@ import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.state.RunState
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
-import robotran.robolang.readRobolang
+import robotran.robolang.compileRobolang
 import robotran.robolang.robot.Calibration
 import robotran.robolang.translate.translateRobolang
 
@@ -18,10 +18,10 @@ internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, mil
 
 /** The program of [text], null if it has mistakes. */
 internal fun robolangOf(name: String, text: String): RobolangProgram? =
-    (readRobolang(name.substringAfterLast('/'), text, testCalibration) as? RobolangResult.Ready)?.program
+    (compileRobolang(name.substringAfterLast('/'), text, testCalibration) as? RobolangResult.Ready)?.program
 
 /** The leJOS translation of [program], compiled and linked. */
-internal suspend fun ProgramReader.translated(program: RobolangProgram): ProgramResult {
+internal suspend fun ProgramCompiler.translated(program: RobolangProgram): ProgramResult {
     val translation = translateRobolang(program)
     val name = "${translation.className}.java"
     return read(ProgramSource.Java(name, listOf(SourceFile(name, translation.java))))

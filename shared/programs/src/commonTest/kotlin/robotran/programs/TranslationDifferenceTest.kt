@@ -11,8 +11,8 @@ import kotlin.time.Duration.Companion.minutes
 
 /** A Robolang program, and its leJOS translation compiled and run on the virtual machine, do the same. */
 class TranslationDifferenceTest {
-    private val brickReader = ProgramReader(testCalibration)
-    private val forgivingReader = ProgramReader(testCalibration, JavaSettings(TinyVmMode.FORGIVING))
+    private val brickReader = ProgramCompiler(testCalibration)
+    private val forgivingReader = ProgramCompiler(testCalibration, JavaSettings(TinyVmMode.FORGIVING))
 
     @Test
     fun everyProgramAndItsTranslationMakeTheSameCallsAtTheSameTimes() = runTest(timeout = 10.minutes) {

@@ -1,7 +1,7 @@
 package robotran.projects
 
+import robotran.json.JsonCursor
 import robotran.json.JsonMessages
-import robotran.json.JsonPlace
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.world.World
@@ -10,7 +10,7 @@ import robotran.world.geometry.Pose
 
 /** Reads what was done to a session in [world]. */
 internal class InputReader(private val world: World) {
-    fun read(place: JsonPlace): List<RecordedInput> {
+    fun read(place: JsonCursor): List<RecordedInput> {
         val places = place.items(0..ProjectLimits.MAXIMUM_INPUTS)
         val inputs = places.map { RecordedInput(it.member("at").longNumber(0..ProjectLimits.MAXIMUM_MILLISECONDS), inputIn(it)) }
         inputs.indices.drop(1).firstOrNull { inputs[it].milliseconds < inputs[it - 1].milliseconds }?.let {
@@ -19,7 +19,7 @@ internal class InputReader(private val world: World) {
         return inputs
     }
 
-    private fun inputIn(place: JsonPlace): SessionInput {
+    private fun inputIn(place: JsonCursor): SessionInput {
         // An input is what was done, and nothing can be added to that.
         val kind = place.member("kind").textOrNull()
         val fields = InputKind.FIELDS[kind] ?: place.member("kind").refuse { JsonMessages.of(it).mustBeOneOf(InputKind.FIELDS.keys) }
@@ -38,29 +38,29 @@ internal class InputReader(private val world: World) {
         }
     }
 
-    private fun robot(place: JsonPlace): Int {
+    private fun robot(place: JsonCursor): Int {
         val name = place.optional("robot") ?: return 0
         val number = world.robots.indexOfFirst { it.name == name.textOrNull() }
         if (number < 0) name.refuse(told { mustNameRobotOfWorld() })
         return number
     }
 
-    private fun lamp(place: JsonPlace): Int {
+    private fun lamp(place: JsonCursor): Int {
         val lamp = place.member("lamp")
         if (world.lamps.isEmpty()) lamp.refuse(told { noLamp() })
         return lamp.wholeNumber(1..world.lamps.size) - 1
     }
 
-    private fun block(place: JsonPlace): Int {
+    private fun block(place: JsonCursor): Int {
         val block = place.member("block")
         if (world.blocks.isEmpty()) block.refuse(told { noBlock() })
         return block.wholeNumber(1..world.blocks.size) - 1
     }
 
-    private fun pose(place: JsonPlace) = Pose(number(place, "x"), number(place, "y"), number(place, "heading"))
+    private fun pose(place: JsonCursor) = Pose(number(place, "x"), number(place, "y"), number(place, "heading"))
 
-    private fun port(place: JsonPlace): Int = place.member("port").wholeNumber(1..InputKind.PORTS) - 1
+    private fun port(place: JsonCursor): Int = place.member("port").wholeNumber(1..InputKind.PORTS) - 1
 
-    private fun number(place: JsonPlace, name: String): Double =
+    private fun number(place: JsonCursor, name: String): Double =
         place.member(name).number(-ProjectLimits.MAXIMUM_INPUT_NUMBER..ProjectLimits.MAXIMUM_INPUT_NUMBER)
 }

@@ -1,7 +1,7 @@
 package robotran.projects
 
 import robotran.programs.JavaSettings
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.simulation.RecordedInput
@@ -83,7 +83,7 @@ enum class ProgramLanguage { ROBOLANG, JAVA }
  *
  * @property seed instead of the world's; null for the world's.
  * @property realism the same, 0..1.
- * @property java how Java programs run; to be given to the [ProgramReader].
+ * @property java how Java programs run; to be given to the [ProgramCompiler].
  */
 data class ProjectSettings(
     val seed: Int? = null,

@@ -1,7 +1,7 @@
 package robotran.projects
 
 import robotran.programs.Mistake
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.rcxrom.Brick
@@ -35,9 +35,9 @@ sealed interface RobotLoads {
  * world gives it, if any.
  *
  * @param given programs by the names of robots; see [forFirstRobot] for those of which nobody said whose they are.
- * @throws Throwable as [ProgramReader.prepareFor] does.
+ * @throws Throwable as [ProgramCompiler.prepareFor] does.
  */
-suspend fun readRobotLoads(world: World, reader: ProgramReader, given: Map<String, List<ProgramSource>>): RobotLoads {
+suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<String, List<ProgramSource>>): RobotLoads {
     mistakeOfGiving(world, given, ProjectMessages.of(reader.language))?.let { return it }
     val loads = mutableListOf<RobotLoad>()
     val warnings = mutableListOf<Mistake>()
@@ -55,7 +55,7 @@ suspend fun readRobotLoads(world: World, reader: ProgramReader, given: Map<Strin
 }
 
 /** The same for [project], in its [Project.worldToRun], with what else its robots have been given. */
-suspend fun readRobotLoads(project: Project, reader: ProgramReader): RobotLoads =
+suspend fun readRobotLoads(project: Project, reader: ProgramCompiler): RobotLoads =
     when (val result = readRobotLoads(project.world, reader, project.programs)) {
         is RobotLoads.Mistaken -> result
         is RobotLoads.Ready -> result.copy(loads = loadsWith(project.robots, project.world, result.loads))

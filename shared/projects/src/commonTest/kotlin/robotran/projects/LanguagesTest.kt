@@ -2,7 +2,7 @@ package robotran.projects
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -26,7 +26,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class LanguagesTest {
-    private val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    private val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     private val world = BuiltInWorlds.plain.copy(
         paper = Paper(200.0, 80.0),
         walls = emptyList(),

@@ -1,7 +1,7 @@
 package robotran.projects
 
 import kotlinx.coroutines.test.runTest
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.robolang.robot.Calibration
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
@@ -26,7 +26,7 @@ class ProjectRunTest {
         for ((name, text) in projects) {
             val project = assertIs<ProjectFileResult.Loaded>(readProject(text)).project
             val reader =
-                ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE), project.settings.java)
+                ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE), project.settings.java)
             val loads = assertIs<RobotLoads.Ready>(readRobotLoads(project, reader)).loads
             val session = Session.replay(project.worldToRun, loads, loadPhysicsEngine(), project.inputs, MILLISECONDS)
             session.finish()

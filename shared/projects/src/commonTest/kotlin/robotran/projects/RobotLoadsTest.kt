@@ -1,7 +1,7 @@
 package robotran.projects
 
 import kotlinx.coroutines.test.runTest
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.robolang.robot.Calibration
 import robotran.world.LightFacing
@@ -14,7 +14,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class RobotLoadsTest {
-    private val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    private val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     private val world = BuiltInWorlds.plain.copy(
         robots = listOf(
             RobotPlace(Pose(20.0, 20.0, 0.0), "ann"),

@@ -10,8 +10,8 @@ import robotran.rcxrom.memory.MemorySnapshot
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.messages.EnglishBrickMessages
 import robotran.rcxrom.program.DebuggableRun
-import robotran.rcxrom.program.ProgramRemark
 import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.Battery
 import robotran.rcxrom.shell.Shell
@@ -140,7 +140,7 @@ class Brick(
     val debuggableRun: DebuggableRun? get() = shell.debuggableRun
 
     /** What a pupil should know about the running program or, if none runs, about the last one. */
-    val remarks: List<ProgramRemark> get() = shell.remarks
+    val remarks: List<RuntimeWarning> get() = shell.remarks
 
     companion object {
         /**

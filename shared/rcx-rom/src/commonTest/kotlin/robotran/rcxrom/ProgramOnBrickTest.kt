@@ -8,11 +8,11 @@ import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.messages.EnglishBrickMessages
 import robotran.rcxrom.messages.describe
 import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramRemark
 import robotran.rcxrom.program.ProgramRun
 import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
+import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.state.RunState
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -162,7 +162,7 @@ class ProgramOnBrickTest {
 
     @Test
     fun `remarks stay until the next program is started`() {
-        val remark = ProgramRemark("This divisor is too large.", sourceLine = 2)
+        val remark = RuntimeWarning("This divisor is too large.", sourceLine = 2)
         var isFirst = true
         val program = object : RcxProgram {
             override val name = "remarking"

@@ -84,7 +84,7 @@ class DiagnosticTest {
         val german = object : RobolangMessages by EnglishMessages {
             override fun extraEnd() = "Dieses \"end\" schließt nichts."
         }
-        val result = readRobolang("test", "end", testCalibration, german) as RobolangResult.Mistaken
+        val result = compileRobolang("test", "end", testCalibration, german) as RobolangResult.Mistaken
         assertEquals("Dieses \"end\" schließt nichts.", result.diagnostics.single().message)
     }
 }

@@ -67,5 +67,5 @@ class LanguagesTest {
     }
 
     private fun read(source: String, language: Language) =
-        readRobolang("test.robo", source, Calibration(1.0, 1.0), RobolangMessages.of(language))
+        compileRobolang("test.robo", source, Calibration(1.0, 1.0), RobolangMessages.of(language))
 }

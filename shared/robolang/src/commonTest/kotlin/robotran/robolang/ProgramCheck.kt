@@ -8,7 +8,7 @@ import robotran.robolang.diagnostic.Diagnostic
 /** Compares what a program does with what its comments say; each difference is a sentence with the program's path. */
 internal fun differences(program: TestProgram): List<String> {
     val expected = Expectations(program.text)
-    val differences = when (val result = readRobolang(program.path, program.text, testCalibration)) {
+    val differences = when (val result = compileRobolang(program.path, program.text, testCalibration)) {
         is RobolangResult.Mistaken -> differencesOfMistakes(expected, result.diagnostics)
         is RobolangResult.Ready -> differencesOfWarnings(expected, result.warnings) ?: differencesOfReady(expected, result.program)
     }

@@ -27,7 +27,7 @@ class ProgramsTest {
     fun `every example runs for a minute, or to its end, without a mistake or a warning`() {
         assertTrue(examplePrograms.size >= 20, "only ${examplePrograms.size} examples were found")
         val problems = examplePrograms.flatMap { (path, text) ->
-            when (val result = readRobolang(path, text, testCalibration)) {
+            when (val result = compileRobolang(path, text, testCalibration)) {
                 is RobolangResult.Mistaken -> result.diagnostics.map { "$path:${it.range.line} ${it.message}" }
                 is RobolangResult.Ready -> result.warnings.map { "$path:${it.range.line} ${it.message}" } + failureOf(result.program)
             }

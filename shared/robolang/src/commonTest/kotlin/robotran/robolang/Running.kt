@@ -10,7 +10,7 @@ import robotran.robolang.robot.Calibration
 internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
 internal fun read(source: String, calibration: Calibration = testCalibration): RobolangResult =
-    readRobolang("test", source, calibration)
+    compileRobolang("test", source, calibration)
 
 /** The mistakes of [source], none if it can run. */
 internal fun mistakesOf(source: String): List<Diagnostic> = when (val result = read(source)) {

@@ -30,8 +30,8 @@ class RunPlayer(
     private var retelling: Retelling? = null
     private val pace = FramePace()
     private val smooth = SmoothMotion()
-    private var take = Take(setup, watched = 0)
-    private val parked = ParkedTakes()
+    private var take = SessionCursor(setup, watched = 0)
+    private val parked = SessionCheckpoints()
     private val waiting = mutableListOf<SessionInput>()
     private var isStepBegun = false
 
@@ -50,7 +50,7 @@ class RunPlayer(
         private set
 
     /** How often a new future has begun in the past. */
-    var newFutures = 0
+    var branchCount = 0
         private set
 
     /** The robot whose program is stopped and looked into, and whose ROM calls and sounds these are; its number in the world. */
@@ -167,7 +167,7 @@ class RunPlayer(
         record = RunRecord(setup.world)
         parked.closeAll()
         take.close()
-        take = Take(setup, watched)
+        take = SessionCursor(setup, watched)
         // As it was before anything was done to it.
         see()
         arrive()
@@ -206,7 +206,7 @@ class RunPlayer(
         get() = speed.isSlow && (motion is Motion.Playing || motion is Motion.Stepping)
 
     /** The take that has come furthest. */
-    private val front: Take get() = parked.furthest?.takeIf { it.milliseconds > take.milliseconds } ?: take
+    private val front: SessionCursor get() = parked.furthest?.takeIf { it.milliseconds > take.milliseconds } ?: take
 
     private fun move(next: Motion) {
         stop = null
@@ -287,7 +287,8 @@ class RunPlayer(
     /** Goes on from the session that is nearest to [target]. */
     private fun chooseTake(target: Long) {
         val isBest = take.leadsTo(target)
-        val next = parked.take(target, after = if (isBest) take.milliseconds else -1) ?: if (isBest) return else Take(setup, watched)
+        val next =
+            parked.take(target, after = if (isBest) take.milliseconds else -1) ?: if (isBest) return else SessionCursor(setup, watched)
         // One that was only on its way somewhere is of no use to come back to.
         if (motion is Motion.Seeking && front !== take) take.close() else parked.park(take)
         take = next
@@ -297,7 +298,7 @@ class RunPlayer(
         while (whole.size > take.applied) whole.removeLast()
         parked.closeAfter(take)
         record.cutAt(session.state)
-        newFutures++
+        branchCount++
     }
 
     /** A run of which [record] is known, and which was at [time] when it began to be made once more. */

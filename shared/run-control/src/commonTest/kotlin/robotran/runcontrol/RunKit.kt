@@ -4,7 +4,7 @@ import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.state.RunState
 import robotran.robolang.RobolangResult
-import robotran.robolang.readRobolang
+import robotran.robolang.compileRobolang
 import robotran.robolang.robot.Calibration
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
@@ -17,7 +17,7 @@ import kotlin.test.assertIs
 
 internal fun robolang(source: String): RcxProgram {
     val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-    return assertIs<RobolangResult.Ready>(readRobolang("test", source, calibration)).program
+    return assertIs<RobolangResult.Ready>(compileRobolang("test", source, calibration)).program
 }
 
 internal suspend fun setupOf(source: String, world: World = BuiltInWorlds.plain): RunSetup =

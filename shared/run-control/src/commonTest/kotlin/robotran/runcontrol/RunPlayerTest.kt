@@ -55,7 +55,7 @@ class RunPlayerTest {
         player.arriveNow()
         val hash = player.session.traceHash
         player.apply(SessionInput.PlaceRobot(0, Pose(60.0, 40.0, 45.0)))
-        assertEquals(1, player.newFutures)
+        assertEquals(1, player.branchCount)
         assertEquals(2_000, player.length)
         assertEquals(before, player.marks)
         player.play()

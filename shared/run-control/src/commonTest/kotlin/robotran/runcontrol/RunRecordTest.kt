@@ -149,7 +149,7 @@ class RunRecordTest {
     @Test
     fun `nothing is awake when a robot stands still, and everything while one runs`() = runTest {
         val player = RunPlayer(setupOf("wait 3 seconds"))
-        val rest = RestWatch()
+        val rest = IdleDetector()
 
         fun pass(milliseconds: Int) = repeat(milliseconds / 20) {
             player.pass(20)

@@ -7,8 +7,8 @@ import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.log.RomLog
 import robotran.rcxrom.messages.BrickMessages
 import robotran.simulation.config.TraceHash
+import robotran.simulation.explain.DeviationCause
 import robotran.simulation.explain.Explanation
-import robotran.simulation.explain.Influence
 import robotran.simulation.explain.InfluenceMessages
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.robot.InputPorts
@@ -40,7 +40,7 @@ internal class RobotInSession(
         get() = RobotSnapshot(brick.state, machine.state, machine.bumps, brick.remarks, romLog.total.toInt())
 
     /** What has made it stray so far. */
-    fun influences(): List<Influence> {
+    fun influences(): List<DeviationCause> {
         val hasLightSensor = world.robots[number].ports.any { PortSensor.LIGHT in it }
         val realism = if (hasLightSensor) world.realism else 0.0
         val bias = if (hasLightSensor) ports.lightBias else 0.0

@@ -5,14 +5,14 @@ import robotran.rcxrom.Brick
 import robotran.rcxrom.log.RomLog
 import robotran.rcxrom.memory.MemorySnapshot
 import robotran.rcxrom.program.CallFrame
-import robotran.rcxrom.program.ProgramRemark
 import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.program.StepKind
 import robotran.rcxrom.program.ThreadView
 import robotran.rcxrom.program.VariableScope
 import robotran.rcxrom.sound.SoundTrack
 import robotran.simulation.config.SimulationLimits
-import robotran.simulation.explain.Influence
+import robotran.simulation.explain.DeviationCause
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.SessionState
 import robotran.world.World
@@ -39,7 +39,7 @@ class Session(
     constructor(world: World, programs: List<RcxProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) :
         this(world, listOf(RobotLoad(programs, firstSlot)), physics)
 
-    private val running = RobotsInWorld(world, loads, physics, language)
+    private val running = SessionEngine(world, loads, physics, language)
     private val brick: Brick get() = running.robots[watched].brick
     private val recorded = mutableListOf<RecordedInput>()
     private var closed = false
@@ -96,7 +96,7 @@ class Session(
     fun variablesOf(thread: Int, frame: Int): List<VariableScope> = brick.debuggableRun?.variablesOf(thread, frame).orEmpty()
 
     /** What a pupil should know about the running program or, if none runs, about the last one. */
-    val remarks: List<ProgramRemark> get() = brick.remarks
+    val remarks: List<RuntimeWarning> get() = brick.remarks
 
     /** Lets time pass, whatever the breakpoints. */
     fun advance(milliseconds: Int) {
@@ -133,7 +133,7 @@ class Session(
     }
 
     /** What has made the robots stray so far and their sensors err, robot by robot; what did next to nothing is left out. */
-    fun explain(): List<Influence> = running.explain()
+    fun explain(): List<DeviationCause> = running.explain()
 
     /** What the brick's memory holds now. */
     fun memory(): MemorySnapshot = brick.memory()

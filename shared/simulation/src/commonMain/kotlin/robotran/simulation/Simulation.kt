@@ -12,7 +12,7 @@ import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.addBarrier
 import robotran.simulation.physics.addBlock
 import robotran.simulation.physics.addWall
-import robotran.simulation.robot.RobotMachine
+import robotran.simulation.robot.SimulatedRobot
 import robotran.simulation.state.Ink
 import robotran.simulation.state.TrailPiece
 import robotran.world.LightFacing
@@ -36,7 +36,7 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
     private val freePlaces by lazy { FreePlaces(world, trigonometry) }
 
     /** In the world's order. */
-    val machines: List<RobotMachine>
+    val machines: List<SimulatedRobot>
     val surface = PaperSurface(world.paper, world.marks, trigonometry)
     val light: LightField
 
@@ -49,7 +49,7 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
         blockBodies = world.blocks.map { physics.addBlock(it, trigonometry) }
         blockMotions = blockBodies.map(physics::motion)
         machines = world.robots.mapIndexed { number, robot ->
-            RobotMachine(physics, trigonometry, robot.start, NoiseStreams(world.seed, number), world.realism)
+            SimulatedRobot(physics, trigonometry, robot.start, NoiseStreams(world.seed, number), world.realism)
         }
         light = LightField(world.lamps, world.ambientLight, physics, trigonometry)
         lightSensors = machines.indices.map { LightSensor(it, this) }

@@ -4,7 +4,7 @@ import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.program.StepKind
 import robotran.rcxrom.state.RunState
 import robotran.robolang.RobolangResult
-import robotran.robolang.readRobolang
+import robotran.robolang.compileRobolang
 import robotran.robolang.robot.Calibration
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
@@ -15,7 +15,7 @@ import kotlin.test.assertIs
 /** A session in which the Robolang program [source], called `test`, has just been started. */
 internal suspend fun startedForDebugging(source: String): Session {
     val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-    val program = assertIs<RobolangResult.Ready>(readRobolang("test", source, calibration)).program
+    val program = assertIs<RobolangResult.Ready>(compileRobolang("test", source, calibration)).program
     return Session(BuiltInWorlds.plain, listOf(program), loadPhysicsEngine()).apply {
         apply(SessionInput.Press(BrickButton.RUN))
         apply(SessionInput.Release(BrickButton.RUN))

@@ -7,7 +7,7 @@ import robotran.rcxrom.program.StepKind
 import robotran.rcxrom.program.VariableScope
 import robotran.rcxrom.program.VariableView
 import robotran.robolang.RobolangResult
-import robotran.robolang.readRobolang
+import robotran.robolang.compileRobolang
 import robotran.robolang.robot.Calibration
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
@@ -117,7 +117,7 @@ class SteppingTest {
         session.apply(SessionInput.Stop)
         session.advance(100)
         val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-        val program = readRobolang("test", "beep\nbeep\nbeep\nforward 20", calibration)
+        val program = compileRobolang("test", "beep\nbeep\nbeep\nforward 20", calibration)
         val loads = listOf(RobotLoad(listOf(assertIs<RobolangResult.Ready>(program).program)))
         val again = Session.replay(BuiltInWorlds.plain, loads, loadPhysicsEngine(), session.inputs, session.state.milliseconds)
         assertEquals(session.traceHash, again.traceHash)

@@ -2,9 +2,9 @@ package robotran.tinyvm
 
 import robotran.rcxrom.program.CallFrame
 import robotran.rcxrom.program.DebuggableRun
-import robotran.rcxrom.program.ProgramRemark
 import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.Rom
+import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.program.StatementWatch
 import robotran.rcxrom.program.ThreadActivity
 import robotran.rcxrom.program.ThreadView
@@ -52,7 +52,7 @@ internal class TinyVmRun(
 
     override val statementsBegun: Long get() = interpreter.gate.begun
 
-    override val remarks: List<ProgramRemark> get() = machine.remarks.all
+    override val remarks: List<RuntimeWarning> get() = machine.remarks.all
 
     override val threads: List<ThreadView> get() = machine.scheduler.threads.map { inspector.threadView(it, isCurrent = it === focus) }
 

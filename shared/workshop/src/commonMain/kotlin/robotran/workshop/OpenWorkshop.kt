@@ -8,7 +8,7 @@ import robotran.simulation.physics.loadPhysicsEngine
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
 import robotran.workshop.programs.asProject
-import robotran.workshop.settings.SettingsHolder
+import robotran.workshop.settings.SettingsStateHolder
 import robotran.workshop.state.PupilProgram
 import robotran.world.file.BuiltInWorlds
 
@@ -27,7 +27,7 @@ suspend fun openWorkshop(
 ): Workshop {
     val world = BuiltInWorlds.plain
     val project = Project(world, listOf(ProjectRobot(world.robots.first().name, programs.map { it.asProject() })))
-    val workshop = Workshop(project, loadPhysicsEngine(), platform, SettingsHolder.readFrom(platform.store), scope)
+    val workshop = Workshop(project, loadPhysicsEngine(), platform, SettingsStateHolder.readFrom(platform.store), scope)
     workshop.start(welcoming && programs.isEmpty())
     return workshop
 }

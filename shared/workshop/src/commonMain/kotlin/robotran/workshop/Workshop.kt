@@ -12,7 +12,7 @@ import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.SessionState
-import robotran.workshop.documents.DocumentHolder
+import robotran.workshop.documents.DocumentStateHolder
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -21,12 +21,12 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
-import robotran.workshop.learning.LearningHolder
+import robotran.workshop.learning.LearningStateHolder
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.spokenLanguage
-import robotran.workshop.programs.ProgramsHolder
-import robotran.workshop.run.RunHolder
+import robotran.workshop.programs.ProgramsStateHolder
+import robotran.workshop.run.RunStateHolder
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
@@ -34,8 +34,8 @@ import robotran.workshop.service.ProgramTabs
 import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.RunControls
 import robotran.workshop.service.ScreenNavigator
-import robotran.workshop.settings.SettingsHolder
-import robotran.workshop.sheet.SheetHolder
+import robotran.workshop.settings.SettingsStateHolder
+import robotran.workshop.sheet.SheetStateHolder
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
 import robotran.workshop.state.Pane
@@ -43,7 +43,7 @@ import robotran.workshop.state.ProgramReading
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopState
-import robotran.workshop.worldedit.WorldEditHolder
+import robotran.workshop.worldedit.WorldEditStateHolder
 import robotran.world.World
 
 /**
@@ -65,14 +65,16 @@ class Workshop(
     private var taskShown by mutableStateOf(false)
     private var notice: Notice? by mutableStateOf(null)
 
-    private val settingsHolder = SettingsHolder(platform.store, scope, settings)
-    private val programs: ProgramsHolder = ProgramsHolder(project, this, this, this, ::programsRead)
-    private val run: RunHolder =
-        RunHolder(project.worldToRun, physics, programs, this, this, this, platform, scope, this, this, project.inputs).also { it.hear(settings.soundOn) }
-    private val sheet = SheetHolder()
-    private val worldEdit = WorldEditHolder(this, this, this)
-    private val document = DocumentHolder(platform, scope, this, this, this, this, this, this)
-    private val learning = LearningHolder(platform.store, scope, this, this, this, document, this, this, this, this)
+    private val settingsHolder = SettingsStateHolder(platform.store, scope, settings)
+    private val programs: ProgramsStateHolder = ProgramsStateHolder(project, this, this, this, ::programsRead)
+    private val run: RunStateHolder =
+        RunStateHolder(project.worldToRun, physics, programs, this, this, this, platform, scope, this, this, project.inputs).also {
+            it.hear(settings.soundOn)
+        }
+    private val sheet = SheetStateHolder()
+    private val worldEdit = WorldEditStateHolder(this, this, this)
+    private val document = DocumentStateHolder(platform, scope, this, this, this, this, this, this)
+    private val learning = LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
 
     /** What is to be seen now. Compose notices when it changes. */
     val state: WorkshopState

@@ -5,7 +5,7 @@ import robotran.projects.Project
 import robotran.simulation.Breakpoint
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
-import robotran.workshop.programs.ProgramsHolder
+import robotran.workshop.programs.ProgramsStateHolder
 import robotran.workshop.state.ProgramLanguage
 import robotran.world.LightFacing
 import robotran.world.RobotColour
@@ -82,7 +82,7 @@ class SeveralRobotsTest {
         val program = "robot\n  light sensor on 2 facing forward\nend\nshow light"
         workshop.handle(ProgramEvent.ProgramEdited(program))
         val place = workshop.state.world.robots.first()
-        val holder = ProgramsHolder(workshop.project, workshop, workshop, workshop) { }
+        val holder = ProgramsStateHolder(workshop.project, workshop, workshop, workshop) { }
         assertEquals(LightFacing.FORWARD, holder.loads(workshop.state.world, listOf(0)).first().lightFacing)
         assertEquals(setOf<Breakpoint>(), holder.breakpoints(place.name, 0))
     }

@@ -8,16 +8,16 @@ import robotran.simulation.picture.WorldPictures
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.pictures.pictureFonts
 import robotran.web.window.PageFonts
-import robotran.workshop.platform.Arrival
-import robotran.workshop.platform.Arrivals
-import robotran.workshop.platform.FileDesk
+import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.MemoryStore
 import robotran.workshop.platform.NoWindowMemory
+import robotran.workshop.platform.OpenRequest
+import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.WallClock
 import robotran.workshop.platform.WindowMemory
-import robotran.workshop.platform.WorkStore
 import robotran.workshop.sound.LoudSpeaker
 import kotlin.js.Promise
 
@@ -27,11 +27,11 @@ import kotlin.js.Promise
  * @param embedded whether it is a part of another page, which keeps nothing and finds nothing that was kept.
  */
 internal class WebPlatform(override val speaker: LoudSpeaker, private val embedded: Boolean, private val fonts: PageFonts) : Platform {
-    override val store: WorkStore = if (embedded) MemoryStore() else WebStore()
-    override val files: FileDesk = WebFileDesk
+    override val store: KeyValueStore = if (embedded) MemoryStore() else WebStore()
+    override val files: FilePicker = WebFilePicker
     override val sharing: Sharing = WebSharing
     override val clock: WallClock = WebClock
-    override val arrivals: Arrivals = Arrivals()
+    override val arrivals: OpenRequests = OpenRequests()
     override val window: WindowMemory = if (embedded) NoWindowMemory else WebWindowMemory
     override val pageAddress: String = pageAddress()
     override val pictures: WorldPictures = DrawnWorldPictures { fonts.withEmoji ?: pictureFonts() }
@@ -40,7 +40,7 @@ internal class WebPlatform(override val speaker: LoudSpeaker, private val embedd
         prepareReadingOfFiles()
         takeLink()
         onNewFragment(::takeLink)
-        onFilesDropped { lines -> filesIn(lines).takeIf { it.isNotEmpty() }?.let { arrivals.bring(Arrival.OfFiles(it)) } }
+        onFilesDropped { lines -> filesIn(lines).takeIf { it.isNotEmpty() }?.let { arrivals.bring(OpenRequest.OfFiles(it)) } }
     }
 
     /**
@@ -49,7 +49,7 @@ internal class WebPlatform(override val speaker: LoudSpeaker, private val embedd
      */
     private fun takeLink() {
         val fragment = takeFragment(stays = embedded)
-        if (isLink(fragment)) arrivals.bring(Arrival.OfLink(fragment))
+        if (isLink(fragment)) arrivals.bring(OpenRequest.OfLink(fragment))
     }
 }
 

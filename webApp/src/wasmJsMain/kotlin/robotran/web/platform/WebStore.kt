@@ -3,16 +3,16 @@
 package robotran.web.platform
 
 import kotlinx.coroutines.await
+import robotran.documents.ProjectLock
 import robotran.documents.StoreResult
-import robotran.documents.WorkClaim
-import robotran.workshop.platform.WorkStore
+import robotran.workshop.platform.KeyValueStore
 import kotlin.js.Promise
 
 /**
  * Texts in the browser's IndexedDB, which replaces a text wholly or not at all. Claims are the browser's locks between its tabs, which end with the
  * page, however that ends; where it has none, each page claims what it likes.
  */
-internal class WebStore : WorkStore {
+internal class WebStore : KeyValueStore {
     private val texts = openTexts()
 
     override suspend fun names(): List<String> = texts.names().await<JsString>().toString().split('\n').filter { it.isNotEmpty() }
@@ -23,8 +23,8 @@ internal class WebStore : WorkStore {
 
     override suspend fun remove(name: String): StoreResult = resultOf(texts.remove(name).await<JsString>().toString())
 
-    override suspend fun claim(name: String): WorkClaim? =
-        texts.claim(name).await<JsAny?>()?.let { release -> WorkClaim { letGo(release) } }
+    override suspend fun claim(name: String): ProjectLock? =
+        texts.claim(name).await<JsAny?>()?.let { release -> ProjectLock { letGo(release) } }
 
     private fun resultOf(word: String): StoreResult = when (word) {
         DONE -> StoreResult.Done

@@ -53,11 +53,11 @@ import robotran.ui.theme.WithAddedFonts
  */
 @OptIn(InternalComposeUiApi::class, ExperimentalComposeUiApi::class)
 internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boolean, content: @Composable () -> Unit) {
-    private val place = PagePlace(body)
+    private val place = CanvasLayout(body)
     private val canvas = document.createElement("canvas") as HTMLCanvasElement
     private val layer = SkiaLayer()
     private val clipboard = PageClipboard(::paste)
-    private val mirror: SemanticsMirror
+    private val mirror: AccessibilityDom
     private val input: PageTextInput
     private var density by mutableStateOf(Density(1f))
     private var size by mutableStateOf(IntSize.Zero)
@@ -72,7 +72,7 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
         canvas.style.setProperty("display", "block")
         place.element.appendChild(canvas)
         input = PageTextInput(place.element, canvas) { density.density }
-        mirror = SemanticsMirror(place.element, canvas, input, fonts, { density.density }) { openLayers = it }
+        mirror = AccessibilityDom(place.element, canvas, input, fonts, { density.density }) { openLayers = it }
     }
 
     private val scene: ComposeScene = CanvasLayersComposeScene(

@@ -50,7 +50,7 @@ internal class ReleaseChecks(
 
     private fun registerShrunkRun(): TaskProvider<*> {
         val below = belowTheScreen()
-        return project.tasks.register("runShrunk", RunShrunk::class.java) { task ->
+        return project.tasks.register("runShrunk", RunR8Output::class.java) { task ->
             task.group = LifecycleBasePlugin.VERIFICATION_GROUP
             task.description = "Holds what R8 leaves of the app against the recorded runs, on the JVM."
             task.libraries.from(below)

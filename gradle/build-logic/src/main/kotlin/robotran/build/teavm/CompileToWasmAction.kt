@@ -57,7 +57,7 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
 
     /** TeaVM's loader as an ES module that needs no `eval`; the mark keeps webpack from following the imports it makes for Node only. */
     private fun runtime(): String =
-        LoaderWithoutEval.rewrite(resource(TeaVMTool::class.java, RUNTIME), resource(CompileToWasmAction::class.java, FUNCTIONS))
+        CspSafeLoader.rewrite(resource(TeaVMTool::class.java, RUNTIME), resource(CompileToWasmAction::class.java, FUNCTIONS))
             .replace("import(", "import(/* webpackIgnore: true */ ")
 
     /** The hand-written module that loads the other two and offers their functions. */

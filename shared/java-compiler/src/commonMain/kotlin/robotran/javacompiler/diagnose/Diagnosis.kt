@@ -23,7 +23,7 @@ internal class Diagnosis(
     private val sources = sources.map(::SourceText)
     private val byPath = compilation.problems.sortedByDescending { it.isError }.take(MOST_PROBLEMS).groupBy { it.path }
         .mapValues { (_, problems) -> withoutMethodReferences(problems) }
-    private val nearNames = NearNames(undeclaredNames(), messages)
+    private val nearNames = NameSuggestions(undeclaredNames(), messages)
     private val libraryNames = LibraryNames(library)
     private val brick = BrickAdvisor(messages)
     private val names = NameAdvisor(libraryNames, nearNames, messages)

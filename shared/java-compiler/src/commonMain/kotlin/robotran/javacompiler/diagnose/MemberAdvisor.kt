@@ -7,7 +7,7 @@ import robotran.javacompiler.messages.JavaMessages
 /** What to tell about methods and fields that a class has not, or keeps to itself. */
 internal class MemberAdvisor(
     private val library: LibraryNames,
-    private val nearNames: NearNames,
+    private val nearNames: NameSuggestions,
     private val messages: JavaMessages,
 ) {
     fun advice(problem: EcjProblem, source: SourceText): Advice? {

@@ -7,7 +7,7 @@ import robotran.javacompiler.messages.JavaMessages
 /** What to tell about classes, imports and variables that nothing declares: what the brick has instead, a missing import, or what was meant. */
 internal class NameAdvisor(
     private val library: LibraryNames,
-    private val nearNames: NearNames,
+    private val nearNames: NameSuggestions,
     private val messages: JavaMessages,
 ) {
     fun advice(problem: EcjProblem, source: SourceText): Advice? {

@@ -1,12 +1,12 @@
 package robotran.rcxrom.messages
 
 import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramRemark
+import robotran.rcxrom.program.RuntimeWarning
 
 /** Where the program failed in words, such as `Line 7` or `Robot.java, line 7`; null if there is no line. */
 fun ProgramFailure.place(messages: BrickMessages = EnglishBrickMessages): String? = placeText(sourceLine, sourceFile, messages)
 
 /** Where it happened in words, as [ProgramFailure.place]. */
-fun ProgramRemark.place(messages: BrickMessages = EnglishBrickMessages): String? = placeText(sourceLine, sourceFile, messages)
+fun RuntimeWarning.place(messages: BrickMessages = EnglishBrickMessages): String? = placeText(sourceLine, sourceFile, messages)
 
 private fun placeText(line: Int, file: String?, messages: BrickMessages): String? = if (line == 0) null else messages.place(line, file)

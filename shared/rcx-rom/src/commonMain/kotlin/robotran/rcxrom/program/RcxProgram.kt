@@ -18,7 +18,7 @@ interface ProgramRun {
     val sourceFile: String? get() = null
 
     /** What a pupil should know about this run so far, though it goes on. */
-    val remarks: List<ProgramRemark> get() = emptyList()
+    val remarks: List<RuntimeWarning> get() = emptyList()
 
     /**
      * Executes at most [steps] steps (a step is a statement or a bytecode) and returns early when the program waits, ends or fails.
@@ -75,4 +75,4 @@ data class ProgramFailure(
  * @property sourceLine the line it happened on, from 1; 0 if there is none.
  * @property sourceFile the file it happened in; null if the program has only one.
  */
-data class ProgramRemark(val message: String, val sourceLine: Int, val sourceFile: String? = null)
+data class RuntimeWarning(val message: String, val sourceLine: Int, val sourceFile: String? = null)

@@ -5,10 +5,10 @@ import robotran.rcxrom.controls.MotorMode
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.DebuggableRun
 import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramRemark
 import robotran.rcxrom.program.ProgramRun
 import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sound.SystemSounds
 import robotran.rcxrom.state.RunState
@@ -30,7 +30,7 @@ internal class Shell(
     private var waitUntil = 0L
     private var pausedSteps = 0
     private val ending = RunEnding(messages)
-    private var earlierRemarks: List<ProgramRemark> = emptyList()
+    private var earlierRemarks: List<RuntimeWarning> = emptyList()
     private val pressedInShell = mutableSetOf<BrickButton>()
     private var runWasHeldWithOnOff = false
     private var powerOffTime = 0L
@@ -50,7 +50,7 @@ internal class Shell(
         }
 
     /** What the run has to say, or the last one if none runs. */
-    val remarks: List<ProgramRemark> get() = run?.remarks ?: earlierRemarks
+    val remarks: List<RuntimeWarning> get() = run?.remarks ?: earlierRemarks
 
     /** See [RunEnding.explanation]. */
     val explanation: String? get() = ending.explanation

@@ -17,7 +17,7 @@ internal class Checker(
         NameResolver(context).resolve()
         if (mistakes.isEmpty) settleUnusedTypes(context)
         ExpressionChecker(context).let { StatementChecker(context, it, calibration).check() }
-        WayChecker(context).check()
+        ControlFlowChecker(context).check()
         val graph = CallGraph(context)
         DeclarationOrder(context, graph).check()
         LimitChecker(context, graph).check()

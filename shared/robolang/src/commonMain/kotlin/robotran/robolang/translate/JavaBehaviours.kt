@@ -52,7 +52,7 @@ internal class JavaBehaviours(
         writer.blank()
         writer.open("public boolean takeControl()")
         interruptible(throwing.mayWait(behaviour.condition), "return false;") {
-            writer.line("return isActive || ${expressions.text(behaviour.condition, JavaStrength.of(BinaryOperator.OR) + 1)};", line)
+            writer.line("return isActive || ${expressions.text(behaviour.condition, OperatorPrecedence.of(BinaryOperator.OR) + 1)};", line)
         }
         writer.close()
         writer.blank()

@@ -36,7 +36,7 @@ internal class JavaExpressions(
     }
 
     /** Java for `not` [condition]. */
-    private fun negated(condition: Expression): String = "!" + text(condition, JavaStrength.UNARY)
+    private fun negated(condition: Expression): String = "!" + text(condition, OperatorPrecedence.UNARY)
 
     /** Decimal numbers are compared as they are: of two of which one is no number, neither is smaller. */
     private fun oppositeOf(comparison: Expression.Binary): BinaryOperator? {
@@ -58,9 +58,9 @@ internal class JavaExpressions(
     private fun written(expression: Expression): JavaText = when (expression) {
         is Expression.Number -> number(expression)
         is Expression.Truth -> primary(expression.value.toString())
-        is Expression.ListOf -> JavaText(list(expression), JavaStrength.UNARY)
+        is Expression.ListOf -> JavaText(list(expression), OperatorPrecedence.UNARY)
         is Expression.Variable -> primary(names.of(program.symbolOf(expression.name)))
-        is Expression.Element -> primary("${text(expression.list, JavaStrength.PRIMARY)}[${text(expression.index)}]")
+        is Expression.Element -> primary("${text(expression.list, OperatorPrecedence.PRIMARY)}[${text(expression.index)}]")
         is Expression.Unary -> unary(expression)
         is Expression.Binary -> binary(expression)
         is Expression.Call -> call(expression)
@@ -76,12 +76,12 @@ internal class JavaExpressions(
 
     private fun unary(expression: Expression.Unary): JavaText = when (expression.operator) {
         UnaryOperator.NOT -> {
-            JavaText(negated(expression.operand), JavaStrength.UNARY)
+            JavaText(negated(expression.operand), OperatorPrecedence.UNARY)
         }
 
         UnaryOperator.MINUS -> {
-            val operand = text(expression.operand, JavaStrength.UNARY)
-            JavaText(if (operand.startsWith("-")) "-($operand)" else "-$operand", JavaStrength.UNARY)
+            val operand = text(expression.operand, OperatorPrecedence.UNARY)
+            JavaText(if (operand.startsWith("-")) "-($operand)" else "-$operand", OperatorPrecedence.UNARY)
         }
     }
 
@@ -93,17 +93,17 @@ internal class JavaExpressions(
     }
 
     private fun binary(expression: Expression.Binary, operator: BinaryOperator): JavaText {
-        val strength = JavaStrength.of(operator)
+        val strength = OperatorPrecedence.of(operator)
         val left = text(expression.left, strength)
         val right = text(expression.right, strength + 1)
-        return JavaText("$left ${JavaStrength.textOf(operator)} $right", strength)
+        return JavaText("$left ${OperatorPrecedence.textOf(operator)} $right", strength)
     }
 
     private fun call(expression: Expression.Call): JavaText {
         val symbol = program.symbolOf(expression.name)
         val builtIn = if (symbol.declaredAt == null) BuiltIn.of(expression.name.key) else null
         if (builtIn == null) return primary("${names.of(symbol)}(${arguments(expression.arguments)})")
-        if (builtIn == BuiltIn.LENGTH) return primary("${text(expression.arguments.single(), JavaStrength.PRIMARY)}.length")
+        if (builtIn == BuiltIn.LENGTH) return primary("${text(expression.arguments.single(), OperatorPrecedence.PRIMARY)}.length")
         return builtIn(builtIn, expression)
     }
 
@@ -113,7 +113,7 @@ internal class JavaExpressions(
         return when (builtIn) {
             BuiltIn.ABS, BuiltIn.MIN, BuiltIn.MAX -> {
                 val result = "Math.${builtIn.text}($values)"
-                if (isWhole) primary(result) else JavaText("(float) $result", JavaStrength.UNARY)
+                if (isWhole) primary(result) else JavaText("(float) $result", OperatorPrecedence.UNARY)
             }
 
             // A whole number is its own.
@@ -148,13 +148,13 @@ internal class JavaExpressions(
     /** The pupil's own brackets, unless nothing in them could be torn apart. */
     private fun inBrackets(expression: Expression.Brackets): JavaText {
         val inner = written(withoutBrackets(expression))
-        return if (inner.strength == JavaStrength.PRIMARY) inner else primary("(${inner.text})")
+        return if (inner.strength == OperatorPrecedence.PRIMARY) inner else primary("(${inner.text})")
     }
 
     private fun withoutBrackets(expression: Expression): Expression =
         if (expression is Expression.Brackets) withoutBrackets(expression.inner) else expression
 
-    private fun primary(text: String) = JavaText(text, JavaStrength.PRIMARY)
+    private fun primary(text: String) = JavaText(text, OperatorPrecedence.PRIMARY)
 }
 
 /** A piece of Java and how tightly its outermost operator binds. */
@@ -168,7 +168,7 @@ private fun number(expression: Expression.Number): JavaText {
         is NumberValue.Whole -> value.value.toString()
         is NumberValue.Decimal -> decimal(expression.text, value.decimal)
     }
-    return JavaText(text, if (text.startsWith("-")) JavaStrength.UNARY else JavaStrength.PRIMARY)
+    return JavaText(text, if (text.startsWith("-")) OperatorPrecedence.UNARY else OperatorPrecedence.PRIMARY)
 }
 
 private fun decimal(typed: String, value: Float): String {

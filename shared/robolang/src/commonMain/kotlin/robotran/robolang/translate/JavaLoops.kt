@@ -84,7 +84,7 @@ internal class JavaLoops(
     }
 
     /** [expression] as it stands beside `<`. */
-    private fun operand(expression: Expression): String = expressions.text(expression, JavaStrength.of(BinaryOperator.LESS) + 1)
+    private fun operand(expression: Expression): String = expressions.text(expression, OperatorPrecedence.of(BinaryOperator.LESS) + 1)
 
     /** The step if it is written as a number, which says whether it goes up or down. */
     private fun valueOfStep(step: Expression?): NumberValue? = when (step) {

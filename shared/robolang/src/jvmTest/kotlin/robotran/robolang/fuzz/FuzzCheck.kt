@@ -8,11 +8,11 @@ import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
-import robotran.robolang.readRobolang
 import robotran.robolang.robot.Calibration
 
 /**
@@ -21,7 +21,7 @@ import robotran.robolang.robot.Calibration
  * @throws IllegalStateException if it is not true of [source].
  */
 fun checkHarmless(source: String) {
-    when (val result = readRobolang("fuzz", source, CALIBRATION)) {
+    when (val result = compileRobolang("fuzz", source, CALIBRATION)) {
         is RobolangResult.Ready -> runFor(result.program, STEPS)
         is RobolangResult.Mistaken -> checkDiagnostics(result.diagnostics, source.removePrefix("\uFEFF").lines())
     }

@@ -3,10 +3,10 @@ package robotran.robolang.translate
 import robotran.robolang.Expectations
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
 import robotran.robolang.documentedPrograms
 import robotran.robolang.examplePrograms
 import robotran.robolang.fuzz.ProgramWriter
-import robotran.robolang.readRobolang
 import robotran.robolang.testCalibration
 import robotran.robolang.testPrograms
 import kotlin.random.Random
@@ -35,7 +35,7 @@ class TranslatedRunTest {
     fun `programs made at random do the same in Java, and the linker of leJOS takes them`() {
         val programs = (0 until RANDOM_PROGRAMS).associate { number ->
             val text = ProgramWriter(Random(number)).write()
-            "program $number" to assertIs<RobolangResult.Ready>(readRobolang("random", text, testCalibration), text).program
+            "program $number" to assertIs<RobolangResult.Ready>(compileRobolang("random", text, testCalibration), text).program
         }
         val comparison = RunComparison(programs)
         val problems = comparison.classes.filterKeys { it.startsWith("P") }.values.flatMap(::tinyVmProblems)

@@ -1,7 +1,7 @@
 package robotran.simulation.explain
 
 import robotran.simulation.noise.Realism
-import robotran.simulation.robot.RobotMachine
+import robotran.simulation.robot.SimulatedRobot
 import robotran.world.Penbot
 import robotran.world.RobotPlace
 import robotran.world.geometry.RADIANS_PER_DEGREE
@@ -12,7 +12,7 @@ import kotlin.math.abs
 /** What has made one robot stray so far; what did next to nothing is left out. */
 internal class Explanation(
     private val place: RobotPlace,
-    private val machine: RobotMachine,
+    private val machine: SimulatedRobot,
     private val lightBias: Double,
     private val realism: Double,
     private val messages: InfluenceMessages,
@@ -20,7 +20,7 @@ internal class Explanation(
     private val left = machine.leftWheel.account
     private val right = machine.rightWheel.account
 
-    fun influences(): List<Influence> = listOfNotNull(
+    fun influences(): List<DeviationCause> = listOfNotNull(
         startPlace(), startHeading(), strength(leftMotor = true), strength(leftMotor = false), flutter(), slip(), battery(), spin(),
         lightBias(), lightNoise(), bounce(),
     )
@@ -33,7 +33,7 @@ internal class Explanation(
         told(Cause.START_HEADING, it, LEAST_ANGLE) { messages.startHeading(text(it), left = it > 0) }
     }
 
-    private fun strength(leftMotor: Boolean): Influence? {
+    private fun strength(leftMotor: Boolean): DeviationCause? {
         val way = if (leftMotor) left.strength else right.strength
         val strength = (if (leftMotor) machine.leftNoise else machine.rightNoise).strength
         return told(if (leftMotor) Cause.LEFT_STRENGTH else Cause.RIGHT_STRENGTH, way, LEAST_LENGTH) {
@@ -65,8 +65,8 @@ internal class Explanation(
         told(Cause.BOUNCE, it.toDouble(), 1.0) { messages.bounce(it) }
     }
 
-    private fun told(cause: Cause, amount: Double, least: Double, sentence: () -> String): Influence? =
-        if (abs(amount) < least) null else Influence(place.name, cause, amount, sentence())
+    private fun told(cause: Cause, amount: Double, least: Double, sentence: () -> String): DeviationCause? =
+        if (abs(amount) < least) null else DeviationCause(place.name, cause, amount, sentence())
 
     /** The size of [number] with one decimal. */
     private fun text(number: Double): String {

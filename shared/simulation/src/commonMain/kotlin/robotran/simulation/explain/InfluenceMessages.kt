@@ -2,7 +2,7 @@ package robotran.simulation.explain
 
 import robotran.language.Language
 
-/** The sentences of [Influence]s in one language; numbers come as text, rounded as they are to be read. */
+/** The sentences of [DeviationCause]s in one language; numbers come as text, rounded as they are to be read. */
 interface InfluenceMessages {
     fun startPlace(centimetres: String): String
 

@@ -41,7 +41,7 @@ internal class InputPorts(
      * @param celsius the temperature.
      * @param light what the light sensor measures, before noise, if it is powered or is not.
      */
-    fun measure(machine: RobotMachine, celsius: Double, light: (active: Boolean) -> Double) {
+    fun measure(machine: SimulatedRobot, celsius: Double, light: (active: Boolean) -> Double) {
         for (port in place.ports.indices) {
             if (place.ports[port].isEmpty()) continue
             var raw = SensorCode.OPEN_RAW
@@ -50,7 +50,7 @@ internal class InputPorts(
         }
     }
 
-    private fun raw(sensor: PortSensor, port: Int, machine: RobotMachine, celsius: Double, light: (active: Boolean) -> Double): Int =
+    private fun raw(sensor: PortSensor, port: Int, machine: SimulatedRobot, celsius: Double, light: (active: Boolean) -> Double): Int =
         when (sensor) {
             PortSensor.LEFT_BUMPER -> TouchSensor.raw(machine.leftBumper.isClosed)
             PortSensor.RIGHT_BUMPER -> TouchSensor.raw(machine.rightBumper.isClosed)

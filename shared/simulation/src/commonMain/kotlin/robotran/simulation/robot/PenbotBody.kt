@@ -45,7 +45,7 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val trigono
         get() = Pose(motion.x, motion.y, normalHeading(trigonometry.angle(motion.cosine, motion.sine) / RADIANS_PER_DEGREE))
 
     /** Before a step of the physics: the tyres push. */
-    fun push(traction: Traction) {
+    fun push(traction: TyreImpulses) {
         push(traction.left, traction.leftSideways, Penbot.WHEEL_TRACK / 2)
         push(traction.right, traction.rightSideways, -Penbot.WHEEL_TRACK / 2)
     }

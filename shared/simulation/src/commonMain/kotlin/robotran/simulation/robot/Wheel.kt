@@ -25,7 +25,7 @@ internal class Wheel(private val noise: WheelNoise) {
     val speedChange: Double get() = speed - speedBefore
 
     /** What each cause of unevenness has added to the wheel's way, or taken from it. */
-    val account = WheelAccount()
+    val account = WheelErrorBudget()
 
     /** Lets one millisecond pass, with batteries that give [battery] of what fresh ones do. */
     fun tick(told: MotorState, battery: Double, tick: Long) {
@@ -84,7 +84,7 @@ internal class Wheel(private val noise: WheelNoise) {
  * @property slip lost on the floor here and there, without a sign.
  * @property spin turned without grip, as at a wall, without a sign.
  */
-internal class WheelAccount {
+internal class WheelErrorBudget {
     var strength = 0.0
     var flutter = 0.0
     var battery = 0.0

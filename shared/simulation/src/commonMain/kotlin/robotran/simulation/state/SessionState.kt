@@ -1,6 +1,6 @@
 package robotran.simulation.state
 
-import robotran.rcxrom.program.ProgramRemark
+import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.state.BrickState
 import robotran.world.Light
 import robotran.world.TouchKind
@@ -37,7 +37,7 @@ data class SessionState(
     val brick: BrickState get() = first.brick
     val robot: RobotState get() = first.robot
     val bumps: Int get() = first.bumps
-    val remarks: List<ProgramRemark> get() = first.remarks
+    val remarks: List<RuntimeWarning> get() = first.remarks
     val romCalls: Int get() = first.romCalls
 }
 
@@ -54,7 +54,7 @@ data class RobotSnapshot(
     val brick: BrickState,
     val robot: RobotState,
     val bumps: Int,
-    val remarks: List<ProgramRemark>,
+    val remarks: List<RuntimeWarning>,
     val romCalls: Int,
 )
 

@@ -1,9 +1,9 @@
 package robotran.tinyvm.link
 
-/** What instructions do to a [Situation] that make arrays or reach into them. */
+/** What instructions do to a [FrameState] that make arrays or reach into them. */
 internal class ArrayEffects(private val relations: TypeRelations, private val resolver: Resolver, private val code: ResolvedCode) {
     /** Makes an array or asks for its length. */
-    fun apply(instruction: Instruction, situation: Situation, place: Place) {
+    fun apply(instruction: Instruction, situation: FrameState, place: Place) {
         when (instruction.opcode) {
             Opcode.NEWARRAY -> {
                 situation.popValue(ValueType.WHOLE)
@@ -29,13 +29,13 @@ internal class ArrayEffects(private val relations: TypeRelations, private val re
         }
     }
 
-    private fun push(instruction: Instruction, type: HeapType, situation: Situation) {
+    private fun push(instruction: Instruction, type: HeapType, situation: FrameState) {
         code.types[instruction.place] = type
         situation.push(ValueType.reference(type))
     }
 
     /** Reads or writes an element. */
-    fun element(opcode: Int, situation: Situation) {
+    fun element(opcode: Int, situation: FrameState) {
         val isStore = opcode >= Opcode.IASTORE
         val letters = ELEMENTS[opcode - if (isStore) Opcode.IASTORE else Opcode.IALOAD]
         val isObject = letters == "L"

@@ -6,7 +6,7 @@ import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.LackedFeature
 import robotran.tinyvm.messages.LinkMessages
 
-/** Works out what an instruction does to a [Situation], checking that it may, and notes what it names in [code]. Branches aside. */
+/** Works out what an instruction does to a [FrameState], checking that it may, and notes what it names in [code]. Branches aside. */
 internal class Effects(
     private val method: LinkedMethod,
     private val types: TypeTable,
@@ -19,7 +19,7 @@ internal class Effects(
     private val members = MemberEffects(method, types, relations, resolver, code)
     private val arrays = ArrayEffects(relations, resolver, code)
 
-    fun apply(instruction: Instruction, situation: Situation, place: Place) {
+    fun apply(instruction: Instruction, situation: FrameState, place: Place) {
         val simple = SIMPLE_INSTRUCTIONS[instruction.opcode]
         when {
             simple != null -> {
@@ -49,7 +49,7 @@ internal class Effects(
         }
     }
 
-    private fun other(instruction: Instruction, situation: Situation, place: Place) {
+    private fun other(instruction: Instruction, situation: FrameState, place: Place) {
         val operand = instruction.operand
         when (instruction.opcode) {
             ACONST_NULL -> {
@@ -139,7 +139,7 @@ internal class Effects(
         }
     }
 
-    private fun constant(instruction: Instruction, situation: Situation, place: Place) {
+    private fun constant(instruction: Instruction, situation: FrameState, place: Place) {
         val wide = instruction.opcode == Opcode.LDC2_W
         when (val constant = constants.constant(instruction.operand)) {
             is Constant.Whole -> {

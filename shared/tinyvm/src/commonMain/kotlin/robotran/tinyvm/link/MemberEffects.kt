@@ -1,6 +1,6 @@
 package robotran.tinyvm.link
 
-/** What instructions do to a [Situation] that read or write fields, call methods or return from them. */
+/** What instructions do to a [FrameState] that read or write fields, call methods or return from them. */
 internal class MemberEffects(
     private val method: LinkedMethod,
     private val types: TypeTable,
@@ -8,7 +8,7 @@ internal class MemberEffects(
     private val resolver: Resolver,
     private val code: ResolvedCode,
 ) {
-    fun field(instruction: Instruction, situation: Situation, place: Place) {
+    fun field(instruction: Instruction, situation: FrameState, place: Place) {
         val isStatic = instruction.opcode <= Opcode.PUTSTATIC
         val field = code.fields.getOrPut(instruction.place) { resolver.field(instruction.operand, isStatic, place) }
         val isWrite = instruction.opcode == Opcode.PUTSTATIC || instruction.opcode == Opcode.PUTFIELD
@@ -17,7 +17,7 @@ internal class MemberEffects(
         if (!isWrite) pushOf(field.descriptor, situation, place)
     }
 
-    fun call(instruction: Instruction, situation: Situation, place: Place) {
+    fun call(instruction: Instruction, situation: FrameState, place: Place) {
         val opcode = instruction.opcode
         val called = code.methods.getOrPut(instruction.place) {
             resolver.method(instruction.operand, opcode == Opcode.INVOKESTATIC, place)
@@ -29,7 +29,7 @@ internal class MemberEffects(
         if (called.resultWords > 0) pushOf(called.types.result, situation, place)
     }
 
-    fun result(opcode: Int, situation: Situation, place: Place) {
+    fun result(opcode: Int, situation: FrameState, place: Place) {
         val result = method.types.result
         val expected = when {
             result == "V" -> Opcode.RETURN
@@ -40,12 +40,12 @@ internal class MemberEffects(
         if (opcode != Opcode.RETURN) popOf(result, situation, place)
     }
 
-    private fun popOf(descriptor: String, situation: Situation, place: Place) {
+    private fun popOf(descriptor: String, situation: FrameState, place: Place) {
         if (!isReferenceDescriptor(descriptor)) return situation.popValue(ValueType.ofLetter(descriptor[0]))
         if (!relations.fits(situation.popReference(), types.typeOf(descriptor, place))) unsound()
     }
 
-    private fun pushOf(descriptor: String, situation: Situation, place: Place) {
+    private fun pushOf(descriptor: String, situation: FrameState, place: Place) {
         val isReference = isReferenceDescriptor(descriptor)
         situation.pushValue(if (isReference) ValueType.reference(types.typeOf(descriptor, place)) else ValueType.ofLetter(descriptor[0]))
     }

@@ -2,7 +2,7 @@ package robotran.tinyvm.link
 
 /** What the instructions do that only move operands. */
 internal object StackShuffles {
-    fun apply(opcode: Int, situation: Situation) {
+    fun apply(opcode: Int, situation: FrameState) {
         when (opcode) {
             Opcode.POP -> {
                 situation.popSingle()

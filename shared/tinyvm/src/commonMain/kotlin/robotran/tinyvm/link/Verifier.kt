@@ -22,7 +22,7 @@ internal class Verifier(
     private val effects = Effects(method, types, relations, messages, code)
     private val contexts = SubroutineContexts()
     private val instructions = InstructionReader(entry, messages, ::placeOf).read()
-    private val situations = HashMap<Int, Situation>()
+    private val situations = HashMap<Int, FrameState>()
     private val waiting = ArrayDeque<Int>()
     private val isWaiting = HashSet<Int>()
     private val handlers = entry.handlers.map { handler ->
@@ -50,7 +50,7 @@ internal class Verifier(
         return code
     }
 
-    private fun follow(place: Int, context: Int, situation: Situation) {
+    private fun follow(place: Int, context: Int, situation: FrameState) {
         val instruction = instructions[place] ?: unsound()
         code.reached[place] = instruction
         code.beginsStatement[place] = situation.depth == 0
@@ -80,7 +80,7 @@ internal class Verifier(
         }
     }
 
-    private fun goOn(instruction: Instruction, context: Int, situation: Situation) {
+    private fun goOn(instruction: Instruction, context: Int, situation: FrameState) {
         val opcode = instruction.opcode
         val isBranch = opcode in Opcode.IFEQ..Opcode.GOTO || opcode == Opcode.IFNULL || opcode == Opcode.IFNONNULL
         if (isBranch) arrive(instruction.operand, context, situation)
@@ -88,7 +88,7 @@ internal class Verifier(
         if (!isEnd) arrive(instruction.next, context, situation)
     }
 
-    private fun arrive(place: Int, context: Int, situation: Situation) {
+    private fun arrive(place: Int, context: Int, situation: FrameState) {
         if (place !in entry.bytes.indices || instructions[place] == null) unsound()
         if (!budget.spend(situationWords)) placeOf(place).refuse(messages.lacks(LackedFeature.FAR_JUMP))
         val key = context * entry.bytes.size + place
@@ -104,8 +104,8 @@ internal class Verifier(
         if (isWaiting.add(key)) waiting.addLast(key)
     }
 
-    private fun firstSituation(): Situation {
-        val situation = Situation(IntArray(entry.maxLocals), IntArray(entry.maxStack), 0)
+    private fun firstSituation(): FrameState {
+        val situation = FrameState(IntArray(entry.maxLocals), IntArray(entry.maxStack), 0)
         var slot = 0
         if (!method.isStatic) situation.setLocal(slot++, ValueType.reference(method.owner))
         for (parameter in method.types.parameters) {

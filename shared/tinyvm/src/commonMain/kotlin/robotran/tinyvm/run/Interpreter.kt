@@ -13,11 +13,11 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
     private val methods = machine.program.methods.toTypedArray()
     private val types = machine.program.types.toTypedArray()
     private val arithmetic = QuirkyArithmetic(machine)
-    private val places = ElementPlaces(machine, arithmetic)
+    private val places = ArrayAddressing(machine, arithmetic)
     private val numbers = NumberOperations(machine, arithmetic)
     private val objects = ObjectOperations(machine, calls, places)
     private val division = Division(arithmetic, calls)
-    private val beginnings = ThreadBeginnings(machine, calls)
+    private val beginnings = ThreadStarter(machine, calls)
 
     /** Decides before each statement whether to go on. */
     val gate = StatementGate()

@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.rcxrom.program.ProgramRemark
+import robotran.rcxrom.program.RuntimeWarning
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.config.TinyVmMode
@@ -11,12 +11,12 @@ internal class Remarks(private val mode: TinyVmMode, private val messages: RunMe
     private val places = HashSet<Triple<Quirk, Int, String?>>()
 
     /** All so far; a new list with each that comes. */
-    var all: List<ProgramRemark> = emptyList()
+    var all: List<RuntimeWarning> = emptyList()
         private set
 
     fun add(quirk: Quirk, line: Int, file: String?) {
         if (all.size == TinyVmLimits.REMARKS || !places.add(Triple(quirk, line, file))) return
-        all = all + ProgramRemark(messageOf(quirk), line, file)
+        all = all + RuntimeWarning(messageOf(quirk), line, file)
     }
 
     private fun messageOf(quirk: Quirk): String = when {

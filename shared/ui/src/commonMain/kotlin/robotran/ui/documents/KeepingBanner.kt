@@ -37,8 +37,8 @@ import robotran.ui.resources.documents_trouble_long
 import robotran.ui.resources.notice_close
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.AutosaveError
 import robotran.workshop.state.DocumentState
-import robotran.workshop.state.KeepingTrouble
 
 /**
  * Says that the work is not being kept, and what can be done; nothing while all is well. It lies over the foot of what there is to be seen, which does not
@@ -76,10 +76,10 @@ internal fun KeepingBanner(state: DocumentState, onEvent: (DocumentEvent) -> Uni
                 fontSize = 16.sp,
                 lineHeight = 22.sp,
             )
-            if (trouble != KeepingTrouble.TooLong) {
+            if (trouble != AutosaveError.TooLong) {
                 OtherButton(stringResource(Res.string.documents_save_as), "trouble-save-as") { onEvent(DocumentEvent.SaveAsWanted) }
             }
-            if (trouble == KeepingTrouble.Full) {
+            if (trouble == AutosaveError.Full) {
                 OtherButton(stringResource(Res.string.documents_my_work), "trouble-my-work") { onEvent(DocumentEvent.WorksWanted) }
             }
         }
@@ -88,10 +88,10 @@ internal fun KeepingBanner(state: DocumentState, onEvent: (DocumentEvent) -> Uni
 }
 
 @Composable
-private fun wordsFor(trouble: KeepingTrouble): String = when (trouble) {
-    KeepingTrouble.Full -> stringResource(Res.string.documents_trouble_full)
-    KeepingTrouble.TooLong -> stringResource(Res.string.documents_trouble_long)
-    is KeepingTrouble.Failed -> stringResource(Res.string.documents_trouble_failed, trouble.reason)
+private fun wordsFor(trouble: AutosaveError): String = when (trouble) {
+    AutosaveError.Full -> stringResource(Res.string.documents_trouble_full)
+    AutosaveError.TooLong -> stringResource(Res.string.documents_trouble_long)
+    is AutosaveError.Failed -> stringResource(Res.string.documents_trouble_failed, trouble.reason)
 }
 
 private val SHAPE = RoundedCornerShape(12.dp)

@@ -2,7 +2,7 @@ package robotran.ui.learning
 
 import androidx.compose.ui.graphics.ImageBitmap
 import kotlinx.coroutines.CancellationException
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -21,7 +21,7 @@ import robotran.world.file.BuiltInWorlds
  */
 internal object ExamplePictures : CardPictures<String> {
     private val pictures = SheetPictures()
-    private val reader = ProgramReader(PENBOT_CALIBRATION)
+    private val reader = ProgramCompiler(PENBOT_CALIBRATION)
 
     override fun ready(subject: String, colours: SheetColours, room: PictureRoom): ImageBitmap? =
         pictures.ready(twinOf(subject) ?: subject, colours, room)

@@ -36,8 +36,8 @@ import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.InlineDiagnostic
 import robotran.workshop.state.ProgramLanguage
-import robotran.workshop.state.ProgramNote
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
@@ -218,7 +218,7 @@ private fun BesideOrBelow(
 }
 
 /** What is told about the lines of the file that is shown, in their order. */
-private fun notesOf(state: ProgramsState, failure: ProgramFailure?): List<ProgramNote> {
+private fun notesOf(state: ProgramsState, failure: ProgramFailure?): List<InlineDiagnostic> {
     val read = state.notes.filter { it.mistake.file == state.file.name }
     return if (failure == null) read else (read + noteOf(failure, state.file.name)).sortedBy { it.line ?: 0 }
 }

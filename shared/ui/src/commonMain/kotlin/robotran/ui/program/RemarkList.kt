@@ -21,7 +21,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rcxrom.program.ProgramRemark
+import robotran.rcxrom.program.RuntimeWarning
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
@@ -37,7 +37,7 @@ import robotran.ui.theme.LocalRobotranColours
  * @param most how many there is room for.
  */
 @Composable
-internal fun RemarkList(remarks: List<ProgramRemark>, most: Int, modifier: Modifier = Modifier) {
+internal fun RemarkList(remarks: List<RuntimeWarning>, most: Int, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val told = remarks.take(most)
     var isClosed by remember(told) { mutableStateOf(false) }
@@ -59,7 +59,7 @@ internal fun RemarkList(remarks: List<ProgramRemark>, most: Int, modifier: Modif
 }
 
 @Composable
-private fun textOf(remark: ProgramRemark): String {
+private fun textOf(remark: RuntimeWarning): String {
     val file = remark.sourceFile
     return when {
         remark.sourceLine == 0 -> remark.message

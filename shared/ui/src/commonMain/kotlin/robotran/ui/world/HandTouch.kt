@@ -25,7 +25,7 @@ internal class HandTouch(
     private val world: World,
     private val now: () -> Pair<SessionState, SheetThing?>,
     private val choose: (SheetThing?) -> Unit,
-    private val inputs: OncePerFrame,
+    private val inputs: FrameThrottledInput,
 ) : SheetTouch {
     private var held: Held? = null
 

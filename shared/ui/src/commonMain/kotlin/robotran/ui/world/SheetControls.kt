@@ -33,7 +33,7 @@ internal fun SheetControls(
     world: World,
     view: SheetViewState,
     surroundings: Surroundings,
-    inputs: OncePerFrame,
+    inputs: FrameThrottledInput,
     upright: Boolean,
     withZoom: Boolean,
     onEvent: (SheetEvent) -> Unit,

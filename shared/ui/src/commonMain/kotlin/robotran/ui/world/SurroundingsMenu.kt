@@ -51,7 +51,7 @@ private fun noticesWarmth(world: World) = world.robots.any { it.has(PortSensor.T
 
 /** A button that opens sliders for the light everywhere and for the warmth, those that something in the world notices. */
 @Composable
-internal fun SurroundingsMenu(world: World, surroundings: Surroundings, inputs: OncePerFrame) {
+internal fun SurroundingsMenu(world: World, surroundings: Surroundings, inputs: FrameThrottledInput) {
     var open by remember { mutableStateOf(false) }
     Box {
         SheetButton(SheetIcons.SURROUNDINGS, stringResource(Res.string.sheet_surroundings), "sheet-surroundings") { open = true }
@@ -82,7 +82,7 @@ private fun SurroundingsSlider(
     tag: String,
     value: Float,
     range: ClosedFloatingPointRange<Float>,
-    inputs: OncePerFrame,
+    inputs: FrameThrottledInput,
     inputOf: (Float) -> SessionInput,
 ) {
     val colours = LocalRobotranColours.current

@@ -65,7 +65,7 @@ private fun TouchableSheet(
     session: SessionState,
     view: SheetViewState,
     aside: DpRect,
-    inputs: OncePerFrame,
+    inputs: FrameThrottledInput,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
     val now = rememberUpdatedState(session to view.chosen)

@@ -10,7 +10,7 @@ import robotran.workshop.documents.projectFile
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.platform.Arrival
+import robotran.workshop.platform.OpenRequest
 import kotlin.test.Test
 
 /** Writes pictures of the dialogs about the work into build/pictures, to be looked at. */
@@ -22,7 +22,7 @@ class DocumentPictures {
                 val prefix = "documents-$name-${theme(dark)}"
                 val picture = { what: String, workshop: Workshop -> photograph(workshop, width, height, dark, "$prefix-$what") }
                 val machine = Machine()
-                val workshop = machine.window(Arrival.OfFiles(listOf(projectFile("forward 20\nbeep\n"))))
+                val workshop = machine.window(OpenRequest.OfFiles(listOf(projectFile("forward 20\nbeep\n"))))
                 workshop.handle(DocumentEvent.Renamed("The maze behind the house"))
                 workshop.handle(ProgramEvent.ProgramEdited("forward 21\nbeep\n"))
                 workshop.keep()

@@ -17,7 +17,7 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.MemoryStore
-import robotran.workshop.settings.SettingsHolder
+import robotran.workshop.settings.SettingsStateHolder
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Settings
 import kotlin.test.Test
@@ -71,7 +71,7 @@ class SiteAddressSettingTest {
         for ((kept, read) in listOf("https://school.example/" to "https://school.example/", "javascript:alert(1)" to "")) {
             val store = MemoryStore()
             store.write("settings", """{"site": "$kept"}""")
-            assertEquals(Settings(site = read), SettingsHolder.readFrom(MemoryPlatform(store = store).store))
+            assertEquals(Settings(site = read), SettingsStateHolder.readFrom(MemoryPlatform(store = store).store))
         }
     }
 }

@@ -26,7 +26,7 @@ import robotran.workshop.documents.keep
 import robotran.workshop.documents.projectFile
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
-import robotran.workshop.platform.Arrival
+import robotran.workshop.platform.OpenRequest
 import robotran.workshop.state.DocumentDialog
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -37,7 +37,7 @@ import kotlin.test.assertTrue
 @OptIn(ExperimentalTestApi::class)
 class WorkMenuTest {
     private val machine = Machine()
-    private val opened = Arrival.OfFiles(listOf(projectFile("beep")))
+    private val opened = OpenRequest.OfFiles(listOf(projectFile("beep")))
 
     @Test
     fun `the name of the work opens the menu, and everything in it is large enough for a finger`() = shown {
@@ -151,7 +151,7 @@ class WorkMenuTest {
         assertEquals("mine.robotran", it.state.document.fileName)
     }
 
-    private fun shown(vararg arrivals: Arrival, check: ComposeUiTest.(Workshop) -> Unit) {
+    private fun shown(vararg arrivals: OpenRequest, check: ComposeUiTest.(Workshop) -> Unit) {
         val workshop = machine.window(*arrivals)
         runDesktopComposeUiTest(411, 891) {
             setContent {

@@ -1,10 +1,10 @@
 package robotran.ui.platform
 
 import kotlinx.coroutines.runBlocking
-import robotran.documents.Keeping
-import robotran.documents.KeptWork
+import robotran.documents.ProjectRepository
+import robotran.documents.SaveResult
+import robotran.documents.SavedProject
 import robotran.documents.WorkReading
-import robotran.documents.WorkShelf
 import robotran.projects.Project
 import robotran.world.file.BuiltInWorlds
 import java.nio.file.Path
@@ -46,18 +46,18 @@ internal class KeepingProcess private constructor(private val process: Process) 
     }
 }
 
-internal fun workFor(name: String) = KeptWork("one", name, 1_000, Project(BuiltInWorlds.plain))
+internal fun workFor(name: String) = SavedProject("one", name, 1_000, Project(BuiltInWorlds.plain))
 
 /** What a [KeepingProcess] runs. */
 internal object KeepingMain {
     @JvmStatic
     fun main(arguments: Array<String>): Unit = runBlocking {
-        val shelf = WorkShelf(FolderWorkStore(Path.of(arguments.single())))
+        val shelf = ProjectRepository(FolderKeyValueStore(Path.of(arguments.single())))
         checkNotNull(shelf.claim("one"))
         var number = (shelf.read("one") as? WorkReading.Found)?.work?.name?.toInt() ?: 0
         while (true) {
             number++
-            check(shelf.keep(workFor(number.toString())) == Keeping.Kept)
+            check(shelf.keep(workFor(number.toString())) == SaveResult.Kept)
             println(KeepingProcess.TOLD)
             System.out.flush()
         }

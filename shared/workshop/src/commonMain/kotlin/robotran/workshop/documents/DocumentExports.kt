@@ -6,13 +6,13 @@ import robotran.documents.ZipEntry
 import robotran.documents.fileNameFor
 import robotran.documents.projectFile
 import robotran.documents.zipOf
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.projects.LinkMaking
 import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.linkOf
 import robotran.robolang.RobolangResult
-import robotran.robolang.readRobolang
+import robotran.robolang.compileRobolang
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
 import robotran.robolang.translate.kitFiles
@@ -98,7 +98,7 @@ internal class DocumentExports(
         val program = current.shownProgram
         if (program.language == ProgramLanguage.JAVA) return saveJavaKit(program)
         val text = program.files.single().text
-        when (val result = readRobolang(program.name, text, PENBOT_CALIBRATION)) {
+        when (val result = compileRobolang(program.name, text, PENBOT_CALIBRATION)) {
             is RobolangResult.Mistaken -> {
                 notices.say(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range.line))
             }
@@ -111,7 +111,7 @@ internal class DocumentExports(
 
     private suspend fun saveJavaKit(program: PupilProgram) {
         val source = program.source()
-        val reader = ProgramReader(PENBOT_CALIBRATION, language = preferences.language)
+        val reader = ProgramCompiler(PENBOT_CALIBRATION, language = preferences.language)
         val result = try {
             withContext(platform.background) { reader.read(source) }
         } catch (cancelled: CancellationException) {

@@ -3,14 +3,14 @@ package robotran.workshop.documents
 import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
+import robotran.documents.AutosaveThrottle
 import robotran.documents.FileStamp
-import robotran.documents.Keeping
-import robotran.documents.KeepingTimes
-import robotran.documents.KeptWork
 import robotran.documents.OpenWorks
-import robotran.documents.WorkClaim
+import robotran.documents.ProjectLock
+import robotran.documents.ProjectRepository
+import robotran.documents.SaveResult
+import robotran.documents.SavedProject
 import robotran.documents.WorkFile
-import robotran.documents.WorkShelf
 import robotran.documents.freeWorkName
 import robotran.documents.leftText
 import robotran.documents.newWorkName
@@ -21,17 +21,17 @@ import robotran.workshop.service.Preferences
 
 /** Keeps the work that is open as it changes, and knows what of it is kept and saved. */
 internal class DocumentKeeper(private val platform: Platform, private val preferences: Preferences, private val current: CurrentProject) {
-    val shelf = WorkShelf(platform.store)
+    val shelf = ProjectRepository(platform.store)
     val openWorks = OpenWorks(platform.store, shelf)
     private val writing = Mutex()
-    private var times = KeepingTimes()
+    private var times = AutosaveThrottle()
     private var id: String? = null
         set(value) {
             field = value
             platform.window.workId = value.orEmpty()
         }
-    private var workClaim: WorkClaim? = null
-    private var fileClaim: WorkClaim? = null
+    private var workClaim: ProjectLock? = null
+    private var fileClaim: ProjectLock? = null
     private var keptProject: Project? = null
     private var keptName = ""
     private var keptFile: WorkFile? = null
@@ -90,7 +90,7 @@ internal class DocumentKeeper(private val platform: Platform, private val prefer
     }
 
     /** What is on the screen now is [work], which is kept already as [project]; null if it is not kept as it is. */
-    suspend fun tookUp(work: KeptWork, claim: WorkClaim, project: Project? = current.project) {
+    suspend fun tookUp(work: SavedProject, claim: ProjectLock, project: Project? = current.project) {
         forget()
         id = work.id
         workClaim = claim
@@ -135,24 +135,24 @@ internal class DocumentKeeper(private val platform: Platform, private val prefer
             idToCome = leaving
             platform.window.workId = leaving
         }
-        platform.window.leave(leaving, leftText(KeptWork(leaving, name, now, current.project, file, isSaved)))
+        platform.window.leave(leaving, leftText(SavedProject(leaving, name, now, current.project, file, isSaved)))
         leftId = leaving
     }
 
     /** Keeps the work if it has changed and that is due; null if there was nothing to do. */
-    suspend fun keepIfDue(): Keeping? = if (isKept || !times.isDue(platform.clock.now)) null else keepNow()
+    suspend fun keepIfDue(): SaveResult? = if (isKept || !times.isDue(platform.clock.now)) null else keepNow()
 
     /** Keeps the work if it has changed. */
-    suspend fun keepNow(): Keeping? = writing.withLock {
+    suspend fun keepNow(): SaveResult? = writing.withLock {
         if (isKept) return null
         val now = platform.clock.now
         times = times.begun(now)
         // A file is known by its own name.
         if (id == null && file == null) name = freeName(name)
-        val work = KeptWork(id ?: newId(now), name, now, current.project, file, isSaved)
+        val work = SavedProject(id ?: newId(now), name, now, current.project, file, isSaved)
         val keeping = withContext(platform.background) { shelf.keep(work) }
         times = times.ended(platform.clock.now)
-        if (keeping == Keeping.Kept && id == work.id) {
+        if (keeping == SaveResult.Kept && id == work.id) {
             keptProject = work.project
             keptName = work.name
             keptFile = work.file

@@ -4,11 +4,11 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CompletableDeferred
-import robotran.documents.Keeping
+import robotran.documents.SaveResult
+import robotran.workshop.state.AutosaveError
 import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
-import robotran.workshop.state.KeepingTrouble
 
 /** The document as the screen shows it, with the question that waits for an answer. */
 internal class DocumentView(private val keeper: DocumentKeeper, hasShareSheet: Boolean) {
@@ -51,7 +51,7 @@ internal class DocumentView(private val keeper: DocumentKeeper, hasShareSheet: B
         val keeping = keeper.keepNow()
         keeping?.let(::tell)
         refresh()
-        return keeping == null || keeping == Keeping.Kept
+        return keeping == null || keeping == SaveResult.Kept
     }
 
     /** Saves what has changed, also what changes meanwhile; false if it cannot be saved. */
@@ -72,12 +72,12 @@ internal class DocumentView(private val keeper: DocumentKeeper, hasShareSheet: B
         if (now != state) state = now
     }
 
-    private fun tell(keeping: Keeping) {
+    private fun tell(keeping: SaveResult) {
         val trouble = when (keeping) {
-            Keeping.Kept -> null
-            Keeping.Full -> KeepingTrouble.Full
-            Keeping.TooLong -> KeepingTrouble.TooLong
-            is Keeping.Failed -> KeepingTrouble.Failed(keeping.reason)
+            SaveResult.Kept -> null
+            SaveResult.Full -> AutosaveError.Full
+            SaveResult.TooLong -> AutosaveError.TooLong
+            is SaveResult.Failed -> AutosaveError.Failed(keeping.reason)
         }
         if (trouble != state.trouble) state = state.copy(trouble = trouble, warningShown = true)
     }

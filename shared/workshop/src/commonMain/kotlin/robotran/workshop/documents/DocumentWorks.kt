@@ -1,9 +1,9 @@
 package robotran.workshop.documents
 
 import kotlinx.coroutines.yield
-import robotran.documents.KeptWork
+import robotran.documents.ProjectLock
+import robotran.documents.SavedProject
 import robotran.documents.StoreResult
-import robotran.documents.WorkClaim
 import robotran.documents.WorkEntry
 import robotran.documents.WorkReading
 import robotran.workshop.event.DocumentEvent
@@ -38,7 +38,7 @@ internal class DocumentWorks(
     }
 
     /** The work called [id] and the right to change it; null if another window has it, or it cannot be used. */
-    suspend fun claim(id: String): Pair<KeptWork, WorkClaim>? {
+    suspend fun claim(id: String): Pair<SavedProject, ProjectLock>? {
         val claim = keeper.shelf.claim(id) ?: return null
         val found = keeper.shelf.read(id) as? WorkReading.Found
         if (found == null) claim.release()

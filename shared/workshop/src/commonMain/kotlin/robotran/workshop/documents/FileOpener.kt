@@ -3,10 +3,10 @@ package robotran.workshop.documents
 import kotlinx.coroutines.withContext
 import robotran.documents.FilePlace
 import robotran.documents.GivenFile
-import robotran.documents.KeptWork
 import robotran.documents.OpenedProject
 import robotran.documents.Opening
 import robotran.documents.OpeningTrouble
+import robotran.documents.SavedProject
 import robotran.documents.newWorkName
 import robotran.documents.openFiles
 import robotran.documents.openLinkText
@@ -120,7 +120,7 @@ internal class FileOpener(
         val now = platform.clock.now
         projects.forEachIndexed { number, opened ->
             val id = "o${(now + number).toString(radix = 36)}"
-            keeper.shelf.keep(KeptWork(id, opened.name, now - 1 - number, opened.project, opened.file, saved = opened.file != null))
+            keeper.shelf.keep(SavedProject(id, opened.name, now - 1 - number, opened.project, opened.file, saved = opened.file != null))
         }
         return projects.isNotEmpty()
     }

@@ -4,7 +4,6 @@ import robotran.learning.WordHelp
 import robotran.learning.helpOn
 import robotran.learning.javaToTry
 import robotran.learning.wordAt
-import robotran.projects.ProgramLanguage as CodeLanguage
 import robotran.rcxrom.Brick
 import robotran.workshop.examples.examples
 import robotran.workshop.programs.pupilPrograms
@@ -19,6 +18,7 @@ import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.code
+import robotran.projects.ProgramLanguage as CodeLanguage
 
 /** Finds the help on words, and lets their examples be tried. */
 internal class HelpFinder(

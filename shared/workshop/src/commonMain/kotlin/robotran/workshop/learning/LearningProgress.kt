@@ -3,7 +3,7 @@ package robotran.workshop.learning
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
-import robotran.workshop.platform.WorkStore
+import robotran.workshop.platform.KeyValueStore
 
 /**
  * How far somebody has come with learning, as it is kept.
@@ -27,7 +27,7 @@ internal data class LearningProgress(
     val ownWork: String? = null,
     val tutorialWork: String? = null,
 ) {
-    suspend fun keepIn(store: WorkStore) {
+    suspend fun keepIn(store: KeyValueStore) {
         store.write(NAME, JSON.encodeToString(serializer(), this))
     }
 
@@ -36,7 +36,7 @@ internal data class LearningProgress(
         private val JSON = Json { ignoreUnknownKeys = true }
 
         /** What was kept in [store]; nothing done yet where there is nothing that can be read. */
-        suspend fun readFrom(store: WorkStore): LearningProgress {
+        suspend fun readFrom(store: KeyValueStore): LearningProgress {
             val text = store.read(NAME) ?: return LearningProgress()
             return try {
                 JSON.decodeFromString(serializer(), text)

@@ -13,10 +13,10 @@ interface Platform {
     val speaker: LoudSpeaker
 
     /** Where work is kept without anybody asking; one for all windows. */
-    val store: WorkStore
+    val store: KeyValueStore
 
     /** Where files are opened and saved by a person. */
-    val files: FileDesk
+    val files: FilePicker
 
     /** How text such as a link leaves the app. */
     val sharing: Sharing
@@ -24,7 +24,7 @@ interface Platform {
     val clock: WallClock
 
     /** What is brought to this window. */
-    val arrivals: Arrivals
+    val arrivals: OpenRequests
 
     /** Whether this window is the first, which goes on with the work that was open last; others begin afresh. */
     val goesOn: Boolean get() = true
@@ -48,11 +48,11 @@ interface Platform {
 /** A platform that keeps everything in memory and asks nobody: for tests, and where nothing else is there. */
 class MemoryPlatform(
     override val speaker: LoudSpeaker = NoLoudSpeaker,
-    override val store: WorkStore = MemoryStore(),
-    override val files: FileDesk = NoFileDesk,
+    override val store: KeyValueStore = MemoryStore(),
+    override val files: FilePicker = NoFilePicker,
     override val sharing: Sharing = NoSharing,
     override val clock: WallClock = StandingClock(),
-    override val arrivals: Arrivals = Arrivals(),
+    override val arrivals: OpenRequests = OpenRequests(),
     override val window: WindowMemory = NoWindowMemory,
     override val pageAddress: String = "",
     override val pictures: WorldPictures = NoWorldPictures,

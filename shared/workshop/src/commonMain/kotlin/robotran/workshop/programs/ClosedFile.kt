@@ -8,7 +8,7 @@ internal sealed interface ClosedFile {
     val name: String
 
     /** A whole program. */
-    class Program(val entry: ShelfEntry) : ClosedFile {
+    class Program(val entry: ProgramBuffer) : ClosedFile {
         override val name: String get() = entry.program.name
     }
 

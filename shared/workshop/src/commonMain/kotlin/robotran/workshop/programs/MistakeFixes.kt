@@ -1,7 +1,7 @@
 package robotran.workshop.programs
 
 import robotran.programs.Mistake
-import robotran.workshop.state.ProgramNote
+import robotran.workshop.state.InlineDiagnostic
 import robotran.workshop.state.mendedBy
 
 /**
@@ -43,7 +43,7 @@ internal class MistakeFixes(private val sayGone: () -> Unit, private val write: 
         waiting = null
     }
 
-    private fun mend(robot: RobotPrograms, note: ProgramNote) {
+    private fun mend(robot: RobotPrograms, note: InlineDiagnostic) {
         val fix = note.mistake.fix ?: return
         val file = robot.entry.program.files.indexOfFirst { it.name == note.mistake.file }
         if (file < 0) return

@@ -47,8 +47,8 @@ internal class ProgramEditing(
             is ProgramEvent.FixApplied -> fixes.apply(robot, event.mistake)
             is ProgramEvent.ProgramChosen -> if (event.slot in robot.shelf.entries.indices) choose(robot, event.slot)
             is ProgramEvent.FileChosen -> if (event.place in robot.entry.memories.indices) robot.shownFile = event.place
-            is ProgramEvent.ProgramAdded -> add(robot, ShelfEntry(event.program.withPlainLineEnds()))
-            is ProgramEvent.ProgramBegun -> add(robot, ShelfEntry(newProgram(event.language, robot.shelf.programs)))
+            is ProgramEvent.ProgramAdded -> add(robot, ProgramBuffer(event.program.withPlainLineEnds()))
+            is ProgramEvent.ProgramBegun -> add(robot, ProgramBuffer(newProgram(event.language, robot.shelf.programs)))
             ProgramEvent.ClassAdded -> addClass(robot)
             is ProgramEvent.FileRenamed -> rename(robot, event)
             is ProgramEvent.FileClosed -> closeFile(robot, event.place)
@@ -114,7 +114,7 @@ internal class ProgramEditing(
         forgetWhatWas()
     }
 
-    private fun add(robot: RobotPrograms, entry: ShelfEntry) {
+    private fun add(robot: RobotPrograms, entry: ProgramBuffer) {
         if (robot.shelf.entries.size >= Brick.MOST_PROGRAMS) return
         robot.shelf.insert(robot.shelf.entries.size, entry)
         choose(robot, robot.shelf.entries.lastIndex)

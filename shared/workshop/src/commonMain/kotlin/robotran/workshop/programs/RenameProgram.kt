@@ -36,7 +36,7 @@ fun nameProblem(programs: List<PupilProgram>, slot: Int, place: Int, typed: Stri
 }
 
 /** This program with the file [place] called [name]; the class of a Java file is renamed with it, in all files. */
-internal fun ShelfEntry.withFileRenamed(place: Int, name: String): ShelfEntry {
+internal fun ProgramBuffer.withFileRenamed(place: Int, name: String): ProgramBuffer {
     val old = program.files[place].name.removeSuffix(program.language.extension)
     val new = name.removeSuffix(program.language.extension)
     return withFiles(

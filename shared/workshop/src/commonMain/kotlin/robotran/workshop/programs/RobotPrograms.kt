@@ -1,6 +1,6 @@
 package robotran.workshop.programs
 
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.lightFacingOf
@@ -21,12 +21,12 @@ import robotran.world.RobotPlace
 internal class RobotPrograms(
     val place: RobotPlace,
     private val kept: ProjectRobot,
-    private val reader: ProgramReader,
+    private val reader: ProgramCompiler,
     first: List<PupilProgram>,
 ) {
     private val given: PupilProgram = ownProgramOf(place)
 
-    val shelf = ProgramShelf((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, reader)
+    val shelf = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, reader)
     var shownProgram = kept.firstProgram.coerceIn(shelf.entries.indices)
     var shownFile = 0
     var closed: ClosedFile? = null
@@ -38,7 +38,7 @@ internal class RobotPrograms(
     /** Whether it is told what was taken away last. */
     var closedShown = false
 
-    val entry: ShelfEntry get() = shelf.entries[shownProgram]
+    val entry: ProgramBuffer get() = shelf.entries[shownProgram]
     val memory: ProgramFileMemory get() = entry.memories[shownFile]
 
     /** Whether there is room for what was taken away last. */
@@ -87,7 +87,7 @@ internal class RobotPrograms(
     }
 
     /** The same programs, with all that is remembered of them, read again by [reader]. */
-    fun readBy(reader: ProgramReader): RobotPrograms {
+    fun readBy(reader: ProgramCompiler): RobotPrograms {
         val again = RobotPrograms(place, kept, reader, shelf.programs)
         again.remember(this) { it.unread() }
         again.closed = closed.let { if (it is ClosedFile.Program) ClosedFile.Program(it.entry.unread()) else it }
@@ -95,7 +95,7 @@ internal class RobotPrograms(
         return again
     }
 
-    private fun remember(other: RobotPrograms, change: (ShelfEntry) -> ShelfEntry) {
+    private fun remember(other: RobotPrograms, change: (ProgramBuffer) -> ProgramBuffer) {
         other.shelf.entries.forEachIndexed { slot, entry -> shelf.change(slot, change(entry)) }
         shownProgram = other.shownProgram
         shownFile = other.shownFile

@@ -3,10 +3,10 @@ package robotran.workshop.run
 import robotran.rcxrom.state.RunState
 import robotran.runcontrol.Motion
 import robotran.runcontrol.RunPlayer
-import robotran.workshop.programs.ProgramsHolder
+import robotran.workshop.programs.ProgramsStateHolder
 
 /** Turns to the file that the program of the watched robot has come to a stop in, once at each stop: whoever then looks elsewhere is left alone. */
-internal class StoppedPlace(private val programs: ProgramsHolder) {
+internal class StoppedPlace(private val programs: ProgramsStateHolder) {
     private var seen: Pair<Long, RunState>? = null
 
     fun look(player: RunPlayer, robot: String) {

@@ -8,7 +8,7 @@ import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
 import robotran.simulation.RecordedInput
 import robotran.simulation.physics.PhysicsEngine
-import robotran.workshop.programs.ProgramsHolder
+import robotran.workshop.programs.ProgramsStateHolder
 import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.sound.LoudSpeaker
@@ -24,7 +24,7 @@ import robotran.world.World
 internal class WatchedRun(
     world: World,
     private val physics: PhysicsEngine,
-    private val programs: ProgramsHolder,
+    private val programs: ProgramsStateHolder,
     speaker: LoudSpeaker,
     private val preferences: Preferences,
     private val notices: Notices,
@@ -97,8 +97,8 @@ internal class WatchedRun(
             sound.listenTo(player.sounds)
             if (!isAfresh) sound.skip()
         }
-        if (player.newFutures != futures) notices.say(Notice.NewBranch)
-        futures = player.newFutures
+        if (player.branchCount != futures) notices.say(Notice.NewBranch)
+        futures = player.branchCount
         // The lines of a program that was changed are not those of the one that runs.
         if (!isChanged) player.breakpoints = breakpoints()
     }

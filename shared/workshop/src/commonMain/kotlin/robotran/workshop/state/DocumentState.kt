@@ -21,21 +21,21 @@ data class DocumentState(
     val name: String = "",
     val fileName: String? = null,
     val saved: Boolean = true,
-    val trouble: KeepingTrouble? = null,
+    val trouble: AutosaveError? = null,
     val warningShown: Boolean = true,
     val dialog: DocumentDialog? = null,
     val hasShareSheet: Boolean = false,
 )
 
 /** Why work is not being kept. */
-sealed interface KeepingTrouble {
-    data object Full : KeepingTrouble
+sealed interface AutosaveError {
+    data object Full : AutosaveError
 
     /** There is more in the work than could be read again. */
-    data object TooLong : KeepingTrouble
+    data object TooLong : AutosaveError
 
     /** @property reason what the platform says. */
-    data class Failed(val reason: String) : KeepingTrouble
+    data class Failed(val reason: String) : AutosaveError
 }
 
 /** What the app asks or shows about the document. */

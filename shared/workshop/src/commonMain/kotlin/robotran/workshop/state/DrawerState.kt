@@ -3,12 +3,12 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import robotran.rcxrom.log.RomLogEntry
 import robotran.rcxrom.log.RomLogFilter
-import robotran.rcxrom.program.ProgramRemark
+import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.program.ThreadView
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
 import robotran.runcontrol.ShownScope
-import robotran.simulation.explain.Influence
+import robotran.simulation.explain.DeviationCause
 
 /** What the drawer under the world can show of the run. */
 enum class DrawerTab { VARIABLES, LOG, CHART, GOALS, WHY }
@@ -91,6 +91,6 @@ data class ChartState(
 /** What made the robots stray so far, and what there is to learn from the run. */
 @Immutable
 data class WhyState(
-    val influences: List<Influence> = emptyList(),
-    val remarks: List<ProgramRemark> = emptyList(),
+    val influences: List<DeviationCause> = emptyList(),
+    val remarks: List<RuntimeWarning> = emptyList(),
 )

@@ -46,7 +46,7 @@ data class ProgramsState(
     val closedShown: Boolean,
     val canReopen: Boolean,
     val mistakes: List<Mistake>,
-    val notes: List<ProgramNote>,
+    val notes: List<InlineDiagnostic>,
     val reading: ProgramReading,
     val mistakePointedOut: Boolean,
     val translationShown: Boolean,

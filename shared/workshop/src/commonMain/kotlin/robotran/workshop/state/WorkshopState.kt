@@ -4,7 +4,7 @@ import androidx.compose.runtime.Immutable
 import robotran.programs.Mistake
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.ProgramRemark
+import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.state.RunState
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
@@ -68,7 +68,7 @@ data class WorkshopState(
     private val shownRobot: RobotSnapshot? get() = session.robots.getOrNull(programs.robots.indexOfFirst { it.name == programs.shownRobot })
 
     /** What there is to learn from the last run of the program shown, the first thing first; empty once it has been changed. */
-    val remarks: List<ProgramRemark> get() = shownRobot?.remarks?.takeIf { isShownInRun }.orEmpty()
+    val remarks: List<RuntimeWarning> get() = shownRobot?.remarks?.takeIf { isShownInRun }.orEmpty()
 
     /** The line of the text shown that is running, 0 if none is. */
     val runningLine: Int

@@ -5,7 +5,7 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.platform.Arrival
+import robotran.workshop.platform.OpenRequest
 import robotran.workshop.state.Notice
 import robotran.workshop.text
 import kotlin.test.Test
@@ -162,7 +162,7 @@ class TabsTest {
     @Test
     fun `a link that comes into a tab leaves the way back to its work`() {
         machine.tab(memory).also { it.write("forward 1") }.close()
-        val other = machine.tab(memory, Arrival.OfFiles(listOf(projectFile("beep"))))
+        val other = machine.tab(memory, OpenRequest.OfFiles(listOf(projectFile("beep"))))
         assertEquals("beep", other.state.programText)
         other.handle(WorkshopEvent.NoticeTaken)
         assertEquals("forward 1", other.state.programText)

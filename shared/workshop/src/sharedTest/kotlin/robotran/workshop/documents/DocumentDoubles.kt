@@ -12,26 +12,26 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.openWorkshop
-import robotran.workshop.platform.Arrival
-import robotran.workshop.platform.Arrivals
-import robotran.workshop.platform.FileDesk
 import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.MemoryStore
 import robotran.workshop.platform.NoWindowMemory
+import robotran.workshop.platform.OpenRequest
+import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.Saving
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.StandingClock
 import robotran.workshop.platform.WindowMemory
-import robotran.workshop.platform.WorkStore
 import robotran.workshop.sound.NoLoudSpeaker
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.ShownWork
 import robotran.world.file.BuiltInWorlds
 
 /** Files in memory: [chosen] is what a person would choose to open, [place] where they would save to, null if they changed their mind. */
-internal class MemoryFileDesk : FileDesk {
+internal class MemoryFilePicker : FilePicker {
     val disk = mutableMapOf<String, ByteArray>()
     var chosen: List<OpenedFile> = emptyList()
     var place: String? = null
@@ -57,7 +57,7 @@ internal class MemoryFileDesk : FileDesk {
 }
 
 /** A store that can be full. */
-internal class FillingStore(private val disk: MemoryStore = MemoryStore()) : WorkStore by disk {
+internal class FillingStore(private val disk: MemoryStore = MemoryStore()) : KeyValueStore by disk {
     var full = false
 
     override suspend fun write(name: String, text: String): StoreResult = if (full) StoreResult.Full else disk.write(name, text)
@@ -74,7 +74,7 @@ internal class RememberingClipboard : Sharing {
 
 /** A machine with files, a store and a clipboard, on which windows are opened and closed. */
 internal class Machine {
-    val files = MemoryFileDesk()
+    val files = MemoryFilePicker()
     val store = FillingStore()
     val clipboard = RememberingClipboard()
     val clock = StandingClock(now = 1_000_000)
@@ -82,11 +82,11 @@ internal class Machine {
     /** Where links lead to, as far as the app knows by itself. */
     var page = "https://school.example/robotran/"
 
-    fun window(vararg arrivals: Arrival): Workshop = tab(NoWindowMemory, *arrivals)
+    fun window(vararg arrivals: OpenRequest): Workshop = tab(NoWindowMemory, *arrivals)
 
     /** A tab of a browser, which remembers by [memory]. */
-    fun tab(memory: WindowMemory, vararg arrivals: Arrival): Workshop {
-        val waiting = Arrivals().also { arrivals.forEach(it::bring) }
+    fun tab(memory: WindowMemory, vararg arrivals: OpenRequest): Workshop {
+        val waiting = OpenRequests().also { arrivals.forEach(it::bring) }
         return runBlocking { openWorkshop(platform = MemoryPlatform(NoLoudSpeaker, store, files, clipboard, clock, waiting, memory, page)) }
     }
 }

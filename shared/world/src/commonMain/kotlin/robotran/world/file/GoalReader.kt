@@ -1,6 +1,6 @@
 package robotran.world.file
 
-import robotran.json.JsonPlace
+import robotran.json.JsonCursor
 import robotran.world.Goal
 import robotran.world.TouchKind
 import robotran.world.WorldLimits
@@ -10,15 +10,15 @@ import robotran.world.geometry.Shape
 internal class GoalReader(private val shapes: ShapeReader) {
     private var goals = 0
 
-    fun read(place: JsonPlace): List<Goal> = goals(place, depth = 1, least = 0)
+    fun read(place: JsonCursor): List<Goal> = goals(place, depth = 1, least = 0)
 
-    private fun goals(place: JsonPlace, depth: Int, least: Int): List<Goal> {
+    private fun goals(place: JsonCursor, depth: Int, least: Int): List<Goal> {
         val deepest = WorldLimits.MAXIMUM_GOAL_DEPTH
         if (depth > deepest) place.refuse(told { goalsTooDeep(deepest) })
         return place.items(least..WorldLimits.MAXIMUM_GOALS).map { goal(it, depth) }
     }
 
-    private fun goal(place: JsonPlace, depth: Int): Goal {
+    private fun goal(place: JsonCursor, depth: Int): Goal {
         if (++goals > WorldLimits.MAXIMUM_GOALS) place.refuse(told { tooManyGoals(WorldLimits.MAXIMUM_GOALS) })
         val says = place.optional("says")?.text(WorldLimits.MAXIMUM_SENTENCE_CHARACTERS)
         val codec = place.member("kind").choice(CODECS)
@@ -36,7 +36,7 @@ internal class GoalReader(private val shapes: ShapeReader) {
  *
  * @param parts reads the goals that this one is made of.
  */
-internal class GoalConditionFields(val place: JsonPlace, private val shapes: ShapeReader, private val parts: () -> List<Goal>) {
+internal class GoalConditionFields(val place: JsonCursor, private val shapes: ShapeReader, private val parts: () -> List<Goal>) {
     fun region(): Shape = shapes.shape(place.member("region"))
 
     fun who(): String? = place.optional("who")?.text(WorldLimits.MAXIMUM_NAME_CHARACTERS)

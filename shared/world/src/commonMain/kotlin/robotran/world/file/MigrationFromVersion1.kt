@@ -4,15 +4,15 @@ import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import robotran.json.JsonCursor
 import robotran.json.JsonPath
-import robotran.json.JsonPlace
 import robotran.json.JsonStep
 
 /**
  * Turns a world of version 1 into one of version 2: `name` became `title`, `start` the start of the first of `robots`, and the ends of a wall, once
  * `{"x": 1, "y": 2}`, became `[1, 2]`. All else stays as it is, so that nothing is lost.
  */
-internal class MigrationFromVersion1(private val file: JsonPlace) {
+internal class MigrationFromVersion1(private val file: JsonCursor) {
     val migrated: JsonObject = JsonObject(
         buildMap {
             for (name in file.names) {
@@ -52,7 +52,7 @@ internal class MigrationFromVersion1(private val file: JsonPlace) {
         else -> steps
     }
 
-    private fun wall(place: JsonPlace): JsonElement = JsonObject(
+    private fun wall(place: JsonCursor): JsonElement = JsonObject(
         buildMap {
             place.names.forEach { put(it, place.member(it).element) }
             ENDS.forEach { end -> place.member(end).let { point -> putAll(point(end, point)) } }
@@ -60,7 +60,7 @@ internal class MigrationFromVersion1(private val file: JsonPlace) {
     )
 
     /** What else was in a point is kept beside it, since there is no room in a pair of numbers. */
-    private fun point(name: String, place: JsonPlace): Map<String, JsonElement> {
+    private fun point(name: String, place: JsonCursor): Map<String, JsonElement> {
         val point = JsonArray(COORDINATES.map { place.member(it).element })
         return mapOf(name to point) + place.rest().mapKeys { "$name.${it.key}" }
     }

@@ -1,6 +1,6 @@
 package robotran.world.file
 
-import robotran.json.JsonPlace
+import robotran.json.JsonCursor
 import robotran.world.Goal
 import robotran.world.HasActor
 import robotran.world.HasLine
@@ -10,8 +10,8 @@ import robotran.world.NeedsTemplate
 import robotran.world.World
 
 /** Refuses a name that two things have, and goals that name what is not there. */
-internal fun checkNames(world: World, file: JsonPlace) {
-    val owners = mutableMapOf<String, JsonPlace>()
+internal fun checkNames(world: World, file: JsonCursor) {
+    val owners = mutableMapOf<String, JsonCursor>()
     for ((list, names) in namesIn(world)) {
         val places = file.optional(list)?.items(0..Int.MAX_VALUE) ?: continue
         names.forEachIndexed { number, name ->
@@ -36,12 +36,12 @@ private class GoalNames(private val world: World) {
     private val movable = robots + world.blocks.mapNotNull { it.name }
     private val lines = world.marks.filter { it.figure is MarkFigure.Line }.mapNotNull { it.name }
 
-    fun check(goals: List<Goal>, place: JsonPlace) {
+    fun check(goals: List<Goal>, place: JsonCursor) {
         val places = place.items(0..Int.MAX_VALUE)
         goals.forEachIndexed { number, goal -> check(goal, places[number]) }
     }
 
-    private fun check(goal: Goal, place: JsonPlace) {
+    private fun check(goal: Goal, place: JsonCursor) {
         val condition = goal.condition
         if (condition is HasActor) checkActor(condition, place)
         if (condition is HasLine && condition.line !in lines) place.member("line").refuse(told { mustNameLine() })
@@ -49,7 +49,7 @@ private class GoalNames(private val world: World) {
         if (condition is HasParts) check(condition.goals, place.member("goals"))
     }
 
-    private fun checkActor(condition: HasActor, place: JsonPlace) {
+    private fun checkActor(condition: HasActor, place: JsonCursor) {
         val who = condition.who ?: return
         if (who in (if (condition.mayBeBlock) movable else robots)) return
         place.member("who").refuse(told { if (condition.mayBeBlock) mustNameRobotOrBlock() else mustNameRobot() })

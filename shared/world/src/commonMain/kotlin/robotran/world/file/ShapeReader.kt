@@ -1,6 +1,6 @@
 package robotran.world.file
 
-import robotran.json.JsonPlace
+import robotran.json.JsonCursor
 import robotran.world.WorldLimits
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
@@ -12,7 +12,7 @@ internal class ShapeReader {
     private var points = 0
 
     /** The one shape that [place] has among its members. */
-    fun shape(place: JsonPlace): Shape {
+    fun shape(place: JsonCursor): Shape {
         val (kind, shape) = onlyMember(place, SHAPES)
         return when (kind) {
             "rectangle" -> rectangle(shape)
@@ -22,7 +22,7 @@ internal class ShapeReader {
     }
 
     /** Two or more points of a line, no two of them the same one after the other. */
-    fun way(place: JsonPlace, least: Int, closed: Boolean): List<Point> {
+    fun way(place: JsonCursor, least: Int, closed: Boolean): List<Point> {
         val places = place.items(least..WorldLimits.MAXIMUM_LINE_POINTS)
         val points = points(places)
         points.indices.firstOrNull { number -> points[number] == points.getOrNull(number - 1) }?.let {
@@ -36,31 +36,31 @@ internal class ShapeReader {
         return points
     }
 
-    fun point(place: JsonPlace): Point {
+    fun point(place: JsonCursor): Point {
         val coordinates = place.items(0..MANY)
         if (coordinates.size != 2) place.refuse(told { mustBePlace() })
         return Point(coordinates[0].number(WorldLimits.COORDINATES), coordinates[1].number(WorldLimits.COORDINATES))
     }
 
     /** The place in the members `x` and `y`. */
-    fun corner(place: JsonPlace): Point =
+    fun corner(place: JsonCursor): Point =
         Point(place.member("x").number(WorldLimits.COORDINATES), place.member("y").number(WorldLimits.COORDINATES))
 
-    private fun rectangle(place: JsonPlace) = Shape.Rectangle(
+    private fun rectangle(place: JsonCursor) = Shape.Rectangle(
         centre = corner(place),
         width = place.member("width").number(WorldLimits.SHAPE_SIDES),
         height = place.member("height").number(WorldLimits.SHAPE_SIDES),
         angle = place.optional("angle")?.number(WorldLimits.ANGLES) ?: 0.0,
     )
 
-    private fun polygon(place: JsonPlace): Shape.Polygon {
+    private fun polygon(place: JsonCursor): Shape.Polygon {
         val corners = points(place.items(LEAST_CORNERS..WorldLimits.MAXIMUM_CORNERS))
         if (edgesCross(corners)) place.refuse(told { edgesCross() })
         if (abs(signedArea(corners)) / 2 < WorldLimits.MINIMUM_AREA) place.refuse(told { mustCoverPaper() })
         return Shape.Polygon(corners)
     }
 
-    private fun points(places: List<JsonPlace>): List<Point> {
+    private fun points(places: List<JsonCursor>): List<Point> {
         points += places.size
         if (points > WorldLimits.MAXIMUM_POINTS) {
             places.first().refuse(told { tooManyPoints(WorldLimits.MAXIMUM_POINTS) })
@@ -78,7 +78,7 @@ internal class ShapeReader {
 }
 
 /** The name and the place of the one of [names] that [place] has. */
-internal fun onlyMember(place: JsonPlace, names: List<String>): Pair<String, JsonPlace> {
+internal fun onlyMember(place: JsonCursor, names: List<String>): Pair<String, JsonCursor> {
     val present = names.filter { it in place.names }
     if (present.isEmpty()) place.refuse(told { mustHaveOneOf(names) })
     if (present.size > 1) place.refuse(told { mustHaveOnlyOneOf(present) })

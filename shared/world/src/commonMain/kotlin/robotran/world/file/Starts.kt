@@ -1,6 +1,6 @@
 package robotran.world.file
 
-import robotran.json.JsonPlace
+import robotran.json.JsonCursor
 import robotran.world.Penbot
 import robotran.world.Wall
 import robotran.world.World
@@ -10,7 +10,7 @@ import robotran.world.geometry.Pose
 import robotran.world.geometry.length
 
 /** Refuses a robot that would start in something that stops it, or in another robot. */
-internal fun checkStarts(world: World, file: JsonPlace) {
+internal fun checkStarts(world: World, file: JsonCursor) {
     val starts = file.member("robots").items(1..Int.MAX_VALUE).map { it.member("start") }
     val robots = world.robots.map { outline(it.start) }
     val obstacles = obstacles(world)

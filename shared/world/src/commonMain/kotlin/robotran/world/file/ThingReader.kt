@@ -1,6 +1,6 @@
 package robotran.world.file
 
-import robotran.json.JsonPlace
+import robotran.json.JsonCursor
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Lamp
@@ -14,16 +14,16 @@ import robotran.world.WorldLimits
 internal class ThingReader(private val shapes: ShapeReader) {
     private var cells = 0
 
-    fun wall(place: JsonPlace) = Wall(
+    fun wall(place: JsonCursor) = Wall(
         from = shapes.point(place.member("from")),
         to = shapes.point(place.member("to")),
         thickness = place.member("thickness").number(WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_WALL_THICKNESS),
         unknown = unknownOf(place),
     )
 
-    fun barrier(place: JsonPlace) = Barrier(shapes.shape(place), nameOf(place), unknownOf(place))
+    fun barrier(place: JsonCursor) = Barrier(shapes.shape(place), nameOf(place), unknownOf(place))
 
-    fun block(place: JsonPlace) = Block(
+    fun block(place: JsonCursor) = Block(
         shape = shapes.shape(place),
         mass = place.optional("mass")?.number(WorldLimits.MINIMUM_MASS..WorldLimits.MAXIMUM_MASS) ?: Block.DEFAULT_MASS,
         friction = place.optional("friction")?.number(0.0..WorldLimits.MAXIMUM_FRICTION) ?: Block.DEFAULT_FRICTION,
@@ -31,9 +31,9 @@ internal class ThingReader(private val shapes: ShapeReader) {
         unknown = unknownOf(place),
     )
 
-    fun mark(place: JsonPlace) = Mark(figure(place), shade(place), nameOf(place), unknownOf(place))
+    fun mark(place: JsonCursor) = Mark(figure(place), shade(place), nameOf(place), unknownOf(place))
 
-    fun lamp(place: JsonPlace) = Lamp(
+    fun lamp(place: JsonCursor) = Lamp(
         place = shapes.corner(place),
         brightness = place.optional("brightness")?.number(0.0..WorldLimits.MAXIMUM_BRIGHTNESS) ?: 1.0,
         direction = place.optional("direction")?.number(WorldLimits.ANGLES) ?: 0.0,
@@ -43,9 +43,9 @@ internal class ThingReader(private val shapes: ShapeReader) {
         unknown = unknownOf(place),
     )
 
-    private fun nameOf(place: JsonPlace): String? = place.optional("name")?.text(WorldLimits.MAXIMUM_NAME_CHARACTERS)
+    private fun nameOf(place: JsonCursor): String? = place.optional("name")?.text(WorldLimits.MAXIMUM_NAME_CHARACTERS)
 
-    private fun figure(place: JsonPlace): MarkFigure {
+    private fun figure(place: JsonCursor): MarkFigure {
         val (kind, figure) = onlyMember(place, FIGURES)
         return when (kind) {
             "line" -> line(figure)
@@ -54,7 +54,7 @@ internal class ThingReader(private val shapes: ShapeReader) {
         }
     }
 
-    private fun line(place: JsonPlace): MarkFigure.Line {
+    private fun line(place: JsonCursor): MarkFigure.Line {
         val closed = place.optional("closed")?.flag() ?: false
         return MarkFigure.Line(
             points = shapes.way(place.member("points"), if (closed) LEAST_IN_LOOP else 2, closed),
@@ -63,7 +63,7 @@ internal class ThingReader(private val shapes: ShapeReader) {
         )
     }
 
-    private fun greyMap(place: JsonPlace): MarkFigure.GreyMap {
+    private fun greyMap(place: JsonCursor): MarkFigure.GreyMap {
         val rows = place.member("rows").items(1..WorldLimits.MAXIMUM_MAP_SIDE)
         val greys = rows.map(::greyRow)
         cells += greys.sumOf { it.length }
@@ -77,20 +77,20 @@ internal class ThingReader(private val shapes: ShapeReader) {
         return MarkFigure.GreyMap(shapes.corner(place), cell, greys)
     }
 
-    private fun greyRow(place: JsonPlace): String {
+    private fun greyRow(place: JsonCursor): String {
         val row = place.text(WorldLimits.MAXIMUM_MAP_SIDE).lowercase()
         if (row.any { it !in GREYS }) place.refuse(told { mustBeGreys() })
         return row
     }
 
-    private fun shade(place: JsonPlace): Shade {
+    private fun shade(place: JsonCursor): Shade {
         val grey = place.optional("grey")
         val colour = place.optional("colour")
         if (grey != null && colour != null) place.refuse(told { mustHaveOnlyOneOf(listOf("grey", "colour")) })
         return colour?.let(::colour) ?: Shade.Grey(grey?.number(0.0..1.0) ?: 0.0)
     }
 
-    private fun colour(place: JsonPlace): Shade.Colour {
+    private fun colour(place: JsonCursor): Shade.Colour {
         val text = place.textOrNull().orEmpty()
         val isColour = text.length == COLOUR_LENGTH && text[0] == '#' && text.drop(1).all { it.lowercaseChar() in HEXADECIMAL }
         if (!isColour) place.refuse(told { mustBeColour() })

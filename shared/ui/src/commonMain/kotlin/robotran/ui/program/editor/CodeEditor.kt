@@ -31,7 +31,7 @@ import robotran.textediting.text.TextLines
 import robotran.textediting.text.TextSelection
 import robotran.textediting.text.TextSpan
 import robotran.ui.theme.LocalRobotranColours
-import robotran.workshop.state.ProgramNote
+import robotran.workshop.state.InlineDiagnostic
 
 /**
  * The text of a program to write in: only what is in sight is laid out and drawn, so that a long program is as quick to write in as a short one.
@@ -50,7 +50,7 @@ internal fun CodeEditor(
     draft: Draft,
     hint: String,
     marks: EditorMarks,
-    notes: List<ProgramNote>,
+    notes: List<InlineDiagnostic>,
     pointedOut: Boolean,
     codeSize: Float,
     focus: FocusRequester,
@@ -122,7 +122,7 @@ private fun KeepInSight(view: EditorView, draft: Draft, layouts: LineLayouts, pi
     }
 }
 
-private fun TextLines.lineOfFix(note: ProgramNote): String {
+private fun TextLines.lineOfFix(note: InlineDiagnostic): String {
     val line = note.mistake.fix?.range?.line ?: return ""
     return if (line in 1..count) line(line - 1) else ""
 }
@@ -172,7 +172,7 @@ private fun Overlays(
 
 /** [notes] without those of the line that somebody is typing in: it cannot be right yet. They come when the keys rest. */
 @Composable
-private fun notesBesideTyping(notes: List<ProgramNote>, draft: Draft, isWriting: Boolean): List<ProgramNote> {
+private fun notesBesideTyping(notes: List<InlineDiagnostic>, draft: Draft, isWriting: Boolean): List<InlineDiagnostic> {
     var restingText by remember { mutableStateOf(draft.text) }
     LaunchedEffect(draft.text) {
         if (restingText != draft.text) {

@@ -26,7 +26,7 @@ import robotran.programs.Mistake
 import robotran.ui.resources.Res
 import robotran.ui.resources.mistake
 import robotran.ui.theme.LocalRobotranColours
-import robotran.workshop.state.ProgramNote
+import robotran.workshop.state.InlineDiagnostic
 
 /**
  * What is told about a line, under it, with a button that mends it where that is possible.
@@ -35,7 +35,7 @@ import robotran.workshop.state.ProgramNote
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun LineNote(note: ProgramNote, line: String, standsOut: Boolean, onFix: (Mistake) -> Unit) {
+internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, onFix: (Mistake) -> Unit) {
     val colours = LocalRobotranColours.current
     val spoken = stringResource(Res.string.mistake, note.line ?: 0, note.mistake.message)
     val frame = Modifier

@@ -3,9 +3,9 @@ package robotran.ui.program.editor
 import robotran.programs.Mistake
 import robotran.projects.PENBOT_CALIBRATION
 import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.readRobolang
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -13,7 +13,7 @@ import kotlin.test.assertNotNull
 
 class FixLabelTest {
     private fun labelOf(source: String): FixLabel {
-        val mistake = assertIs<RobolangResult.Mistaken>(readRobolang("a.robo", source, PENBOT_CALIBRATION)).diagnostics.first()
+        val mistake = assertIs<RobolangResult.Mistaken>(compileRobolang("a.robo", source, PENBOT_CALIBRATION)).diagnostics.first()
         val fix = assertNotNull(mistake.fix, source)
         return fixLabelOf(Mistake("a.robo", mistake.range, mistake.message, fix), fix, source.lines()[fix.range.line - 1])
     }

@@ -1,0 +1,98 @@
+package robotran.desktop.platform
+
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.withContext
+import robotran.cli.files.FileContent
+import robotran.cli.files.readFile
+import robotran.documents.FileKind
+import robotran.documents.StoreResult
+import robotran.language.Language
+import robotran.ui.platform.writeSafely
+import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.platform.Saving
+import robotran.workshop.platform.spokenLanguage
+import java.awt.FileDialog
+import java.awt.Frame
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.name
+
+/**
+ * The platform's own dialogs over [window], and files by their paths.
+ *
+ * @param tellUnreadable is told in one sentence what could not be read.
+ */
+internal class DesktopFilePicker(
+    private val window: () -> Frame?,
+    private val tellUnreadable: (String) -> Unit,
+) : FilePicker {
+    private var folder: String? = null
+
+    override suspend fun open(kinds: List<FileKind>): List<OpenedFile> {
+        val dialog = FileDialog(window(), "", FileDialog.LOAD)
+        dialog.isMultipleMode = true
+        dialog.directory = folder
+        dialog.setFilenameFilter { _, name -> kinds.any { name.endsWith(it.extension, ignoreCase = true) } }
+        dialog.isVisible = true
+        folder = dialog.directory ?: folder
+        val paths = dialog.files.map { it.toPath() }
+        return withContext(Dispatchers.IO) { paths.mapNotNull { path -> openedFile(path, tellUnreadable) } }
+    }
+
+    override suspend fun save(
+        name: String,
+        kind: FileKind,
+        bytes: ByteArray,
+    ): Saving {
+        var suggestion = name
+        while (true) {
+            val path = choosePlace(suggestion) ?: return Saving.GivenUp
+            val whole = if (path.name.endsWith(kind.extension, ignoreCase = true)) path else path.resolveSibling(path.name + kind.extension)
+            // The dialog has asked about replacing the name that was typed, not the one with our ending.
+            if (whole == path || !whole.exists()) return write(whole.toString(), whole.name, bytes)
+            suggestion = whole.name
+        }
+    }
+
+    override suspend fun write(
+        place: String,
+        name: String,
+        bytes: ByteArray,
+    ): Saving =
+        when (val result = withContext(Dispatchers.IO) { writeSafely(Path.of(place), bytes) }) {
+            StoreResult.Done -> Saving.Saved(name, place)
+            StoreResult.Full -> Saving.Failed("", isFull = true)
+            is StoreResult.Failed -> Saving.Failed(result.reason)
+        }
+
+    override suspend fun read(place: String): ByteArray? =
+        withContext(Dispatchers.IO) { (readFile(Path.of(place), Language.ENGLISH) as? FileContent.Read)?.bytes }
+
+    private fun choosePlace(name: String): Path? {
+        val dialog = FileDialog(window(), "", FileDialog.SAVE)
+        dialog.directory = folder
+        dialog.file = name
+        dialog.isVisible = true
+        folder = dialog.directory ?: folder
+        return dialog.files.firstOrNull()?.toPath()?.toAbsolutePath()
+    }
+}
+
+/** The file at [path]; null if it cannot be read, and [tell] is told why in the language of this machine. */
+internal fun openedFile(
+    path: Path,
+    tell: (String) -> Unit,
+): OpenedFile? {
+    val place = path.toAbsolutePath().normalize()
+    return when (val file = readFile(place, spokenLanguage(null))) {
+        is FileContent.Read -> {
+            OpenedFile(place.name, file.bytes, place.toString())
+        }
+
+        is FileContent.Refused -> {
+            tell(file.reason)
+            null
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package robotran.desktop.window
+
+import androidx.compose.ui.ExperimentalComposeUiApi
+import androidx.compose.ui.window.WindowExceptionHandler
+import androidx.compose.ui.window.WindowExceptionHandlerFactory
+import javax.swing.JOptionPane
+
+/**
+ * What happens if something goes wrong in drawing or handling an event: the work is kept, a sentence says so, and the window is drawn anew. If that
+ * keeps going wrong, it is closed.
+ */
+@OptIn(ExperimentalComposeUiApi::class)
+internal class CrashHandler(
+    private val open: OpenWindow,
+    private val giveUp: () -> Unit,
+) : WindowExceptionHandlerFactory {
+    private val times = ArrayDeque<Long>()
+
+    override fun exceptionHandler(window: java.awt.Window) = WindowExceptionHandler { problem -> handle(problem) }
+
+    private fun handle(problem: Throwable) {
+        problem.printStackTrace()
+        val now = System.nanoTime()
+        times.addLast(now)
+        while (times.size > MOST_TIMES) times.removeFirst()
+        open.keepAfterTrouble()
+        if (open.workshop == null || (times.size == MOST_TIMES && now - times.first() < SOON_NANOSECONDS)) {
+            val words = "Robotran cannot go on: $problem\nYour work is kept."
+            JOptionPane.showMessageDialog(null, words, "Robotran", JOptionPane.ERROR_MESSAGE)
+            return giveUp()
+        }
+        open.attempt++
+    }
+
+    private companion object {
+        const val MOST_TIMES = 3
+        const val SOON_NANOSECONDS = 10_000_000_000L
+    }
+}

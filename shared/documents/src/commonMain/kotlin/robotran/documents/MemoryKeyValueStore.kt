@@ -1,0 +1,30 @@
+package robotran.documents
+
+/**
+ * A store that lasts as long as the app does: for tests, and for devices that let nothing be kept.
+ *
+ * @param texts what is in it at first.
+ */
+class MemoryKeyValueStore(texts: Map<String, String> = emptyMap()) : KeyValueStore {
+    private val kept = texts.toMutableMap()
+    private val claimed = mutableSetOf<String>()
+
+    /** All that is in it now. */
+    val texts: Map<String, String> get() = kept.toMap()
+
+    override suspend fun names(): List<String> = kept.keys.toList()
+
+    override suspend fun read(name: String): String? = kept[name]
+
+    override suspend fun write(name: String, text: String): StoreResult {
+        kept[name] = text
+        return StoreResult.Done
+    }
+
+    override suspend fun remove(name: String): StoreResult {
+        kept.remove(name)
+        return StoreResult.Done
+    }
+
+    override suspend fun claim(name: String): ProjectLock? = if (claimed.add(name)) ProjectLock { claimed.remove(name) } else null
+}

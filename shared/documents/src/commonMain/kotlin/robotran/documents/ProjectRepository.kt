@@ -1,0 +1,78 @@
+package robotran.documents
+
+import robotran.projects.ProjectFileResult
+import robotran.projects.readProject
+import robotran.projects.writeProject
+
+/**
+ * The pupil's works in a [KeyValueStore], two copies of each: keeping a work writes over the older copy, so whatever happens meanwhile, the newer
+ * one is still there.
+ *
+ * Two windows must not keep the same work, see [claim]. Not safe for use by several threads.
+ */
+class ProjectRepository(private val store: KeyValueStore) {
+    private val newest = mutableMapOf<String, Place>()
+
+    /** All works that can be used, the newest first. */
+    suspend fun works(): List<WorkEntry> = ids().mapNotNull { copies(it).newestWhole()?.second?.entry }.sortedByDescending { it.keptAt }
+
+    suspend fun read(id: String): WorkReading {
+        val copies = copies(id)
+        val whole = copies.filter { it.second is WorkCopy.Whole }
+        if (copies.any { it.second is WorkCopy.Newer }) return WorkReading.Unusable { DocumentMessages.of(it).keptByNewer() }
+        val (place, copy) = whole.newestWhole()
+            ?: return if (copies.isEmpty()) WorkReading.Missing else WorkReading.Unusable { DocumentMessages.of(it).copiesBroken() }
+        newest[id] = Place(place, copy.order)
+        val reading = copy.read()
+        return if (reading is WorkReading.Found) reading.copy(isPartial = copies.size > whole.size) else reading
+    }
+
+    /** Keeps [work], which must be claimed. A work that could not be read again is not kept. */
+    suspend fun keep(work: SavedProject): SaveResult {
+        require(work.id.length <= SavedProject.MAXIMUM_ID) { "${work.id} is too long" }
+        val project = writeProject(work.project)
+        if (readProject(project) is ProjectFileResult.Refused) return SaveResult.TooLong
+        if (work.id !in newest) copies(work.id).newestWhole()?.let { (place, copy) -> newest[work.id] = Place(place, copy.order) }
+        val last = newest[work.id]
+        val place = if (last?.copy == COPIES.first()) COPIES.last() else COPIES.first()
+        val order = (last?.order ?: 0) + 1
+        return when (val result = store.write(nameOf(work.id, place), WorkText.write(work, order, project))) {
+            StoreResult.Done -> SaveResult.Kept.also { newest[work.id] = Place(place, order) }
+            StoreResult.Full -> SaveResult.Full
+            is StoreResult.Failed -> SaveResult.Failed(result.reason)
+        }
+    }
+
+    /** Forgets the work [id] for good. If that is cut short, it is still there, perhaps as it was before it was last kept. */
+    suspend fun delete(id: String): StoreResult {
+        val last = copies(id).newestWhole()?.first ?: COPIES.first()
+        val results = (COPIES - last + last).map { store.remove(nameOf(id, it)) }
+        newest.remove(id)
+        return results.firstOrNull { it != StoreResult.Done } ?: StoreResult.Done
+    }
+
+    /** Claims the work [id] for this window; null if another window has it. */
+    suspend fun claim(id: String): ProjectLock? = store.claim("$PREFIX$id")
+
+    /** The ids of all works, whether they can be used or not. */
+    suspend fun ids(): List<String> =
+        store.names().filter { it.startsWith(PREFIX) && it.substringAfterLast('.', "") in COPIES }
+            .map { it.removePrefix(PREFIX).substringBeforeLast('.') }.distinct()
+
+    /** What is there of the work [id], null for a copy that is not whole. */
+    private suspend fun copies(id: String): List<Pair<String, WorkCopy?>> = COPIES.mapNotNull { copy ->
+        store.read(nameOf(id, copy))?.let { copy to WorkText.open(id, it) }
+    }
+
+    private fun List<Pair<String, WorkCopy?>>.newestWhole(): Pair<String, WorkCopy.Whole>? =
+        mapNotNull { (place, copy) -> (copy as? WorkCopy.Whole)?.let { place to it } }.maxByOrNull { it.second.order }
+
+    private fun nameOf(id: String, copy: String) = "$PREFIX$id.$copy"
+
+    private class Place(val copy: String, val order: Long)
+
+    private companion object {
+        const val PREFIX = "work-"
+        val COPIES = listOf("a", "b")
+    }
+}

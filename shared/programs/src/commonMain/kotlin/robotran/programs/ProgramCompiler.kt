@@ -1,0 +1,59 @@
+package robotran.programs
+
+import robotran.javacompiler.JavaCompiler
+import robotran.javacompiler.loadJavaCompiler
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.robot.Calibration
+import robotran.tinyvm.messages.TinyVmMessages
+
+/**
+ * Makes what a brick can run of what a pupil has written, in either language. The compiler for Java is loaded when it is first needed, which takes
+ * a while in a browser.
+ *
+ * @param calibration the figures of the robot that Robolang programs run on.
+ * @param java how Java programs are to run.
+ * @property language what mistakes are told in, and what programs tell while they run.
+ */
+class ProgramCompiler(
+    private val calibration: Calibration,
+    private val java: JavaSettings = JavaSettings(),
+    val language: Language = Language.ENGLISH,
+) {
+    private val robolang = RobolangReader(calibration, RobolangMessages.of(language))
+    private val classFiles = ClassFileReader(java, TinyVmMessages.of(language))
+    private var compiler: JavaCompiler? = null
+
+    /** A reader like this that tells everything in [language], with the compiler for Java if this one has loaded it. */
+    fun telling(language: Language): ProgramCompiler = ProgramCompiler(calibration, java, language).also {
+        it.compiler = compiler?.telling(JavaMessages.of(language))
+    }
+
+    /** A reader like this that runs Java as [java] says; itself if it does already. */
+    fun running(java: JavaSettings): ProgramCompiler =
+        if (java == this.java) this else ProgramCompiler(calibration, java, language).also { it.compiler = compiler }
+
+    /**
+     * Loads what reading [source] takes.
+     *
+     * @throws Throwable if the compiler for Java cannot be loaded, as when a browser is offline before it was ever fetched; what is thrown differs from
+     * platform to platform.
+     */
+    suspend fun prepareFor(source: ProgramSource) {
+        if (source is ProgramSource.Java && compiler == null) compiler = loadJavaCompiler(JavaMessages.of(language))
+    }
+
+    /** Reads [source], whatever it holds, which it must be ready for. Not to be used from two threads at once. */
+    fun readNow(source: ProgramSource): ProgramResult = when (source) {
+        is ProgramSource.Robolang -> robolang.read(source)
+        is ProgramSource.Java -> JavaReader(checkNotNull(compiler) { "The compiler for Java is not loaded." }, classFiles).read(source)
+        is ProgramSource.ClassFiles -> classFiles.read(source)
+    }
+
+    /** Both in one: see [prepareFor] and [readNow]. */
+    suspend fun read(source: ProgramSource): ProgramResult {
+        prepareFor(source)
+        return readNow(source)
+    }
+}

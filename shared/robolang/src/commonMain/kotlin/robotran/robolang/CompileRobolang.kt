@@ -1,0 +1,42 @@
+package robotran.robolang
+
+import robotran.robolang.check.Checker
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.messages.EnglishMessages
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.robot.Calibration
+import robotran.robolang.syntax.Parser
+import robotran.robolang.syntax.RobolangLimits
+import robotran.robolang.syntax.scan
+
+/**
+ * Reads a Robolang program: scans, parses and checks it in one go and in time that grows no faster than its length.
+ * Never throws, whatever [source] holds.
+ *
+ * @param name what the pupil knows the program by, usually the name of its file.
+ * @param source the text of the program, with any line ends and with or without a byte order mark.
+ * @param calibration the figures of the robot it will run on.
+ * @param messages the language that mistakes are told in.
+ */
+fun compileRobolang(
+    name: String,
+    source: String,
+    calibration: Calibration,
+    messages: RobolangMessages = EnglishMessages,
+): RobolangResult {
+    val mistakes = Mistakes(messages)
+    if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
+        val start = SourceRange(line = 1, column = 1, endColumn = 1)
+        mistakes.report(DiagnosticCode.SOURCE_TOO_LONG, start, "", messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS))
+        return RobolangResult.Mistaken(mistakes.mistakesInSourceOrder())
+    }
+    val parsed = Parser(scan(source, mistakes), mistakes).program()
+    val checked = Checker(calibration, mistakes).check(parsed)
+    return if (mistakes.isEmpty) {
+        RobolangResult.Ready(RobolangProgram(name, checked, calibration, messages), mistakes.warningsInSourceOrder())
+    } else {
+        RobolangResult.Mistaken(mistakes.mistakesInSourceOrder())
+    }
+}

@@ -1,0 +1,104 @@
+package robotran.simulation.robot
+
+import robotran.rcxrom.controls.MotorMode
+import robotran.rcxrom.controls.MotorState
+import robotran.simulation.config.SimulationLimits
+import robotran.simulation.noise.BatteryNoise
+import robotran.simulation.noise.NoiseStreams
+import robotran.simulation.noise.WheelNoise
+import robotran.simulation.noise.putDown
+import robotran.simulation.physics.PhysicsWorld
+import robotran.simulation.state.RobotState
+import robotran.world.Penbot
+import robotran.world.TouchKind
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Trigonometry
+
+/** A penbot without its brick: wheels, pen and bumpers on a body among other bodies. */
+internal class SimulatedRobot(
+    physics: PhysicsWorld,
+    trigonometry: Trigonometry,
+    plannedStart: Pose,
+    streams: NoiseStreams,
+    realism: Double,
+) {
+    /** Where it really stood at first. */
+    val start = putDown(plannedStart, streams, realism)
+    val body = PenbotBody(physics, trigonometry, start)
+    val leftNoise = WheelNoise(streams, "left wheel", realism)
+    val rightNoise = WheelNoise(streams, "right wheel", realism)
+    val leftWheel = Wheel(leftNoise)
+    val rightWheel = Wheel(rightNoise)
+    val battery = BatteryNoise(streams, realism)
+    val leftBumper = Bumper(streams.named("left bumper"), realism)
+    val rightBumper = Bumper(streams.named("right bumper"), realism)
+    private val pen = PenLift()
+    private var traction = traction(body.motion, 0.0, 0.0)
+    private var touchedKinds = 0
+
+    /** How often the robot has run into something; both bumpers at once are one bump. */
+    var bumps = 0
+        private set
+
+    val penIsDown: Boolean get() = pen.isDown
+
+    /** Everything there is to see of it. */
+    val state: RobotState
+        get() = RobotState(
+            pose = body.pose,
+            leftWheelTurn = leftWheel.turned / Penbot.WHEEL_CIRCUMFERENCE,
+            rightWheelTurn = rightWheel.turned / Penbot.WHEEL_CIRCUMFERENCE,
+            penDown = pen.isDown,
+            leftBumperPressed = leftBumper.isPressed,
+            rightBumperPressed = rightBumper.isPressed,
+            touching = kindsOf(body.touchedKinds),
+            touched = kindsOf(touchedKinds),
+        )
+
+    /** Lets one millisecond pass, that with the number [tick], in which the motors are told this. */
+    fun tick(left: MotorState, lift: MotorState, right: MotorState, tick: Long) {
+        if (leftNoise.isOn) battery.tick(driven(left) + driven(lift) + driven(right))
+        leftWheel.tick(left, battery.share, tick)
+        rightWheel.tick(right, battery.share, tick)
+        pen.tick(lift)
+        touch()
+    }
+
+    /** Before a step of the physics. */
+    fun beginStep() {
+        leftWheel.beginStep()
+        rightWheel.beginStep()
+        traction = traction(body.motion, leftWheel.speed, rightWheel.speed)
+        body.push(traction)
+    }
+
+    /** After it. */
+    fun endStep() {
+        body.update()
+        touchedKinds = touchedKinds or body.touchedKinds
+        val left = leftWheel.speedChange
+        val right = rightWheel.speedChange
+        val place = Penbot.WHEEL_TRACK / 2
+        leftWheel.endStep(force(traction.left - rollingImpulse(left, right)), traction.leftSlips, body.groundSpeed(place))
+        rightWheel.endStep(force(traction.right - rollingImpulse(right, left)), traction.rightSlips, body.groundSpeed(-place))
+    }
+
+    private fun force(impulse: Double) = impulse / SimulationLimits.PHYSICS_STEP_SECONDS
+
+    private fun driven(told: MotorState): Double =
+        if (told.mode == MotorMode.FORWARD || told.mode == MotorMode.BACKWARD) (told.power + 1) / SLOTS else 0.0
+
+    private fun touch() {
+        val wasFree = !leftBumper.isPressed && !rightBumper.isPressed
+        leftBumper.tick(body.leftBumperTouches)
+        rightBumper.tick(body.rightBumperTouches)
+        if (wasFree && (leftBumper.isPressed || rightBumper.isPressed)) bumps++
+    }
+
+    private fun kindsOf(bits: Int): Set<TouchKind> =
+        if (bits == 0) emptySet() else TouchKind.entries.filterTo(mutableSetOf()) { bits shr it.ordinal and 1 == 1 }
+
+    private companion object {
+        const val SLOTS = 8.0
+    }
+}

@@ -1,0 +1,66 @@
+package robotran.simulation.robot
+
+import robotran.simulation.config.SimulationLimits
+import robotran.simulation.physics.BodyMotion
+import robotran.world.Penbot
+import robotran.world.geometry.length
+
+/**
+ * What the two tyres do to the robot in one step of the physics: impulses in kg cm/s.
+ *
+ * @property left along the way the robot looks, at the left wheel.
+ * @property right the same at the right wheel.
+ * @property leftSideways to the robot's left, at the left wheel.
+ * @property rightSideways the same at the right wheel.
+ * @property leftSlips whether the left tyre slips.
+ * @property rightSlips the same of the right one.
+ */
+internal data class TyreImpulses(
+    val left: Double,
+    val right: Double,
+    val leftSideways: Double,
+    val rightSideways: Double,
+    val leftSlips: Boolean,
+    val rightSlips: Boolean,
+)
+
+/**
+ * The impulses with which the tyres, turning at [leftSpeed] and [rightSpeed] in cm/s, roll without slipping for the next step, as far
+ * as they grip. A tyre whose impulse would be more than friction can give slips and gives just that much.
+ *
+ * Rolling means three things for the point halfway between the wheels: its speed forwards is the mean of the tyres', it does not move
+ * sideways, and the robot turns by their difference. Three equations for three unknowns: the impulse of each tyre forwards, and the one
+ * sideways, which both tyres share.
+ */
+internal fun traction(motion: BodyMotion, leftSpeed: Double, rightSpeed: Double): TyreImpulses {
+    val forwards = motion.velocityX * motion.cosine + motion.velocityY * motion.sine
+    val sideways = motion.velocityY * motion.cosine - motion.velocityX * motion.sine
+    val wantedTurning = (rightSpeed - leftSpeed) / Penbot.WHEEL_TRACK
+    val both = Penbot.MASS * ((leftSpeed + rightSpeed) / 2 - forwards)
+    // The centre of mass lies before the axle, so it does move sideways when the robot turns about the axle's middle.
+    val across = Penbot.MASS * (wantedTurning * Penbot.MASS_PLACE - sideways)
+    val twist = Penbot.INERTIA * (wantedTurning - motion.angularVelocity) + Penbot.MASS_PLACE * across
+    val difference = 2 * twist / Penbot.WHEEL_TRACK
+    val left = (both - difference) / 2
+    val right = (both + difference) / 2
+    val leftGrip = grip(left, across / 2)
+    val rightGrip = grip(right, across / 2)
+    return TyreImpulses(left * leftGrip, right * rightGrip, across / 2 * leftGrip, across / 2 * rightGrip, leftGrip < 1.0, rightGrip < 1.0)
+}
+
+/**
+ * The impulse along the robot's way that changes the speed of a freely rolling robot's tyres by [own] at this wheel and by [other] at the other one: what a tyre
+ * gives beyond that goes into a load.
+ */
+internal fun rollingImpulse(own: Double, other: Double): Double {
+    val twist = (Penbot.INERTIA + Penbot.MASS * Penbot.MASS_PLACE * Penbot.MASS_PLACE) * (own - other) / Penbot.WHEEL_TRACK
+    return Penbot.MASS * (own + other) / 4 + twist / Penbot.WHEEL_TRACK
+}
+
+/** The part of an impulse that friction can give, up to 1. */
+private fun grip(along: Double, across: Double): Double {
+    val wanted = length(along, across)
+    return if (wanted <= STRONGEST_IMPULSE) 1.0 else STRONGEST_IMPULSE / wanted
+}
+
+private const val STRONGEST_IMPULSE = Penbot.TYRE_FRICTION * Penbot.WHEEL_LOAD * SimulationLimits.PHYSICS_STEP_SECONDS

@@ -1,0 +1,94 @@
+package robotran.tinyvm.link
+
+/** Thrown when an instruction cannot work on what it would meet. */
+internal class UnsoundCode : RuntimeException()
+
+internal fun unsound(): Nothing = throw UnsoundCode()
+
+/** What the verifier knows of all locals and operands before an instruction; see [ValueType]. */
+internal class FrameState(private val locals: IntArray, private val operands: IntArray, depth: Int) {
+    /** How many operand words there are. */
+    var depth: Int = depth
+        private set
+
+    fun copy() = FrameState(locals.copyOf(), operands.copyOf(), depth)
+
+    fun push(value: Int) {
+        if (depth == operands.size) unsound()
+        operands[depth++] = value
+    }
+
+    /** Pushes a value with its second word, if it has one. */
+    fun pushValue(value: Int) {
+        push(value)
+        if (ValueType.isWide(value)) push(ValueType.SECOND_WORD)
+    }
+
+    fun pop(): Int {
+        if (depth == 0) unsound()
+        return operands[--depth]
+    }
+
+    /** Pops a value of exactly the kind [value], which is no reference. */
+    fun popValue(value: Int) {
+        if (ValueType.isWide(value) && pop() != ValueType.SECOND_WORD) unsound()
+        if (pop() != value) unsound()
+    }
+
+    /** Pops a value that is one word by itself. */
+    fun popSingle(): Int = pop().also { if (ValueType.isWide(it) || it == ValueType.SECOND_WORD || it == ValueType.UNUSABLE) unsound() }
+
+    fun popReference(): Int = pop().also { if (!ValueType.isReference(it)) unsound() }
+
+    /** Pops two words that belong together, or two values of one word each; the lower first. */
+    fun popPair(): Pair<Int, Int> {
+        if (depth > 0 && operands[depth - 1] == ValueType.SECOND_WORD) {
+            pop()
+            return pop() to ValueType.SECOND_WORD
+        }
+        val upper = popSingle()
+        return popSingle() to upper
+    }
+
+    fun pushPair(pair: Pair<Int, Int>) {
+        push(pair.first)
+        push(pair.second)
+    }
+
+    fun local(slot: Int): Int = locals.getOrNull(slot) ?: unsound()
+
+    /** Puts a value into [slot] and, if it has two words, the one behind it. */
+    fun setLocal(slot: Int, value: Int) {
+        setWord(slot, value)
+        if (ValueType.isWide(value)) setWord(slot + 1, ValueType.SECOND_WORD)
+    }
+
+    private fun setWord(slot: Int, value: Int) {
+        if (slot !in locals.indices) unsound()
+        if (slot > 0 && ValueType.isWide(locals[slot - 1]) && value != ValueType.SECOND_WORD) locals[slot - 1] = ValueType.UNUSABLE
+        locals[slot] = value
+    }
+
+    /** The same locals and a caught exception as the only operand. */
+    fun caught(exception: Int): FrameState {
+        if (operands.isEmpty()) unsound()
+        return FrameState(locals.copyOf(), IntArray(operands.size), 0).also { it.push(exception) }
+    }
+
+    /** Takes in what [other] knows differently; true if that changed anything. */
+    fun merge(other: FrameState, types: TypeRelations): Boolean {
+        if (other.depth != depth) unsound()
+        var changed = false
+        for (slot in locals.indices) {
+            val merged = types.merge(locals[slot], other.locals[slot])
+            if (merged != locals[slot]) changed = true
+            locals[slot] = merged
+        }
+        for (place in 0 until depth) {
+            val merged = types.merge(operands[place], other.operands[place])
+            if (merged != operands[place]) changed = true
+            operands[place] = merged
+        }
+        return changed
+    }
+}

@@ -1,0 +1,18 @@
+package robotran.tinyvm.run
+
+import robotran.tinyvm.link.BuiltInException
+
+/** Finds elements of arrays in the heap. */
+internal class ArrayAddressing(machine: Machine, private val arithmetic: QuirkyArithmetic) {
+    private val words = machine.heap.words
+
+    /** The place of an element, 0 if [array] is null, negative if [index] is outside. */
+    fun find(array: Int, index: Int): Int = when {
+        array == 0 -> 0
+        index >= 0 && index < words[array + 1] -> array + Heap.HEADER_WORDS + index
+        else -> arithmetic.strangeIndex(array, index)
+    }
+
+    /** What [place] stands for when it is no place. */
+    fun failure(place: Int): BuiltInException = if (place == 0) BuiltInException.NULL_POINTER else BuiltInException.ARRAY_INDEX
+}

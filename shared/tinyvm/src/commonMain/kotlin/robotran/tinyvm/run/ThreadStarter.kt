@@ -1,0 +1,29 @@
+package robotran.tinyvm.run
+
+import robotran.tinyvm.link.LinkedClass
+
+/** What a thread does before the operations of its methods: its first call, and throwing what it was woken with. */
+internal class ThreadStarter(private val machine: Machine, private val calls: Calls) {
+    /** Calls the first method of [thread]. */
+    fun begin(thread: VmThread) {
+        val main = machine.program.main
+        if (thread.isMain) {
+            if (calls.begin(thread, main, 0) && !machine.isReady[main.owner.number]) makeReady(thread, main.owner)
+        } else {
+            val run = machine.heap.typeOf(thread.reference).virtualMethods[machine.program.threadRun.virtualIndex]
+            calls.begin(thread, run, thread.reference)
+        }
+    }
+
+    /** Throws what waits to be thrown. */
+    fun throwPending(thread: VmThread) {
+        val exception = thread.pending
+        thread.pending = 0
+        if (thread.depth > 0) calls.throwObject(thread, exception)
+    }
+
+    /** Above the frame of main, so that it is done before. */
+    private fun makeReady(thread: VmThread, type: LinkedClass) {
+        while (!machine.isReady[type.number] && thread.pending == 0 && thread.depth == 1) calls.initialize(thread, type)
+    }
+}

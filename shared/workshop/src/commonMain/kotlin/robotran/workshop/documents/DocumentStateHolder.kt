@@ -1,0 +1,231 @@
+package robotran.workshop.documents
+
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.channels.Channel
+import kotlinx.coroutines.coroutineScope
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.launch
+import robotran.documents.AutosaveThrottle
+import robotran.documents.newWorkName
+import robotran.documents.workName
+import robotran.projects.Project
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.platform.OpenRequest
+import robotran.workshop.platform.Platform
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.ProjectSwitcher
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.SwitchResult
+import robotran.workshop.state.DocumentAnswer
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.DocumentState
+import robotran.workshop.state.Notice
+import robotran.world.World
+import robotran.world.file.BuiltInWorlds
+
+/** Keeps what the project is called and where it lies, and sees to it that nothing of it is lost. */
+class DocumentStateHolder(
+    private val platform: Platform,
+    private val scope: CoroutineScope,
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    private val editor: ProjectEditor,
+    tabs: ProgramTabs,
+    private val navigator: ScreenNavigator,
+    private val notices: Notices,
+) : ProjectSwitcher {
+    private val keeper = DocumentKeeper(platform, preferences, current)
+    private val view = DocumentView(keeper, platform.sharing.hasShareSheet)
+    private val saver = FileSaver(platform, current, notices, keeper, view)
+    private val replacement = ProjectReplacement(keeper, view, saver, notices)
+    private val opener = FileOpener(platform, preferences, current, editor, tabs, navigator, notices, keeper, view, replacement)
+    private val exports = DocumentExports(platform, preferences, current, notices, keeper, view)
+    private val works = DocumentWorks(platform, preferences, editor, notices, keeper, view, replacement)
+    private val comeBack = ProjectRestoration(platform, notices, keeper)
+    private val changes = Channel<Unit>(Channel.CONFLATED)
+
+    val state: DocumentState get() = view.state
+
+    fun handle(event: DocumentEvent) {
+        when (event) {
+            DocumentEvent.NewWanted -> launch { replacement.replace { begin() } }
+            DocumentEvent.OpenWanted -> launch { opener.choose() }
+            is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }
+            is DocumentEvent.LinkOpened -> launch { opener.openLink(event.link) }
+            is DocumentEvent.OfWorks -> launch { works.handle(event) }
+            DocumentEvent.SaveWanted -> launch { saver.save() }
+            DocumentEvent.SaveAsWanted -> launch { saver.saveAs() }
+            DocumentEvent.RenameWanted -> view.show(DocumentDialog.Renaming(keeper.name))
+            is DocumentEvent.Renamed -> rename(event.name)
+            DocumentEvent.LinkWanted -> launch { exports.makeLink() }
+            DocumentEvent.SiteWanted -> chooseSite()
+            DocumentEvent.LinkCopied -> launch { exports.copyLink() }
+            DocumentEvent.LinkShared -> launch { exports.shareLink() }
+            DocumentEvent.LinkPastingWanted -> view.show(DocumentDialog.PastingLink())
+            is DocumentEvent.PictureWanted -> launch { exports.savePicture(event.kind) }
+            DocumentEvent.ReplayWanted -> launch { exports.saveReplay() }
+            DocumentEvent.ProgramFileWanted -> launch { exports.saveProgram() }
+            DocumentEvent.KitWanted -> launch { exports.saveKit() }
+            is DocumentEvent.Answered -> launch { answer(event.answer) }
+            is DocumentEvent.WarningShown -> view.showWarning(event.shown)
+            DocumentEvent.DialogClosed -> view.answer(null)
+        }
+    }
+
+    /** Brings back the work that was open last, unless something was brought to this window. */
+    suspend fun start() {
+        val arrival = platform.arrivals.takeNow()
+        val back = comeBack.take(isBroughtSomething = arrival != null)
+        if (back == null) {
+            keeper.beginWith(keeper.freeName())
+        } else {
+            editor.openProject(back.work.project)
+            keeper.tookUp(back.work, back.claim, current.project.takeIf { back.isKept })
+            if (!back.isKept) keepNow()
+            navigator.hideTask()
+            comeBack.say(back)
+        }
+        view.refresh()
+        if (arrival != null) receive(arrival)
+    }
+
+    /** Whether nobody has worked on what is open yet. */
+    val isFresh: Boolean get() = keeper.openId == null && keeper.isKept
+
+    /** Keeps the work as it changes and opens what is brought, for ever; to be called once, for as long as the workshop is on a screen. */
+    suspend fun keepKeeping() = coroutineScope {
+        launch { while (true) receive(platform.arrivals.take()) }
+        while (true) {
+            do {
+                view.keepIfDue()
+                if (!keeper.isKept) delay(AutosaveThrottle.LOOK)
+            } while (!keeper.isKept)
+            changes.receive()
+        }
+    }
+
+    /** Something may have been done to the work. */
+    fun lookAgain() {
+        keeper.touched()
+        changes.trySend(Unit)
+    }
+
+    /** Saves at once what has changed; false if it cannot be saved. */
+    suspend fun keepNow(): Boolean = view.keepNow()
+
+    /** Makes the window ready to be closed, and asks if the work cannot be saved; whether it can be closed now. */
+    suspend fun close(): Boolean {
+        if (!keepNow()) return replacement.acceptsLoss()
+        keeper.leave(comesBack = true)
+        keeper.forget()
+        return true
+    }
+
+    /** The window is out of sight and may be gone without a word: all is kept, and the next start goes on as if it had been closed. */
+    suspend fun rest() {
+        keeper.leaveUnkept()
+        if (keepNow()) keeper.leave(comesBack = true)
+    }
+
+    /** Gives back what this window has claimed: it is gone. */
+    fun release() = keeper.release()
+
+    private suspend fun receive(arrival: OpenRequest) {
+        when (arrival) {
+            is OpenRequest.OfFiles -> opener.open(arrival.files)
+            is OpenRequest.OfLink -> opener.openLink(arrival.link)
+            is OpenRequest.Unreadable -> notices.say(Notice.ForeignError(arrival.sentence))
+        }
+    }
+
+    override suspend fun beginProject(name: String, project: Project, into: String?): SwitchResult {
+        val taken = into?.let { works.claim(it) }
+        var result: SwitchResult = SwitchResult.Kept
+        replacement.replace {
+            val left = keeper.openId
+            editor.openProject(project)
+            if (taken != null) keeper.tookUp(taken.first, taken.second, taken.first.project) else keeper.opened(name, null)
+            view.show(null)
+            keepNow()
+            result = SwitchResult.Switched(left, keeper.openId)
+        }
+        if (result == SwitchResult.Kept) taken?.second?.release()
+        lookAgain()
+        return result
+    }
+
+    override suspend fun openWorld(world: World): SwitchResult {
+        var result: SwitchResult = SwitchResult.Kept
+        replacement.replace { before ->
+            editor.changeWorld(world, isAnother = true)
+            keeper.opened(workName(world.title) ?: newWorkName(preferences.language), null, before, isOnlyChosen = true)
+            view.show(null)
+            replacement.sayKept(before)
+            result = SwitchResult.Switched(before, keeper.openId)
+        }
+        lookAgain()
+        return result
+    }
+
+    override suspend fun resumeProject(id: String?): SwitchResult {
+        val taken = id?.let { works.claim(it) }
+        var result: SwitchResult = SwitchResult.Kept
+        replacement.replace { before ->
+            if (taken == null) {
+                begin()
+            } else {
+                editor.openProject(taken.first.project)
+                keeper.tookUp(taken.first, taken.second)
+                view.show(null)
+            }
+            result = SwitchResult.Switched(before, keeper.openId)
+        }
+        if (result == SwitchResult.Kept) taken?.second?.release()
+        lookAgain()
+        return result
+    }
+
+    private suspend fun begin() {
+        val name = keeper.freeName()
+        editor.openProject(Project(BuiltInWorlds.plain))
+        keeper.beginWith(name)
+        // It is there to do what one likes.
+        navigator.hideTask()
+        view.show(null)
+    }
+
+    private fun rename(name: String) {
+        view.show(null)
+        launch {
+            keeper.name = keeper.freeName(workName(name) ?: newWorkName(preferences.language), keeper.openId)
+            view.refresh()
+        }
+    }
+
+    private suspend fun answer(answer: DocumentAnswer) {
+        val dialog = view.dialog
+        view.answer(answer)
+        if (dialog !is DocumentDialog.ChangedMeanwhile) return
+        when (answer) {
+            DocumentAnswer.GO_ON -> saver.save(overOthers = true)
+            DocumentAnswer.SAVE_AS -> saver.saveAs()
+            DocumentAnswer.TAKE_THEIRS -> opener.reopen()
+        }
+    }
+
+    private fun chooseSite() {
+        view.answer(null)
+        navigator.openSiteSetting()
+    }
+
+    private fun launch(work: suspend () -> Unit) {
+        scope.launch {
+            work()
+            lookAgain()
+        }
+    }
+}

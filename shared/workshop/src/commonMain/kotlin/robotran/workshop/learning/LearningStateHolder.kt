@@ -1,0 +1,242 @@
+package robotran.workshop.learning
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.launch
+import robotran.learning.GalleryWorld
+import robotran.learning.WorldGallery
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.SessionState
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.examples.firstProgram
+import robotran.workshop.platform.KeyValueStore
+import robotran.workshop.programs.pupilPrograms
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.ProjectSwitcher
+import robotran.workshop.service.RunControls
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.SerialWriteQueue
+import robotran.workshop.state.HelpState
+import robotran.workshop.state.LearningPage
+import robotran.workshop.state.LearningState
+import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
+import robotran.workshop.state.TutorialState
+import robotran.workshop.state.code
+
+/** Keeps what is being learned from, and how far somebody has come with it. */
+class LearningStateHolder(
+    private val store: KeyValueStore,
+    private val scope: CoroutineScope,
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    editor: ProjectEditor,
+    private val switcher: ProjectSwitcher,
+    private val tabs: ProgramTabs,
+    private val runControls: RunControls,
+    private val navigator: ScreenNavigator,
+    private val notices: Notices,
+) {
+    private var progress = LearningProgress()
+    private val writes = SerialWriteQueue(scope)
+    private var hasStarted = false
+
+    /** Whether the tutorial was folded because something else came onto the desk. */
+    private var hasGivenWay = false
+    private var goalsSeen: List<GoalProgress> = emptyList()
+    private val tutorial = TutorialController(scope, preferences, current, editor, switcher, navigator, { progress }, ::keep)
+    private val help = HelpFinder(preferences, current, tabs, navigator, notices)
+
+    var state: LearningState by mutableStateOf(LearningState())
+        private set
+
+    /** Goes on where somebody has stopped the last time; on the very first start, shows what there is to be tried if [welcoming]. */
+    suspend fun start(welcoming: Boolean) {
+        progress = LearningProgress.readFrom(store)
+        state = state.copy(
+            page = LearningPage.FIRST_RUN.takeIf { welcoming && !progress.welcomed },
+            tutorial = tutorial.stepOnDesk()?.let(tutorial::show) ?: if (progress.tutorialShown) tutorial.first() else null,
+        )
+        hasStarted = true
+        refresh()
+        // What is on the desk has its own task.
+        state = state.copy(tutorial = state.tutorial?.let { it.copy(isFolded = progress.folded || !it.isOnDesk) })
+    }
+
+    fun handle(event: LearningEvent) {
+        when (event) {
+            is LearningEvent.PageWanted -> want(event.page)
+            LearningEvent.PageLeft -> leavePage()
+            LearningEvent.SquareTried -> trySquare()
+            LearningEvent.TutorialBegun -> beginTutorial()
+            is LearningEvent.StepChosen -> changeTutorial { tutorial.choose(it, event.place) }
+            LearningEvent.StepTried -> changeTutorial { tutorial.putOnDesk(it) }
+            LearningEvent.StepBegunAgain -> changeTutorial { tutorial.beginAgain(it) }
+            is LearningEvent.HintWanted -> changeTutorial { it.copy(hintShown = event.shown) }
+            is LearningEvent.SolutionWanted -> changeTutorial { tutorial.showSolution(it, event.shown) }
+            is LearningEvent.TutorialFolded -> fold(event.folded)
+            LearningEvent.TutorialLeft -> leaveTutorial()
+            is LearningEvent.WorldsAsked -> state = state.copy(asked = event.asked)
+            is LearningEvent.WorldChosen -> chooseWorld(event.name)
+            is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name)) leavePage()
+            is LearningEvent.HelpWanted -> showHelp(help.at(event.text, event.offset))
+            is LearningEvent.WordChosen -> showHelp(help.on(state.help.code, event.word))
+            is LearningEvent.WordsWanted -> showHelp(HelpState(event.language))
+            LearningEvent.ExampleTried -> if (help.tryExample(state.help)) leavePage()
+        }
+        refresh()
+    }
+
+    /** The session is now as [session] says: whoever has met all goals has done a task. */
+    fun look(session: SessionState) {
+        if (session.goals == goalsSeen) return
+        goalsSeen = session.goals
+        if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return
+        val step = tutorial.stepOnDesk()
+        if (step != null) {
+            // Looking on is not doing.
+            if (state.tutorial?.solutionShown != true) {
+                tutorial.keepProgram()
+                keep(progress.copy(stepsDone = progress.stepsDone + step.name))
+            }
+        } else {
+            WorldGallery.find(current.project.world)?.let(::worldDone)
+        }
+        refresh()
+    }
+
+    /** Something else is about to come onto the desk: what the pupil has made of a step's program is kept. */
+    fun leaveDesk() {
+        if (hasStarted) tutorial.keepProgram()
+    }
+
+    /** Something else is on the desk: the tutorial folds if that is none of its steps, and shows the step if it is one. */
+    fun deskChanged() {
+        if (!hasStarted) return
+        val shown = state.tutorial
+        val step = tutorial.stepOnDesk()
+        if (step == null) {
+            if (shown?.isOnDesk == true) {
+                hasGivenWay = !shown.isFolded
+                state = state.copy(tutorial = shown.copy(isFolded = true, solutionShown = false))
+            }
+        } else {
+            if (shown?.current !== step || !shown.isOnDesk) {
+                val isFolded = shown?.isFolded == true && !hasGivenWay
+                state = state.copy(tutorial = tutorial.show(step).copy(isFolded = isFolded))
+            }
+            hasGivenWay = false
+        }
+        refresh()
+    }
+
+    /** What is on the desk may have changed. */
+    fun refresh() {
+        val shown = state.tutorial?.let { it.copy(isOnDesk = tutorial.stepOnDesk() === it.current) }
+        val now = state.copy(
+            language = preferences.language,
+            tutorial = shown,
+            stepsDone = progress.stepsDone,
+            worldsDone = progress.worldsDone,
+        )
+        if (now != state) state = now
+    }
+
+    private fun want(page: LearningPage) {
+        if (page == LearningPage.TUTORIAL) {
+            showTutorial()
+        } else {
+            if (page == LearningPage.HELP || page == LearningPage.EXAMPLES) state = state.copy(help = HelpState(help.shownCode))
+            state = state.copy(page = page, asked = "")
+        }
+    }
+
+    private fun leavePage() {
+        state = state.copy(page = null)
+        if (!progress.welcomed) keep(progress.copy(welcomed = true))
+    }
+
+    private fun trySquare() {
+        leavePage()
+        putSquare()
+        runControls.run()
+    }
+
+    /** The square in a tab of its own, unless it is there as it came. */
+    private fun putSquare() {
+        val square = firstProgram()
+        val place = current.project.pupilPrograms.indexOf(square)
+        if (place >= 0) tabs.chooseProgram(place) else tabs.addProgram(square, replacing = true)
+    }
+
+    private fun beginTutorial() {
+        leavePage()
+        showTutorial()
+        if (tutorial.stepOnDesk() == null) changeTutorial { tutorial.putOnDesk(it) }
+    }
+
+    private fun showTutorial() {
+        state = state.copy(page = null, tutorial = (state.tutorial ?: tutorial.first()).copy(isFolded = false))
+        keep(progress.copy(welcomed = true, tutorialShown = true, folded = false))
+    }
+
+    private fun changeTutorial(change: (TutorialState) -> TutorialState) {
+        val now = state.tutorial ?: return
+        state = state.copy(tutorial = change(now))
+    }
+
+    private fun fold(folded: Boolean) {
+        hasGivenWay = false
+        changeTutorial { it.copy(isFolded = folded) }
+        keep(progress.copy(folded = folded))
+    }
+
+    /** The tutorial goes away, and what was there before comes back. */
+    private fun leaveTutorial() {
+        scope.launch { tutorial.leaveDesk() }
+        hideTutorial()
+    }
+
+    private fun hideTutorial() {
+        state = state.copy(tutorial = null)
+        keep(progress.copy(tutorialShown = false))
+    }
+
+    private fun chooseWorld(name: String) {
+        val found = WorldGallery.named(name) ?: return
+        val isInTutorial = tutorial.stepOnDesk() != null
+        leavePage()
+        scope.launch {
+            if (isInTutorial) tutorial.leaveDesk()
+            switcher.openWorld(found.world(preferences.language))
+            navigator.show(Pane.WORLD)
+        }
+        if (isInTutorial) hideTutorial()
+    }
+
+    private fun worldDone(world: GalleryWorld) {
+        if (world.name in progress.worldsDone) return
+        keep(progress.copy(worldsDone = progress.worldsDone + world.name))
+        notices.say(Notice.WorldSolved(world.world(preferences.language).title))
+    }
+
+    private fun showHelp(found: HelpState) {
+        state = state.copy(page = LearningPage.HELP, help = found)
+    }
+
+    /** Waits until what was learned is kept. */
+    suspend fun keepNow() = writes.finish()
+
+    private fun keep(now: LearningProgress) {
+        if (now == progress) return
+        progress = now
+        writes.add { now.keepIn(store) }
+    }
+}

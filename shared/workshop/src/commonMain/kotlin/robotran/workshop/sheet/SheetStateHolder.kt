@@ -1,0 +1,40 @@
+package robotran.workshop.sheet
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import robotran.workshop.event.SheetEvent
+import robotran.workshop.state.SheetCamera
+import robotran.workshop.state.SheetViewState
+
+/** Keeps how the world is shown. */
+class SheetStateHolder {
+    var state: SheetViewState by mutableStateOf(SheetViewState())
+        private set
+
+    fun handle(event: SheetEvent) {
+        state = when (event) {
+            SheetEvent.WholeSheetWanted -> state.copy(camera = SheetCamera.FITTING, followed = null)
+            is SheetEvent.CameraMoved -> state.copy(camera = event.camera, followed = state.followed.takeUnless { event.pushed })
+            is SheetEvent.FollowChosen -> follow(event.robot)
+            is SheetEvent.LayerSwitched -> state.copy(shown = if (event.on) state.shown + event.layer else state.shown - event.layer)
+            is SheetEvent.ThingChosen -> state.copy(chosen = event.thing)
+        }
+    }
+
+    /** Another world lies on the desk. */
+    fun worldChanged() {
+        state = SheetViewState(shown = state.shown)
+    }
+
+    /** To follow a robot across a sheet that is all in sight would show nothing, so it is looked at from nearer. */
+    private fun follow(robot: Int?): SheetViewState {
+        val nearer = robot != null && state.camera.zoom < LEAST_FOLLOWING_ZOOM
+        return state.copy(followed = robot, camera = if (nearer) SheetCamera(FOLLOWING_ZOOM) else state.camera)
+    }
+
+    private companion object {
+        const val LEAST_FOLLOWING_ZOOM = 1.5
+        const val FOLLOWING_ZOOM = 2.5
+    }
+}

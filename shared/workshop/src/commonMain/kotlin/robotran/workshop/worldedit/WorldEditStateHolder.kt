@@ -1,0 +1,81 @@
+package robotran.workshop.worldedit
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.RunControls
+import robotran.workshop.state.WorldEditState
+import robotran.worldediting.Edit
+import robotran.worldediting.WorldEditing
+import robotran.worldediting.after
+
+/** Keeps the world while it is changed; null while it is not. What can be kept of it is kept at once, so that a crash takes nothing away. */
+class WorldEditStateHolder(private val current: CurrentProject, private val editor: ProjectEditor, private val runControls: RunControls) {
+    private var latest: WorldEditing? = null
+
+    var state: WorldEditState? by mutableStateOf(null)
+        private set
+
+    fun handle(event: WorldEditEvent) {
+        when (event) {
+            WorldEditEvent.EditorOpened -> open()
+            is WorldEditEvent.Edited -> edit(event.edit)
+            WorldEditEvent.EditorClosed -> close()
+            WorldEditEvent.TriedOut -> if (close()) runControls.run()
+            WorldEditEvent.HintsClosed -> state = state?.copy(hintsShown = false)
+            WorldEditEvent.EditsDiscarded -> discard()
+        }
+    }
+
+    /** Who comes back to a world that is still the same, finds groups and what can be undone. */
+    private fun open() {
+        if (state != null) return
+        val world = current.project.world
+        val editing = latest?.takeIf { it.world == world } ?: WorldEditing.of(world)
+        state = WorldEditState(editing.after(Edit.Choose(null)).after(Edit.Settle), world)
+    }
+
+    private fun edit(edit: Edit) {
+        val now = state ?: return
+        val editing = now.editing.after(edit)
+        val hasNews = editing.refusal != null || editing.troubles != now.editing.troubles
+        state = now.copy(
+            editing = editing,
+            mendFirst = now.mendFirst && editing.troubles.isNotEmpty(),
+            hintsShown = now.hintsShown || hasNews,
+        )
+        val canBeKept = editing.gesture == null && editing.troubles.isEmpty()
+        if (canBeKept && editing.world != current.project.world) editor.keepWorld(editing.world)
+    }
+
+    /** Whether the editor is closed. */
+    private fun close(): Boolean {
+        val now = state ?: return false
+        val editing = now.editing.after(Edit.Drop)
+        val trouble = editing.troubles.firstOrNull()
+        if (trouble != null) {
+            val shown = trouble.thing?.let { editing.after(Edit.Choose(it)) } ?: editing
+            state = now.copy(editing = shown, mendFirst = true, hintsShown = true)
+            return false
+        }
+        latest = editing
+        state = null
+        if (now.isChanged) editor.changeWorld(editing.world)
+        return true
+    }
+
+    /** Another world is on the desk; what can be kept of the one that was changed has been. */
+    fun leave() {
+        latest = null
+        state = null
+    }
+
+    private fun discard() {
+        val now = state ?: return
+        state = null
+        if (current.project.world != now.first) editor.keepWorld(now.first)
+    }
+}
