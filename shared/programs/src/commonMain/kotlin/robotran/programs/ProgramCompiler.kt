@@ -7,6 +7,7 @@ import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.Calibration
 import robotran.tinyvm.messages.TinyVmMessages
+import kotlin.coroutines.cancellation.CancellationException
 
 /**
  * Makes what a brick can run of what a pupil has written, in either language. The compiler for Java is loaded when it is first needed, which takes
@@ -34,14 +35,18 @@ class ProgramCompiler(
     fun running(java: JavaSettings): ProgramCompiler =
         if (java == this.java) this else ProgramCompiler(calibration, java, language).also { it.compiler = compiler }
 
-    /**
-     * Loads what reading [source] takes.
-     *
-     * @throws Throwable if the compiler for Java cannot be loaded, as when a browser is offline before it was ever fetched; what is thrown differs from
-     * platform to platform.
-     */
-    suspend fun prepareFor(source: ProgramSource) {
-        if (source is ProgramSource.Java && compiler == null) compiler = loadJavaCompiler(JavaMessages.of(language))
+    /** Loads what compiling [source] takes. */
+    suspend fun prepareFor(source: ProgramSource): CompilerLoading {
+        if (source !is ProgramSource.Java || compiler != null) return CompilerLoading.Loaded
+        return try {
+            compiler = loadJavaCompiler(JavaMessages.of(language))
+            CompilerLoading.Loaded
+        } catch (cancelled: CancellationException) {
+            throw cancelled
+        } catch (cause: Throwable) {
+            // What is thrown differs from platform to platform.
+            CompilerLoading.Failed(cause)
+        }
     }
 
     /** Reads [source], whatever it holds, which it must be ready for. Not to be used from two threads at once. */
@@ -51,9 +56,13 @@ class ProgramCompiler(
         is ProgramSource.ClassFiles -> classFiles.read(source)
     }
 
-    /** Both in one: see [prepareFor] and [readNow]. */
-    suspend fun read(source: ProgramSource): ProgramResult {
-        prepareFor(source)
-        return readNow(source)
+    /**
+     * Both in one: see [prepareFor] and [readNow].
+     *
+     * @throws Throwable the cause of [CompilerLoading.Failed].
+     */
+    suspend fun read(source: ProgramSource): ProgramResult = when (val loading = prepareFor(source)) {
+        CompilerLoading.Loaded -> readNow(source)
+        is CompilerLoading.Failed -> throw loading.cause
     }
 }

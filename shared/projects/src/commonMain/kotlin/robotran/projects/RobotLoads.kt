@@ -35,7 +35,7 @@ sealed interface RobotLoads {
  * world gives it, if any.
  *
  * @param given programs by the names of robots; see [forFirstRobot] for those of which nobody said whose they are.
- * @throws Throwable as [ProgramCompiler.prepareFor] does.
+ * @throws Throwable as [ProgramCompiler.read] does.
  */
 suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<String, List<ProgramSource>>): RobotLoads {
     mistakeOfGiving(world, given, ProjectMessages.of(reader.language))?.let { return it }

@@ -1,7 +1,7 @@
 package robotran.ui.learning
 
 import androidx.compose.ui.graphics.ImageBitmap
-import kotlinx.coroutines.CancellationException
+import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
@@ -36,14 +36,8 @@ internal object ExamplePictures : CardPictures<String> {
         val source = ProgramLanguage.ROBOLANG.examples[name]?.let { ProgramSource.Robolang(name, it) }
             ?: ProgramLanguage.JAVA.examples[name]?.let { ProgramSource.Java(name, listOf(SourceFile(name, it))) }
             ?: return null
-        val read = try {
-            reader.read(source)
-        } catch (cancelled: CancellationException) {
-            throw cancelled
-        } catch (_: Throwable) {
-            return null
-        }
-        return (read as? ProgramResult.Ready)?.program
+        if (reader.prepareFor(source) is CompilerLoading.Failed) return null
+        return (reader.readNow(source) as? ProgramResult.Ready)?.program
     }
 
     /** The example in Robolang that does the same as the example [name]: `wall-bouncer.robo` for `WallBouncer.java`. */

@@ -17,6 +17,7 @@ import robotran.ui.resources.status_failed
 import robotran.ui.resources.status_mistake
 import robotran.ui.resources.status_mistake_anywhere
 import robotran.ui.resources.status_mistake_in_file
+import robotran.ui.resources.status_compiler_failed
 import robotran.ui.resources.status_no_compiler
 import robotran.ui.resources.status_off
 import robotran.ui.resources.status_ready
@@ -53,6 +54,10 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
 
     WorkshopStatus.NoCompiler -> {
         stringResource(Res.string.status_no_compiler)
+    }
+
+    WorkshopStatus.CompilerFailed -> {
+        stringResource(Res.string.status_compiler_failed)
     }
 
     is WorkshopStatus.Mistaken -> {

@@ -1,11 +1,11 @@
 package robotran.workshop.documents
 
-import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.withContext
 import robotran.documents.ZipEntry
 import robotran.documents.fileNameFor
 import robotran.documents.projectFile
 import robotran.documents.zipOf
+import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.projects.LinkMaking
@@ -112,14 +112,8 @@ internal class DocumentExports(
     private suspend fun saveJavaKit(program: PupilProgram) {
         val source = program.source()
         val reader = ProgramCompiler(PENBOT_CALIBRATION, language = preferences.language)
-        val result = try {
-            withContext(platform.background) { reader.read(source) }
-        } catch (cancelled: CancellationException) {
-            throw cancelled
-        } catch (_: Throwable) {
-            return notices.say(Notice.CompilerMissing)
-        }
-        when (result) {
+        if (reader.prepareFor(source) is CompilerLoading.Failed) return notices.say(Notice.CompilerMissing)
+        when (val result = withContext(platform.background) { reader.readNow(source) }) {
             is ProgramResult.Mistaken -> {
                 notices.say(Notice.KitNeedsCorrectProgram(result.mistakes.first().range?.line ?: 1))
             }

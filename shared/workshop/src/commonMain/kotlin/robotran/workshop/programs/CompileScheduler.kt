@@ -3,6 +3,7 @@ package robotran.workshop.programs
 import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.withTimeoutOrNull
+import robotran.programs.CompilerLoading
 import robotran.workshop.state.ProgramReading
 
 /**
@@ -15,7 +16,7 @@ import robotran.workshop.state.ProgramReading
  */
 internal class CompileScheduler(
     private val hasUnread: () -> Boolean,
-    private val readUnread: suspend () -> Unit,
+    private val readUnread: suspend () -> CompilerLoading,
     private val characters: () -> Int,
     private val tell: (ProgramReading) -> Unit,
 ) {
@@ -49,12 +50,15 @@ internal class CompileScheduler(
     /** Reads all that was not read yet. */
     suspend fun readAll() {
         val reading = try {
-            readUnread()
-            ProgramReading.DONE
+            when (readUnread()) {
+                CompilerLoading.Loaded -> ProgramReading.DONE
+                is CompilerLoading.Failed -> ProgramReading.NO_COMPILER
+            }
         } catch (cancelled: CancellationException) {
             throw cancelled
         } catch (_: Throwable) {
-            ProgramReading.NO_COMPILER
+            // A bug in a compiler takes nothing else with it: the program can be changed.
+            ProgramReading.COMPILER_FAILED
         }
         tell(reading)
     }

@@ -3,6 +3,7 @@ package robotran.workshop.programs
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import robotran.programs.Mistake
+import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.rcxrom.Brick
@@ -53,16 +54,13 @@ internal class ProgramList(
         entries = entries.filterIndexed { place, _ -> place != slot }
     }
 
-    /**
-     * Reads what was not read yet.
-     *
-     * @throws Throwable see [ProgramCompiler.prepareFor].
-     */
-    suspend fun readUnread() {
+    /** Compiles what was not compiled yet, as far as the compilers for it can be loaded. */
+    suspend fun readUnread(): CompilerLoading {
         while (true) {
-            val program = entries.firstOrNull { it.result == null }?.program ?: return
+            val program = entries.firstOrNull { it.result == null }?.program ?: return CompilerLoading.Loaded
             val source = program.source()
-            reader.prepareFor(source)
+            val loading = reader.prepareFor(source)
+            if (loading is CompilerLoading.Failed) return loading
             val result = withContext(Dispatchers.Default) { reader.readNow(source) }
             entries = entries.map { if (it.program === program) it.read(result) else it }
         }

@@ -4,6 +4,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.language.Language
+import robotran.programs.CompilerLoading
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_CALIBRATION
@@ -45,7 +46,7 @@ class ProgramsStateHolder(
     private val shown: RobotPrograms get() = robots.firstOrNull { it.place.name == shownRobot } ?: robots.first()
     private val readingLoop = CompileScheduler(
         { robots.any { it.shelf.hasUnread } },
-        { robots.forEach { it.shelf.readUnread() } },
+        ::readUnread,
         { robots.sumOf { it.shelf.unreadCharacters } },
         ::showReading,
     )
@@ -158,6 +159,14 @@ class ProgramsStateHolder(
     /** Reads all programs that were not read yet. */
     suspend fun readPrograms() = readingLoop.readAll()
 
+    private suspend fun readUnread(): CompilerLoading {
+        for (robot in robots) {
+            val loading = robot.shelf.readUnread()
+            if (loading is CompilerLoading.Failed) return loading
+        }
+        return CompilerLoading.Loaded
+    }
+
     private fun starting(slot: Int): List<Pair<RobotPrograms, Int>> =
         robots.mapIndexed { index, robot -> robot to if (index == 0) slot else robot.shownProgram }
 
@@ -186,7 +195,7 @@ class ProgramsStateHolder(
 
     private fun showReading(reading: ProgramReading) {
         this.reading = reading
-        if (reading == ProgramReading.DONE || reading == ProgramReading.NO_COMPILER) editing.programsRead()
+        if (reading.isOver) editing.programsRead()
         refresh()
         onRead(reading)
         // What waited for it may have changed a program.

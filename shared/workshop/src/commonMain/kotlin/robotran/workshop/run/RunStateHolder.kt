@@ -109,7 +109,7 @@ class RunStateHolder(
 
     /** The programs were read as far as [reading] says. */
     fun programsRead(reading: ProgramReading) {
-        if (reading == ProgramReading.NO_COMPILER) pendingStart = null
+        if (reading.isOver && reading != ProgramReading.DONE) pendingStart = null
         if (reading == ProgramReading.DONE) {
             if (state.untouched) beginAfresh(run.slotOnBrick)
             pendingStart?.let { start(it.slot, it.what) }

@@ -61,10 +61,10 @@ data class ProgramsState(
     val hasRoom: Boolean get() = programs.size < Brick.MOST_PROGRAMS
 }
 
-/** How far programs were read since they were changed. */
-enum class ProgramReading {
+/** How far programs were read since they were changed; [isOver] says that nothing is read any more until something changes. */
+enum class ProgramReading(val isOver: Boolean = false) {
     /** All of them. */
-    DONE,
+    DONE(isOver = true),
 
     /** A program waits for a pause in the typing. */
     WAITING,
@@ -73,5 +73,8 @@ enum class ProgramReading {
     COMPILING,
 
     /** The compiler could not be fetched; Run tries again. */
-    NO_COMPILER,
+    NO_COMPILER(isOver = true),
+
+    /** A compiler failed on a program, by a mistake of its own. */
+    COMPILER_FAILED(isOver = true),
 }

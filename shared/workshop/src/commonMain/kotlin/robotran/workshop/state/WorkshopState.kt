@@ -90,6 +90,7 @@ data class WorkshopState(
             ?: mistakes.firstOrNull()?.let { WorkshopStatus.Mistaken(it.range?.line ?: 0, it.file.takeIf { program.files.size > 1 }) }
             ?: WorkshopStatus.Empty.takeIf { program.isBlank }
             ?: WorkshopStatus.NoCompiler.takeIf { programs.reading == ProgramReading.NO_COMPILER }
+            ?: WorkshopStatus.CompilerFailed.takeIf { programs.reading == ProgramReading.COMPILER_FAILED }
             ?: WorkshopStatus.Compiling.takeIf { programs.reading == ProgramReading.COMPILING }
             ?: WorkshopStatus.Off.takeIf { !session.brick.poweredOn }
             ?: WorkshopStatus.Changed.takeIf { changed }

@@ -20,6 +20,9 @@ sealed interface WorkshopStatus {
     /** The compiler for Java could not be fetched. */
     data object NoCompiler : WorkshopStatus
 
+    /** The compiler failed on the program, by a mistake of its own. */
+    data object CompilerFailed : WorkshopStatus
+
     /** The brick is switched off. */
     data object Off : WorkshopStatus
 
