@@ -28,9 +28,7 @@ internal fun readJar(
                 val content = jar.open(entry) { it.readNBytes(TinyVmLimits.CLASS_FILE_BYTES + 1) }
                 if (content.size > TinyVmLimits.CLASS_FILE_BYTES) return@reading tooLarge("$name: ${entry.name}", messages)
                 bytes += content.size
-                if (bytes >
-                    MOST_JAR_BYTES
-                ) {
+                if (bytes > MOST_JAR_BYTES) {
                     return@reading ReadProgram.Refused(messages.jarTooLarge(name, MOST_JAR_BYTES))
                 }
                 files[entry.name] = content

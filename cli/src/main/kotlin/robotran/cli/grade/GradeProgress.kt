@@ -22,9 +22,7 @@ internal class GradeProgress(
     }
 
     private fun tellTenth() {
-        if (done * TENTHS / total >
-            (done - 1) * TENTHS / total
-        ) {
+        if (done * TENTHS / total > (done - 1) * TENTHS / total) {
             console.mention("${done * 100 / total} %: ${console.messages.runsDone(done, total)}\n")
         }
     }

@@ -47,9 +47,7 @@ internal fun run(program: RcxProgram, rom: StandingClockRom, mostCalls: Int, las
         when (val status = run.resume(1)) {
             ProgramStatus.Running, is ProgramStatus.Paused -> continue
 
-            is ProgramStatus.Waiting -> if (status.untilMilliseconds >
-                rom.milliseconds
-            ) {
+            is ProgramStatus.Waiting -> if (status.untilMilliseconds > rom.milliseconds) {
                 still = 0.also { rom.milliseconds = status.untilMilliseconds }
             }
 

@@ -69,9 +69,7 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
     }
 
     is WorkshopStatus.Paused -> {
-        if (status.line >
-            0
-        ) {
+        if (status.line > 0) {
             stringResource(Res.string.run_status_paused_line, status.line)
         } else {
             stringResource(Res.string.run_status_paused)

@@ -34,9 +34,7 @@ internal object GoldenPicture {
         if (!file.exists()) fail("There is no picture $name yet: look at ${File(seen, "$name.png")} and record it.")
         val wanted = Image.makeFromEncoded(file.readBytes())
         val other = share(tilesOf(small), tilesOf(wanted))
-        if (other >
-            MOST_OTHER_TILES
-        ) {
+        if (other > MOST_OTHER_TILES) {
             fail("$name looks different: ${(other * 100).toInt()} % of its tiles. See ${File(seen, "$name.png")}.")
         }
     }
