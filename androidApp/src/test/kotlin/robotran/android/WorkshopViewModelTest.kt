@@ -12,11 +12,11 @@ import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.Shadows.shadowOf
+import robotran.language.ProgramLanguage
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.WorkshopStatus
 import java.util.concurrent.TimeUnit
 

@@ -6,9 +6,9 @@ import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import robotran.cli.CommandTest
+import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.projects.LinkMaking
-import robotran.projects.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot

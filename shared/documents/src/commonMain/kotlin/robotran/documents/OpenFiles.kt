@@ -2,9 +2,9 @@ package robotran.documents
 
 import robotran.json.JsonLimits
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.projects.LinkResult
-import robotran.projects.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectLimits

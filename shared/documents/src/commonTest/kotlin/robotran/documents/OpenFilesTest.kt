@@ -1,8 +1,8 @@
 package robotran.documents
 
 import kotlinx.coroutines.test.runTest
+import robotran.language.ProgramLanguage
 import robotran.projects.LinkMaking
-import robotran.projects.ProgramLanguage
 import robotran.projects.linkOf
 import robotran.projects.writeProject
 import robotran.world.file.BuiltInWorlds

@@ -1,8 +1,8 @@
 package robotran.learning
 
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
-import robotran.projects.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot

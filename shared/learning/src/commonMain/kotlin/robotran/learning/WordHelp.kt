@@ -1,7 +1,7 @@
 package robotran.learning
 
 import robotran.language.Language
-import robotran.projects.ProgramLanguage
+import robotran.language.ProgramLanguage
 
 /**
  * What there is to know about one word of a program.

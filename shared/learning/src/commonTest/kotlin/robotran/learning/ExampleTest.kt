@@ -2,12 +2,12 @@ package robotran.learning
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.programs.Mistake
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.projects.ProgramLanguage
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.state.RunState
 import robotran.robolang.robot.Calibration

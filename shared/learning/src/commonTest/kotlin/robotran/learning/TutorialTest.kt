@@ -2,9 +2,9 @@ package robotran.learning
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
 import robotran.programs.SourceFile
-import robotran.projects.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads

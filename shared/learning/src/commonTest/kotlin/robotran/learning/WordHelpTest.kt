@@ -1,7 +1,7 @@
 package robotran.learning
 
 import robotran.language.Language
-import robotran.projects.ProgramLanguage
+import robotran.language.ProgramLanguage
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull

@@ -1,5 +1,6 @@
 package robotran.projects
 
+import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
@@ -75,8 +76,6 @@ data class ProjectProgram(
         }
     }
 }
-
-enum class ProgramLanguage { ROBOLANG, JAVA }
 
 /**
  * How the programs of a [Project] run.

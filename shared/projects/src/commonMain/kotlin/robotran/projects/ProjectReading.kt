@@ -3,6 +3,7 @@ package robotran.projects
 import robotran.json.JsonCursor
 import robotran.json.JsonMessages
 import robotran.json.JsonValidationException
+import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
 import robotran.rcxrom.Brick

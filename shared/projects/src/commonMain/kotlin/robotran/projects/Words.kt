@@ -1,5 +1,6 @@
 package robotran.projects
 
+import robotran.language.ProgramLanguage
 import robotran.rcxrom.controls.BrickButton
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed

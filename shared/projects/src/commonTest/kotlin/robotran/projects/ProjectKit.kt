@@ -1,5 +1,6 @@
 package robotran.projects
 
+import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
 import robotran.rcxrom.controls.BrickButton

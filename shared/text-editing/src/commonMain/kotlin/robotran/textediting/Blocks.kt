@@ -1,8 +1,8 @@
 package robotran.textediting
 
+import robotran.language.ProgramLanguage
 import robotran.textediting.code.PieceKind
 import robotran.textediting.code.piecesOfJava
-import robotran.textediting.text.CodeLanguage
 import robotran.textediting.text.isWordCharacter
 
 /** What a line does to the blocks it stands among. */
@@ -14,8 +14,8 @@ internal data class BlockEffect(
 )
 
 /** What [line] does to the blocks around it. */
-internal fun blockEffect(line: String, language: CodeLanguage): BlockEffect = when (language) {
-    CodeLanguage.ROBOLANG -> {
+internal fun blockEffect(line: String, language: ProgramLanguage): BlockEffect = when (language) {
+    ProgramLanguage.ROBOLANG -> {
         when (firstWord(line)) {
             "end" -> BlockEffect(closes = true, opens = false)
             "else" -> BlockEffect(closes = true, opens = true)
@@ -24,7 +24,7 @@ internal fun blockEffect(line: String, language: CodeLanguage): BlockEffect = wh
         }
     }
 
-    CodeLanguage.JAVA -> {
+    ProgramLanguage.JAVA -> {
         val braces = bracesOf(line)
         BlockEffect(closes = line.trimStart().startsWith('}'), opens = braces.lastIndexOf('{') > braces.lastIndexOf('}'))
     }

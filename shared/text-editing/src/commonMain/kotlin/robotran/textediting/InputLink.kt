@@ -1,13 +1,13 @@
 package robotran.textediting
 
-import robotran.textediting.text.CodeLanguage
+import robotran.language.ProgramLanguage
 import robotran.textediting.text.Draft
 
 /**
  * Stands between a long text and a small input field that a keyboard writes into. It knows what the field last held, so that nothing gets lost when
  * somebody types faster than the screen is drawn. Not safe for use by several threads.
  */
-class InputLink(private val language: CodeLanguage) {
+class InputLink(private val language: ProgramLanguage) {
     private var shown = Draft("")
     private var window = InputWindow.of(shown)
     private var field = Draft("")

@@ -1,8 +1,9 @@
 package robotran.textediting
 
-import robotran.textediting.text.CodeLanguage
+import robotran.language.ProgramLanguage
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
+import robotran.textediting.text.indent
 
 /** The lines that something is selected in, the last without if nothing of it is. */
 private fun Draft.selectedLines(): IntRange {
@@ -35,10 +36,10 @@ private fun Draft.withSelectedLines(change: (String) -> String): Draft {
 }
 
 /** This text with the selected lines a step further right. */
-fun Draft.indented(language: CodeLanguage): Draft = withSelectedLines { if (it.isBlank()) it else language.indent + it }
+fun Draft.indented(language: ProgramLanguage): Draft = withSelectedLines { if (it.isBlank()) it else language.indent + it }
 
 /** This text with the selected lines a step further left. */
-fun Draft.unindented(language: CodeLanguage): Draft =
+fun Draft.unindented(language: ProgramLanguage): Draft =
     withSelectedLines { it.drop(minOf(language.indent.length, indentOf(it).length)) }
 
 /** This text with the selected lines made into comments or, if they all are, back into code. */

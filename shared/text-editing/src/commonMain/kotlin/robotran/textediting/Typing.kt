@@ -1,20 +1,21 @@
 package robotran.textediting
 
-import robotran.textediting.text.CodeLanguage
+import robotran.language.ProgramLanguage
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
+import robotran.textediting.text.indent
 import robotran.textediting.text.widthAt
 import robotran.textediting.text.widthBefore
 
 /** This text after [typed] was typed, or came from the clipboard. A line that comes to end a block moves to where that block began. */
-fun Draft.typed(typed: String, language: CodeLanguage): Draft {
+fun Draft.typed(typed: String, language: ProgramLanguage): Draft {
     if (typed == "\n") return withLineBreak(language)
     val after = replaced(typed.replace("\r\n", "\n").replace('\r', '\n').replace("\t", language.indent))
     return if (typed.length == 1) after.withBlockEndAligned(language) else after
 }
 
 /** This text with a new line at the caret, as far right as belongs there. */
-fun Draft.withLineBreak(language: CodeLanguage): Draft {
+fun Draft.withLineBreak(language: ProgramLanguage): Draft {
     val place = selection.start
     val line = lines.lineOf(place)
     val before = text.substring(lines.start(line), place)
@@ -22,7 +23,7 @@ fun Draft.withLineBreak(language: CodeLanguage): Draft {
     val deeper = if (blockEffect(before, language).opens) indent + language.indent else indent
     val rest = text.substring(selection.end, lines.end(lines.lineOf(selection.end)))
     val broken = replaced("\n" + deeper)
-    val closesAtOnce = language == CodeLanguage.JAVA && deeper != indent && rest.trimStart().startsWith('}')
+    val closesAtOnce = language == ProgramLanguage.JAVA && deeper != indent && rest.trimStart().startsWith('}')
     return if (closesAtOnce) broken.withBehindCaret("\n" + indent, rest) else broken.withoutBlanksBehindCaret(rest)
 }
 
@@ -35,7 +36,7 @@ private fun Draft.withBehindCaret(inserted: String, rest: String): Draft {
 private fun Draft.withoutBlanksBehindCaret(rest: String): Draft =
     Draft(text.removeRange(selection.caret, selection.caret + rest.length - rest.trimStart().length), selection)
 
-private fun Draft.withBlockEndAligned(language: CodeLanguage): Draft {
+private fun Draft.withBlockEndAligned(language: ProgramLanguage): Draft {
     val line = lines.lineOf(selection.caret)
     val content = lines.line(line)
     if (selection.caret != lines.end(line) || content.trim().lowercase() !in blockEnds(language)) return this
@@ -46,13 +47,13 @@ private fun Draft.withBlockEndAligned(language: CodeLanguage): Draft {
     return Draft(text.replaceRange(start, start + indent.length, wanted), TextSelection(selection.caret + wanted.length - indent.length))
 }
 
-private fun blockEnds(language: CodeLanguage) = when (language) {
-    CodeLanguage.ROBOLANG -> setOf("end", "else")
-    CodeLanguage.JAVA -> setOf("}")
+private fun blockEnds(language: ProgramLanguage) = when (language) {
+    ProgramLanguage.ROBOLANG -> setOf("end", "else")
+    ProgramLanguage.JAVA -> setOf("}")
 }
 
 /** How far right the block begins that [line] ends; null if there is none. */
-private fun Draft.indentOfOpener(line: Int, language: CodeLanguage): String? {
+private fun Draft.indentOfOpener(line: Int, language: ProgramLanguage): String? {
     var open = 0
     for (above in line - 1 downTo maxOf(0, line - MOST_LINES_OF_A_BLOCK)) {
         val content = lines.line(above)
@@ -67,7 +68,7 @@ private fun Draft.indentOfOpener(line: Int, language: CodeLanguage): String? {
 }
 
 /** This text without what is selected or, if nothing is, without the character before the caret; blanks before a line go a step at a time. */
-fun Draft.erasedBackwards(language: CodeLanguage): Draft {
+fun Draft.erasedBackwards(language: ProgramLanguage): Draft {
     if (!selection.isEmpty) return replaced("")
     val caret = selection.caret
     if (caret == 0) return this

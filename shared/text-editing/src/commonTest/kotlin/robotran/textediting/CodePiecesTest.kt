@@ -1,12 +1,12 @@
 package robotran.textediting
 
+import robotran.language.ProgramLanguage
 import robotran.textediting.code.CodePieces
 import robotran.textediting.code.PieceKind
 import robotran.textediting.code.isJavaName
 import robotran.textediting.code.piecesOf
 import robotran.textediting.code.piecesOfJava
 import robotran.textediting.code.renamedInJava
-import robotran.textediting.text.CodeLanguage
 import robotran.textediting.text.TextLines
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -14,7 +14,7 @@ import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
 class CodePiecesTest {
-    private fun described(line: String, language: CodeLanguage) =
+    private fun described(line: String, language: ProgramLanguage) =
         piecesOf(line, language, startsInComment = false).map { it.kind to line.substring(it.start, it.end) }
 
     @Test
@@ -27,7 +27,7 @@ class CodePiecesTest {
             PieceKind.SIGN to ")",
             PieceKind.COMMENT to "// how long",
         ),
-        described("show abs(side) // how long", CodeLanguage.ROBOLANG),
+        described("show abs(side) // how long", ProgramLanguage.ROBOLANG),
     )
 
     @Test
@@ -46,14 +46,14 @@ class CodePiecesTest {
             PieceKind.TEXT to "\"\\\"b\"",
             PieceKind.COMMENT to "// c",
         ),
-        described("int x = Motor.A + 0x1F; /* a */ \"\\\"b\" // c", CodeLanguage.JAVA),
+        described("int x = Motor.A + 0x1F; /* a */ \"\\\"b\" // c", ProgramLanguage.JAVA),
     )
 
     @Test
     fun `a comment goes on until it ends`() {
         assertTrue(piecesOfJava("a /* b", startsInComment = false).endsInComment)
         assertFalse(piecesOfJava("b */ c", startsInComment = true).endsInComment)
-        val pieces = CodePieces(TextLines("/*\n int\n*/ int"), CodeLanguage.JAVA)
+        val pieces = CodePieces(TextLines("/*\n int\n*/ int"), ProgramLanguage.JAVA)
         assertEquals(listOf(PieceKind.COMMENT), pieces.of(1).map { it.kind })
         assertEquals(listOf(PieceKind.COMMENT, PieceKind.KEYWORD), pieces.of(2).map { it.kind })
     }

@@ -1,11 +1,11 @@
 package robotran.textediting
 
+import robotran.language.ProgramLanguage
 import robotran.textediting.api.LejosApi
 import robotran.textediting.complete.CompletionList
 import robotran.textediting.complete.WordHelp
 import robotran.textediting.complete.completed
 import robotran.textediting.complete.completionsAt
-import robotran.textediting.text.CodeLanguage
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 import kotlin.test.Test
@@ -19,10 +19,10 @@ class CompletionTest {
 
     private fun draft(marked: String) = Draft(marked.replace("|", ""), TextSelection(marked.indexOf('|')))
 
-    private fun offered(marked: String, language: CodeLanguage = CodeLanguage.ROBOLANG, isWanted: Boolean = false): CompletionList? =
+    private fun offered(marked: String, language: ProgramLanguage = ProgramLanguage.ROBOLANG, isWanted: Boolean = false): CompletionList? =
         completionsAt(draft(marked), language, help, isWanted)
 
-    private fun labels(marked: String, language: CodeLanguage = CodeLanguage.ROBOLANG, isWanted: Boolean = false) =
+    private fun labels(marked: String, language: ProgramLanguage = ProgramLanguage.ROBOLANG, isWanted: Boolean = false) =
         offered(marked, language, isWanted)?.items?.map { it.label }.orEmpty()
 
     @Test
@@ -56,18 +56,18 @@ class CompletionTest {
     fun `a whole block comes with its end, as far right as the line`() {
         val before = draft("if light < 3\n  repeat 4|\nend")
         val start = draft("if light < 3\n  rep|\nend")
-        val list = assertNotNull(completionsAt(start, CodeLanguage.ROBOLANG, help, isWanted = false))
+        val list = assertNotNull(completionsAt(start, ProgramLanguage.ROBOLANG, help, isWanted = false))
         val block = list.items.first { it.label.startsWith("repeat 4") }
         val after = start.completed(list, block)
         assertEquals("if light < 3\n  repeat 4 times\n    \n  end\nend", after.text)
         assertEquals(2, after.lines.lineOf(after.selection.caret))
-        assertNull(completionsAt(before, CodeLanguage.ROBOLANG, help, isWanted = false))
+        assertNull(completionsAt(before, ProgramLanguage.ROBOLANG, help, isWanted = false))
     }
 
     @Test
     fun `a function stands ready for its values`() {
         val before = draft("show ro|")
-        val list = assertNotNull(completionsAt(before, CodeLanguage.ROBOLANG, help, isWanted = false))
+        val list = assertNotNull(completionsAt(before, ProgramLanguage.ROBOLANG, help, isWanted = false))
         val after = before.completed(list, list.items.first { it.label == "round()" })
         assertEquals("show round()", after.text)
         assertEquals(after.text.length - 1, after.selection.caret)
@@ -84,14 +84,14 @@ class CompletionTest {
         assertEquals("start forward<>", chosen("start f|", "forward"))
         assertEquals("start turning left<>", chosen("start turning l|", "left"))
         assertEquals("forward<> 30", chosen("fo| 30", "forward"), "there is one already")
-        assertEquals("if (<>)", chosen("i|", "if", CodeLanguage.JAVA))
-        assertEquals("new <>", chosen("ne|", "new", CodeLanguage.JAVA))
+        assertEquals("if (<>)", chosen("i|", "if", ProgramLanguage.JAVA))
+        assertEquals("new <>", chosen("ne|", "new", ProgramLanguage.JAVA))
     }
 
     @Test
     fun `a word that is written out is not offered again, unless somebody asks`() {
         assertNull(offered("forward|"))
-        assertNull(offered("while|", CodeLanguage.JAVA))
+        assertNull(offered("while|", ProgramLanguage.JAVA))
         assertTrue("forward" in labels("forward|", isWanted = true))
         assertEquals("forward <20>", chosen("forward|", "forward", isWanted = true))
     }
@@ -104,7 +104,12 @@ class CompletionTest {
     }
 
     /** The text once [label] was chosen, with what is selected then between angles. */
-    private fun chosen(marked: String, label: String, language: CodeLanguage = CodeLanguage.ROBOLANG, isWanted: Boolean = false): String {
+    private fun chosen(
+        marked: String,
+        label: String,
+        language: ProgramLanguage = ProgramLanguage.ROBOLANG,
+        isWanted: Boolean = false,
+    ): String {
         val list = assertNotNull(offered(marked, language, isWanted), marked)
         val after = draft(marked).completed(list, list.items.first { it.label == label })
         return StringBuilder(after.text).insert(after.selection.end, '>').insert(after.selection.start, '<').toString()
@@ -112,7 +117,7 @@ class CompletionTest {
 
     @Test
     fun `a motor's methods are offered with what the library says about them`() {
-        val items = offered("Motor.A.|", CodeLanguage.JAVA)?.items.orEmpty()
+        val items = offered("Motor.A.|", ProgramLanguage.JAVA)?.items.orEmpty()
         val forward = items.first { it.label == "forward()" }
         assertEquals("Turns the motor forward until it is told otherwise.", forward.help)
         assertTrue(items.any { it.label == "setPower(int power)" && it.caret == "setPower(".length })
@@ -121,18 +126,19 @@ class CompletionTest {
 
     @Test
     fun `a class has its constants, a variable the methods of its class and those above`() {
-        assertTrue("S1" in labels("Sensor.|", CodeLanguage.JAVA))
-        assertTrue("SENSOR_TYPE_LIGHT" in labels("SensorConstants.SENSOR_T|", CodeLanguage.JAVA))
-        assertTrue("readValue()" in labels("Sensor eye = Sensor.S2;\nint x = eye.r|", CodeLanguage.JAVA))
-        assertTrue("sleep(long milliseconds)" in labels("Thread.sl|", CodeLanguage.JAVA), "${labels("Thread.sl|", CodeLanguage.JAVA)}")
-        assertEquals(emptyList(), labels("nobody.|", CodeLanguage.JAVA))
+        assertTrue("S1" in labels("Sensor.|", ProgramLanguage.JAVA))
+        assertTrue("SENSOR_TYPE_LIGHT" in labels("SensorConstants.SENSOR_T|", ProgramLanguage.JAVA))
+        assertTrue("readValue()" in labels("Sensor eye = Sensor.S2;\nint x = eye.r|", ProgramLanguage.JAVA))
+        val ofThread = labels("Thread.sl|", ProgramLanguage.JAVA)
+        assertTrue("sleep(long milliseconds)" in ofThread, "$ofThread")
+        assertEquals(emptyList(), labels("nobody.|", ProgramLanguage.JAVA))
     }
 
     @Test
     fun `keywords, classes and names are offered in Java`() {
-        assertTrue("while" in labels("whi|", CodeLanguage.JAVA))
-        assertTrue("Motor" in labels("Mot|", CodeLanguage.JAVA))
-        assertTrue("backAway()" in labels("void backAway() {}\nback|", CodeLanguage.JAVA))
+        assertTrue("while" in labels("whi|", ProgramLanguage.JAVA))
+        assertTrue("Motor" in labels("Mot|", ProgramLanguage.JAVA))
+        assertTrue("backAway()" in labels("void backAway() {}\nback|", ProgramLanguage.JAVA))
     }
 
     @Test

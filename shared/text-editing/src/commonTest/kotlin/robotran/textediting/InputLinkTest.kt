@@ -1,13 +1,13 @@
 package robotran.textediting
 
-import robotran.textediting.text.CodeLanguage
+import robotran.language.ProgramLanguage
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
 class InputLinkTest {
-    private val link = InputLink(CodeLanguage.ROBOLANG)
+    private val link = InputLink(ProgramLanguage.ROBOLANG)
 
     private fun Draft.fieldTyped(typed: String) = replaced(typed)
 

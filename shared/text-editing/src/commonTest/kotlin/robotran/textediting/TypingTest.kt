@@ -1,6 +1,6 @@
 package robotran.textediting
 
-import robotran.textediting.text.CodeLanguage
+import robotran.language.ProgramLanguage
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 import kotlin.test.Test
@@ -17,7 +17,7 @@ class TypingTest {
 
     private fun Draft.marked() = text.replaceRange(selection.caret, selection.caret, "|")
 
-    private fun typed(before: String, typed: String, language: CodeLanguage = CodeLanguage.ROBOLANG): String =
+    private fun typed(before: String, typed: String, language: ProgramLanguage = ProgramLanguage.ROBOLANG): String =
         typed.fold(at(before)) { draft, character -> draft.typed(character.toString(), language) }.marked()
 
     @Test
@@ -39,27 +39,27 @@ class TypingTest {
 
     @Test
     fun `a curly bracket opens and closes a block of Java`() =
-        assertEquals("while (true) {\n    go();\n}|", typed("while (true) {|", "\ngo();\n}", CodeLanguage.JAVA))
+        assertEquals("while (true) {\n    go();\n}|", typed("while (true) {|", "\ngo();\n}", ProgramLanguage.JAVA))
 
     @Test
     fun `a new line between two curly brackets makes room between them`() =
-        assertEquals("    void go() {\n        |\n    }", typed("    void go() {|}", "\n", CodeLanguage.JAVA))
+        assertEquals("    void go() {\n        |\n    }", typed("    void go() {|}", "\n", ProgramLanguage.JAVA))
 
     @Test
-    fun `a curly bracket in a text opens nothing`() = assertEquals("say(\"{\");\n|", typed("say(\"{\");|", "\n", CodeLanguage.JAVA))
+    fun `a curly bracket in a text opens nothing`() = assertEquals("say(\"{\");\n|", typed("say(\"{\");|", "\n", ProgramLanguage.JAVA))
 
     @Test
     fun `what is selected goes when something is typed`() = assertEquals("for|ward", typed("|back|ward", "for"))
 
     @Test
     fun `what comes from the clipboard gets our line ends and no tabs`() =
-        assertEquals("a\n  b\nc|", at("|").typed("a\r\n\tb\rc", CodeLanguage.ROBOLANG).marked())
+        assertEquals("a\n  b\nc|", at("|").typed("a\r\n\tb\rc", ProgramLanguage.ROBOLANG).marked())
 
     @Test
     fun `erasing goes a step to the left before a line and a character otherwise`() {
-        assertEquals("  |beep", at("    |beep").erasedBackwards(CodeLanguage.ROBOLANG).marked())
-        assertEquals("    be|p", at("    bee|p").erasedBackwards(CodeLanguage.ROBOLANG).marked())
-        assertEquals("|beep", at("\uD83D\uDE00|beep").erasedBackwards(CodeLanguage.ROBOLANG).marked())
+        assertEquals("  |beep", at("    |beep").erasedBackwards(ProgramLanguage.ROBOLANG).marked())
+        assertEquals("    be|p", at("    bee|p").erasedBackwards(ProgramLanguage.ROBOLANG).marked())
+        assertEquals("|beep", at("\uD83D\uDE00|beep").erasedBackwards(ProgramLanguage.ROBOLANG).marked())
     }
 
     @Test
@@ -71,8 +71,8 @@ class TypingTest {
     @Test
     fun `lines go further right and left together`() {
         val draft = at("a\n|b\n\nc|\nd")
-        assertEquals("a\n  b\n\n  c\nd", draft.indented(CodeLanguage.ROBOLANG).text)
-        assertEquals(draft.text, draft.indented(CodeLanguage.ROBOLANG).unindented(CodeLanguage.ROBOLANG).text)
+        assertEquals("a\n  b\n\n  c\nd", draft.indented(ProgramLanguage.ROBOLANG).text)
+        assertEquals(draft.text, draft.indented(ProgramLanguage.ROBOLANG).unindented(ProgramLanguage.ROBOLANG).text)
     }
 
     @Test

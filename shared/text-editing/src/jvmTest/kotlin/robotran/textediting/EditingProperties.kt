@@ -11,12 +11,12 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
+import robotran.language.ProgramLanguage
 import robotran.textediting.code.formatJava
 import robotran.textediting.code.piecesOf
 import robotran.textediting.complete.WordHelp
 import robotran.textediting.complete.completed
 import robotran.textediting.complete.completionsAt
-import robotran.textediting.text.CodeLanguage
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 import robotran.textediting.text.withWordSelected
@@ -92,7 +92,7 @@ class EditingProperties : FunSpec({
     }
 
     test("the pieces of a line come in order and inside it, whatever it holds") {
-        checkAll(texts, Arb.enum<CodeLanguage>()) { text, language ->
+        checkAll(texts, Arb.enum<ProgramLanguage>()) { text, language ->
             for (line in text.split('\n')) {
                 piecesOf(line, language, startsInComment = false).fold(0) { done, piece ->
                     piece.start shouldBeInRange done..line.length
@@ -112,7 +112,7 @@ class EditingProperties : FunSpec({
     }
 
     test("completing never fails and leaves what stands before it") {
-        checkAll(drafts, Arb.enum<CodeLanguage>()) { draft, language ->
+        checkAll(drafts, Arb.enum<ProgramLanguage>()) { draft, language ->
             val list = completionsAt(draft, language, WordHelp { null }, isWanted = true)
             for (item in list?.items.orEmpty()) draft.completed(list!!, item).text.take(list.start) shouldBe draft.text.take(list.start)
         }
@@ -137,21 +137,21 @@ private val drafts: Arb<Draft> = arbitrary { random ->
 
 private val actions: Arb<Action> = Arb.element(
     listOf("a", " ", "\n", "end", "}", "{", "x y", "\uD83D\uDE00")
-        .map { typed -> Action(EditKind.TYPING) { it.typed(typed, CodeLanguage.ROBOLANG) } } +
+        .map { typed -> Action(EditKind.TYPING) { it.typed(typed, ProgramLanguage.ROBOLANG) } } +
         CaretMove.entries.map { move -> Action(EditKind.OTHER) { it.moved(move, selecting = move.ordinal % 2 == 0) } } +
         listOf(
-            Action(EditKind.ERASING) { it.erasedBackwards(CodeLanguage.JAVA) },
+            Action(EditKind.ERASING) { it.erasedBackwards(ProgramLanguage.JAVA) },
             Action(EditKind.ERASING) { it.erasedForwards() },
             Action(EditKind.ERASING) { it.wordErasedBackwards() },
             Action(EditKind.ERASING) { it.wordErasedForwards() },
-            Action(EditKind.OTHER) { it.indented(CodeLanguage.JAVA) },
-            Action(EditKind.OTHER) { it.unindented(CodeLanguage.JAVA) },
+            Action(EditKind.OTHER) { it.indented(ProgramLanguage.JAVA) },
+            Action(EditKind.OTHER) { it.unindented(ProgramLanguage.JAVA) },
             Action(EditKind.OTHER) { it.withCommentToggled() },
             Action(EditKind.OTHER) { it.withLinesMovedUp() },
             Action(EditKind.OTHER) { it.withLinesMovedDown() },
             Action(EditKind.OTHER) { it.withLinesDoubled() },
             Action(EditKind.OTHER) { it.withoutLines() },
             Action(EditKind.OTHER) { it.withWordSelected(it.selection.caret) },
-            Action(EditKind.OTHER) { it.typed("}", CodeLanguage.JAVA) },
+            Action(EditKind.OTHER) { it.typed("}", ProgramLanguage.JAVA) },
         ),
 )

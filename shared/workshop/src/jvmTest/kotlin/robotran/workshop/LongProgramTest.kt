@@ -1,12 +1,12 @@
 package robotran.workshop
 
 import kotlinx.coroutines.runBlocking
+import robotran.language.ProgramLanguage
 import robotran.projects.ProjectLimits
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 import kotlin.test.AfterTest
 import kotlin.test.Test

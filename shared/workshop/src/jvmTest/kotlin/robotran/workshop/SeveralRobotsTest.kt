@@ -1,12 +1,12 @@
 package robotran.workshop
 
 import kotlinx.coroutines.runBlocking
+import robotran.language.ProgramLanguage
 import robotran.projects.Project
 import robotran.simulation.Breakpoint
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.programs.ProgramsStateHolder
-import robotran.workshop.state.ProgramLanguage
 import robotran.world.LightFacing
 import robotran.world.RobotColour
 import robotran.world.RobotPlace

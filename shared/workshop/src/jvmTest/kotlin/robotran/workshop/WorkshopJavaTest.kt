@@ -1,6 +1,7 @@
 package robotran.workshop
 
 import kotlinx.coroutines.runBlocking
+import robotran.language.ProgramLanguage
 import robotran.rcxrom.controls.BrickButton
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
@@ -8,7 +9,6 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.state.Notice
 import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.ProgramReading
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.WorkshopStatus

@@ -1,14 +1,14 @@
 package robotran.textediting.code
 
+import robotran.language.ProgramLanguage
 import robotran.robolang.SourcePieceKind
 import robotran.robolang.robolangPieces
-import robotran.textediting.text.CodeLanguage
 import robotran.textediting.text.TextLines
 
 /** The pieces of the lines of a program, worked out when they are asked for. */
 class CodePieces(
     private val lines: TextLines,
-    private val language: CodeLanguage,
+    private val language: ProgramLanguage,
 ) {
     private val startsInComment: BooleanArray? by lazy(LazyThreadSafetyMode.PUBLICATION) { commentStarts() }
 
@@ -19,7 +19,7 @@ class CodePieces(
     fun of(line: Int): List<CodePiece> = piecesOf(lines.line(line), language, startsInComment(line))
 
     private fun commentStarts(): BooleanArray? {
-        if (language == CodeLanguage.ROBOLANG || "/*" !in lines.text) return null
+        if (language == ProgramLanguage.ROBOLANG || "/*" !in lines.text) return null
         val starts = BooleanArray(lines.count)
         var inComment = false
         for (line in 0..<lines.count) {
@@ -32,9 +32,9 @@ class CodePieces(
 }
 
 /** The pieces of one [line]. Never throws, whatever it holds. */
-fun piecesOf(line: String, language: CodeLanguage, startsInComment: Boolean): List<CodePiece> = when (language) {
-    CodeLanguage.ROBOLANG -> robolangPieces(line).map { CodePiece(kindOf(it.kind), it.start, it.end) }
-    CodeLanguage.JAVA -> piecesOfJava(line, startsInComment).pieces
+fun piecesOf(line: String, language: ProgramLanguage, startsInComment: Boolean): List<CodePiece> = when (language) {
+    ProgramLanguage.ROBOLANG -> robolangPieces(line).map { CodePiece(kindOf(it.kind), it.start, it.end) }
+    ProgramLanguage.JAVA -> piecesOfJava(line, startsInComment).pieces
 }
 
 private fun kindOf(kind: SourcePieceKind): PieceKind = when (kind) {

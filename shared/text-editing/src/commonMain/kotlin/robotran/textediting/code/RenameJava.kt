@@ -1,12 +1,12 @@
 package robotran.textediting.code
 
-import robotran.textediting.text.CodeLanguage
+import robotran.language.ProgramLanguage
 import robotran.textediting.text.TextLines
 
 /** [source] with every name [old] written as [new], but for those in texts and comments. */
 fun renamedInJava(source: String, old: String, new: String): String {
     val lines = TextLines(source)
-    val pieces = CodePieces(lines, CodeLanguage.JAVA)
+    val pieces = CodePieces(lines, ProgramLanguage.JAVA)
     val result = StringBuilder()
     for (line in 0..<lines.count) {
         if (line > 0) result.append('\n')

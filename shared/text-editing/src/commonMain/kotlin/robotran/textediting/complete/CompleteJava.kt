@@ -1,11 +1,11 @@
 package robotran.textediting.complete
 
+import robotran.language.ProgramLanguage
 import robotran.textediting.api.ApiMember
 import robotran.textediting.api.LejosApi
 import robotran.textediting.code.CodePieces
 import robotran.textediting.code.JAVA_KEYWORDS
 import robotran.textediting.code.PieceKind
-import robotran.textediting.text.CodeLanguage
 import robotran.textediting.text.Draft
 
 /** What may stand where the caret is in a leJOS program; null if nothing is offered there. */
@@ -15,7 +15,7 @@ internal fun completeJava(draft: Draft, help: WordHelp, isWanted: Boolean): Comp
     val text = draft.lines.line(line)
     val lineStart = draft.lines.start(line)
     val column = caret - lineStart
-    val pieces = CodePieces(draft.lines, CodeLanguage.JAVA).of(line)
+    val pieces = CodePieces(draft.lines, ProgramLanguage.JAVA).of(line)
     val around = pieces.firstOrNull { column > it.start && column <= it.end }
     if (around != null && around.kind in SILENT) return null
     val word = around?.takeIf { it.kind != PieceKind.SIGN }
@@ -72,7 +72,7 @@ private fun completionOf(member: ApiMember): Completion {
 /** What a variable was declared as: the class that stands before its name. */
 private fun typeOfVariable(name: String, draft: Draft): String? {
     var before = ""
-    val pieces = CodePieces(draft.lines, CodeLanguage.JAVA)
+    val pieces = CodePieces(draft.lines, ProgramLanguage.JAVA)
     for (line in 0..<minOf(draft.lines.count, MOST_LINES)) {
         val text = draft.lines.line(line)
         if (name !in text) continue
@@ -86,7 +86,7 @@ private fun typeOfVariable(name: String, draft: Draft): String? {
 }
 
 private fun namesIn(draft: Draft, writing: Int): List<Completion> {
-    val pieces = CodePieces(draft.lines, CodeLanguage.JAVA)
+    val pieces = CodePieces(draft.lines, ProgramLanguage.JAVA)
     val found = LinkedHashMap<String, Completion>()
     val here = draft.lines.lineOf(writing)
     for (line in maxOf(0, here - MOST_LINES_AROUND)..minOf(draft.lines.count - 1, here + MOST_LINES_AROUND)) {

@@ -1,9 +1,9 @@
 package robotran.textediting.complete
 
+import robotran.language.ProgramLanguage
 import robotran.robolang.RobolangWords
 import robotran.textediting.code.CodePieces
 import robotran.textediting.code.PieceKind
-import robotran.textediting.text.CodeLanguage
 import robotran.textediting.text.Draft
 import robotran.textediting.text.isWordCharacter
 
@@ -13,7 +13,7 @@ internal fun completeRobolang(draft: Draft, help: WordHelp, isWanted: Boolean): 
     val line = draft.lines.lineOf(caret)
     val lineStart = draft.lines.start(line)
     val column = caret - lineStart
-    val pieces = CodePieces(draft.lines, CodeLanguage.ROBOLANG).of(line)
+    val pieces = CodePieces(draft.lines, ProgramLanguage.ROBOLANG).of(line)
     val text = draft.lines.line(line)
     val around = pieces.firstOrNull { column > it.start && column <= it.end }
     val word = around?.takeIf { it.kind == PieceKind.NAME || it.kind == PieceKind.KEYWORD || it.kind == PieceKind.KNOWN }
@@ -54,7 +54,7 @@ private fun functions(help: WordHelp) = RobolangWords.functions.map { (name, par
 
 /** The names that the pupil has given, but for the one that is being written at [writing]. */
 private fun namesIn(draft: Draft, writing: Int): List<Completion> {
-    val pieces = CodePieces(draft.lines, CodeLanguage.ROBOLANG)
+    val pieces = CodePieces(draft.lines, ProgramLanguage.ROBOLANG)
     val found = LinkedHashMap<String, Completion>()
     for (line in 0..<minOf(draft.lines.count, MOST_LINES)) {
         if (!declares(draft, line)) continue

@@ -1,6 +1,6 @@
 package robotran.textediting.complete
 
-import robotran.textediting.text.CodeLanguage
+import robotran.language.ProgramLanguage
 import robotran.textediting.text.Draft
 
 /**
@@ -9,10 +9,10 @@ import robotran.textediting.text.Draft
  *
  * @param isWanted whether somebody asked for it; otherwise nothing is offered before something has been typed.
  */
-fun completionsAt(draft: Draft, language: CodeLanguage, help: WordHelp, isWanted: Boolean): CompletionList? {
+fun completionsAt(draft: Draft, language: ProgramLanguage, help: WordHelp, isWanted: Boolean): CompletionList? {
     if (!draft.selection.isEmpty) return null
     return when (language) {
-        CodeLanguage.ROBOLANG -> completeRobolang(draft, help, isWanted)
-        CodeLanguage.JAVA -> completeJava(draft, help, isWanted)
+        ProgramLanguage.ROBOLANG -> completeRobolang(draft, help, isWanted)
+        ProgramLanguage.JAVA -> completeJava(draft, help, isWanted)
     }
 }

@@ -2,9 +2,9 @@ package robotran.ui.learning
 
 import org.jetbrains.compose.resources.ExperimentalResourceApi
 import org.jetbrains.compose.resources.StringResource
+import robotran.language.ProgramLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.allStringResources
-import robotran.workshop.state.ProgramLanguage
 
 /**
  * What the example [name] does, in a sentence: of `wall-bouncer.robo` and `WallBouncer.java` it is `example_wall_bouncer`, unless the one in Java has

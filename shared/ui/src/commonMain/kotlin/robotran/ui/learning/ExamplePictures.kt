@@ -1,6 +1,7 @@
 package robotran.ui.learning
 
 import androidx.compose.ui.graphics.ImageBitmap
+import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
@@ -12,7 +13,6 @@ import robotran.ui.sheet.PictureRoom
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
 import robotran.workshop.examples.examples
-import robotran.workshop.state.ProgramLanguage
 import robotran.world.file.BuiltInWorlds
 
 /**

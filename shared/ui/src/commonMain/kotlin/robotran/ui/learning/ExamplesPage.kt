@@ -21,6 +21,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.ProgramLanguage
 import robotran.ui.parts.Page
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_examples
@@ -30,7 +31,6 @@ import robotran.ui.resources.program_examples_robolang
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.examples.examples
-import robotran.workshop.state.ProgramLanguage
 
 /** All programs that come with the app, with what they draw; first those in the language [current], which one works in. */
 @Composable

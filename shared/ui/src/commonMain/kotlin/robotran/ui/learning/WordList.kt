@@ -24,6 +24,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.ui.parts.RadioMark
 import robotran.ui.resources.Res
@@ -33,16 +34,14 @@ import robotran.ui.theme.Measures
 import robotran.ui.theme.codeStyle
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.learning.asCode
 import robotran.workshop.state.LearningState
-import robotran.workshop.state.ProgramLanguage
 
 /** All words of one of the two languages with their sentences, to choose one from. */
 @Composable
 internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val code = state.help.code
     val words = remember(code, state.language) {
-        WordHelp.words(code.asCode()).mapNotNull { WordHelp.of(state.language, code.asCode(), it) }
+        WordHelp.words(code).mapNotNull { WordHelp.of(state.language, code, it) }
     }
     LazyColumn(Modifier.testTag("help-words")) {
         item(key = "languages") { Languages(code) { onEvent(LearningEvent.WordsWanted(it)) } }

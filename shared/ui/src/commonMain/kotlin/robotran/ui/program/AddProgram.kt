@@ -18,6 +18,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.ProgramLanguage
 import robotran.ui.parts.AppMenu
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_add
@@ -33,7 +34,6 @@ import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.ProgramsState
 
 /** The button with a plus: a new program in either language, the examples, or one more class for a Java program. */

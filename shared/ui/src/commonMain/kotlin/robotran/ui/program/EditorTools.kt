@@ -25,6 +25,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.ProgramLanguage
 import robotran.ui.parts.AppMenu
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.resources.Res
@@ -45,7 +46,6 @@ import robotran.ui.resources.editor_undo
 import robotran.ui.resources.editor_unindent
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Measures
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.ProgramsState
 
 /** A slim row over the text: what one often does to it, and a menu with the rest. */

@@ -22,6 +22,7 @@ import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.ProgramLanguage
 import robotran.rcxrom.program.ProgramFailure
 import robotran.textediting.text.Draft
 import robotran.ui.program.editor.CodeEditor
@@ -37,12 +38,10 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.InlineDiagnostic
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopState
-import robotran.workshop.state.code
 import robotran.workshop.state.noteOf
 
 /**
@@ -117,7 +116,7 @@ private fun ShownFile(
     val view = remember(key) { EditorView() }
     val control = remember(key) {
         val hasRoom = { draft: Draft -> now.first.let { it.program.hasRoomFor(it.shownFile, draft) } }
-        EditorControl(state.program.language.code, view, hasRoom) { draft, kind -> event(ProgramEvent.Written(draft, kind)) }
+        EditorControl(state.program.language, view, hasRoom) { draft, kind -> event(ProgramEvent.Written(draft, kind)) }
     }
     control.help = rememberWordHelp(state.program.language)
     val actions = remember(control) { PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() }) }

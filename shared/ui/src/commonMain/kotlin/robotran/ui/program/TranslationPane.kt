@@ -31,9 +31,9 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.ProgramLanguage
 import robotran.robolang.translate.Translation
 import robotran.textediting.code.CodePieces
-import robotran.textediting.text.CodeLanguage
 import robotran.textediting.text.Draft
 import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorPaint
@@ -113,9 +113,9 @@ private fun TranslatedText(
 ) {
     val label = stringResource(Res.string.editor_translation_label)
     val view = remember { EditorView() }
-    val layouts = rememberLineLayouts(CodeLanguage.JAVA, codeSize)
+    val layouts = rememberLineLayouts(ProgramLanguage.JAVA, codeSize)
     val draft = remember(translation.java) { Draft(translation.java.trimEnd('\n')) }
-    val pieces = remember(draft) { CodePieces(draft.lines, CodeLanguage.JAVA) }
+    val pieces = remember(draft) { CodePieces(draft.lines, ProgramLanguage.JAVA) }
     val paint = remember(draft, lit) { EditorPaint(draft, EditorMarks(partners = lit), hasFocus = false) }
     val line by rememberUpdatedState(onLine)
     val zoom by rememberUpdatedState(onZoom)

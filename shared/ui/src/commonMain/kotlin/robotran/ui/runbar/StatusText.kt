@@ -7,6 +7,7 @@ import robotran.ui.resources.mistake_in_line_of_file
 import robotran.ui.resources.run_status_paused
 import robotran.ui.resources.run_status_paused_line
 import robotran.ui.resources.status_changed
+import robotran.ui.resources.status_compiler_failed
 import robotran.ui.resources.status_compiling
 import robotran.ui.resources.status_empty
 import robotran.ui.resources.status_ended
@@ -17,7 +18,6 @@ import robotran.ui.resources.status_failed
 import robotran.ui.resources.status_mistake
 import robotran.ui.resources.status_mistake_anywhere
 import robotran.ui.resources.status_mistake_in_file
-import robotran.ui.resources.status_compiler_failed
 import robotran.ui.resources.status_no_compiler
 import robotran.ui.resources.status_off
 import robotran.ui.resources.status_ready

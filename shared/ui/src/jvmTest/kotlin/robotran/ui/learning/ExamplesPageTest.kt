@@ -9,6 +9,7 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
@@ -21,7 +22,6 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.LearningPage
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 import java.io.File
 import kotlin.test.Test

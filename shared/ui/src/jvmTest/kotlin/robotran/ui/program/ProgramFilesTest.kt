@@ -5,10 +5,10 @@ import androidx.compose.ui.test.assertIsNotEnabled
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
+import robotran.language.ProgramLanguage
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -7,6 +7,7 @@ import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.ui.screen.keepAs
@@ -19,7 +20,6 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.Pane
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 

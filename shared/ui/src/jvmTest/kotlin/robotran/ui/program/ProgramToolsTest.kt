@@ -9,13 +9,13 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
+import robotran.language.ProgramLanguage
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Pane
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.text
 import kotlin.test.Test

@@ -2,6 +2,7 @@ package robotran.ui.screen
 
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.Image
+import robotran.language.ProgramLanguage
 import robotran.rcxrom.controls.BrickButton
 import robotran.ui.pictures.sheetPng
 import robotran.workshop.Workshop
@@ -12,7 +13,6 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.Pane
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 

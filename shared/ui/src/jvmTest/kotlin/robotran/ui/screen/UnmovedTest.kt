@@ -6,6 +6,7 @@ import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.runDesktopComposeUiTest
+import robotran.language.ProgramLanguage
 import robotran.ui.RobotranApp
 import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
@@ -15,7 +16,6 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.Pane
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.Settings
 import robotran.world.geometry.Point
 import robotran.worldediting.Edit

@@ -5,6 +5,7 @@ import robotran.documents.ZipEntry
 import robotran.documents.fileNameFor
 import robotran.documents.projectFile
 import robotran.documents.zipOf
+import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
@@ -26,7 +27,6 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 
 /** Gives the work away: as a link, as a picture, as a replay, as programs for elsewhere. */

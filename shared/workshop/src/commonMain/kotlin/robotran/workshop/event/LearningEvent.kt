@@ -1,7 +1,7 @@
 package robotran.workshop.event
 
+import robotran.language.ProgramLanguage
 import robotran.workshop.state.LearningPage
-import robotran.workshop.state.ProgramLanguage
 
 /** Something a person does with what there is to learn from. */
 sealed interface LearningEvent : WorkshopEvent {

@@ -1,9 +1,9 @@
 package robotran.workshop.event
 
+import robotran.language.ProgramLanguage
 import robotran.programs.Mistake
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 
 /** Something a person does with the programs. */

@@ -1,6 +1,6 @@
 package robotran.workshop.examples
 
-import robotran.workshop.state.ProgramLanguage
+import robotran.language.ProgramLanguage
 
 /** The programs in this language that come with the app, text by name. */
 val ProgramLanguage.examples: Map<String, String>

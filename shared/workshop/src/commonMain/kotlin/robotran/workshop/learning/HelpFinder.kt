@@ -1,5 +1,6 @@
 package robotran.workshop.learning
 
+import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.learning.helpOn
 import robotran.learning.javaToTry
@@ -15,10 +16,7 @@ import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.HelpState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
-import robotran.workshop.state.code
-import robotran.projects.ProgramLanguage as CodeLanguage
 
 /** Finds the help on words, and lets their examples be tried. */
 internal class HelpFinder(
@@ -34,12 +32,12 @@ internal class HelpFinder(
     /** The help on the word at [offset] of the program [text]. */
     fun at(text: String, offset: Int): HelpState {
         val code = if (JAVA_CLASS.containsMatchIn(text)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
-        return HelpState(code, wordAt(text, offset), helpOn(preferences.language, code.asCode(), text, offset))
+        return HelpState(code, wordAt(text, offset), helpOn(preferences.language, code, text, offset))
     }
 
     /** The help on [word]; the list of all words without one. */
     fun on(code: ProgramLanguage, word: String?): HelpState =
-        HelpState(code, word, word?.let { WordHelp.of(preferences.language, code.asCode(), it) })
+        HelpState(code, word, word?.let { WordHelp.of(preferences.language, code, it) })
 
     /** Puts the example of [help] into a tab and runs nothing; false if there is no example, or no room for it, which is then said. */
     fun tryExample(help: HelpState): Boolean {
@@ -77,10 +75,4 @@ internal class HelpFinder(
         /** Only Java has it; Robolang has no such brackets. */
         val JAVA_CLASS = Regex("\\b(class|interface)\\s+\\w+[^\\n]*\\{")
     }
-}
-
-/** The same language as the projects name it. */
-fun ProgramLanguage.asCode(): CodeLanguage = when (this) {
-    ProgramLanguage.ROBOLANG -> CodeLanguage.ROBOLANG
-    ProgramLanguage.JAVA -> CodeLanguage.JAVA
 }

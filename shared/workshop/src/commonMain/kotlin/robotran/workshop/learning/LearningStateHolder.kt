@@ -29,7 +29,6 @@ import robotran.workshop.state.LearningState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.TutorialState
-import robotran.workshop.state.code
 
 /** Keeps what is being learned from, and how far somebody has come with it. */
 class LearningStateHolder(

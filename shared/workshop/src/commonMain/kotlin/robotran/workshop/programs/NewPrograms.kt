@@ -1,7 +1,7 @@
 package robotran.workshop.programs
 
+import robotran.language.ProgramLanguage
 import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 
 /** A program to begin with in [language], with a name that none of [others] has. */

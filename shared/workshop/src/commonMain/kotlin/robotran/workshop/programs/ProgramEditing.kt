@@ -1,5 +1,6 @@
 package robotran.workshop.programs
 
+import robotran.language.ProgramLanguage
 import robotran.rcxrom.Brick
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
@@ -8,7 +9,6 @@ import robotran.textediting.code.formatJava
 import robotran.textediting.editBetween
 import robotran.textediting.text.Draft
 import robotran.workshop.event.ProgramEvent
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.withPlainLineEnds
 

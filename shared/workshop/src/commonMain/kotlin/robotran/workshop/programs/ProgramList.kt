@@ -2,13 +2,13 @@ package robotran.workshop.programs
 
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
-import robotran.programs.Mistake
+import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
+import robotran.programs.Mistake
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.rcxrom.Brick
 import robotran.rcxrom.program.RcxProgram
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 
 /**

@@ -4,17 +4,11 @@ import robotran.programs.SourceFile
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 
 /** The program as a project keeps it. */
-fun PupilProgram.asProject(): ProjectProgram {
-    val language = when (language) {
-        ProgramLanguage.ROBOLANG -> robotran.projects.ProgramLanguage.ROBOLANG
-        ProgramLanguage.JAVA -> robotran.projects.ProgramLanguage.JAVA
-    }
-    return ProjectProgram(name, language, files.map { SourceFile(it.name, it.text) })
-}
+fun PupilProgram.asProject(): ProjectProgram =
+    ProjectProgram(name, language, files.map { SourceFile(it.name, it.text) })
 
 internal fun ProjectProgram.asPupil(): PupilProgram = PupilProgram(files.map { ProgramFile(it.name, it.text) })
 

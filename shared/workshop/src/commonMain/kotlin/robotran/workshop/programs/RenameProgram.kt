@@ -1,10 +1,10 @@
 package robotran.workshop.programs
 
+import robotran.language.ProgramLanguage
 import robotran.textediting.EditKind
 import robotran.textediting.code.isJavaName
 import robotran.textediting.code.renamedInJava
 import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 
 /** Why a file cannot be called so. */

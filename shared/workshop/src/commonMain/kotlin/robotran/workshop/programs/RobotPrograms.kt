@@ -1,5 +1,6 @@
 package robotran.workshop.programs
 
+import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -7,7 +8,6 @@ import robotran.projects.lightFacingOf
 import robotran.rcxrom.Brick
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
-import robotran.workshop.state.ProgramLanguage
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.withPlainLineEnds
 import robotran.world.RobotPlace

@@ -2,6 +2,7 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.learning.Tutorial
 import robotran.learning.TutorialStep
 import robotran.learning.WordHelp

@@ -1,9 +1,9 @@
 package robotran.workshop.state
 
+import robotran.language.ProgramLanguage
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.projects.ProjectLimits
-import robotran.textediting.text.CodeLanguage
 import robotran.textediting.text.Draft
 
 /**
@@ -45,18 +45,4 @@ data class PupilProgram(
         copy(files = files.mapIndexed { place, old -> if (place == file) old.copy(text = text) else old })
 }
 
-/**
- * What a program is written in.
- *
- * @property extension how the names of its files end.
- */
-enum class ProgramLanguage(val extension: String) { ROBOLANG(".robo"), JAVA(".java") }
-
 fun PupilProgram.withPlainLineEnds(): PupilProgram = copy(files = files.map { it.copy(text = it.text.withPlainLineEnds()) })
-
-/** The language as an editor knows it. */
-val ProgramLanguage.code: CodeLanguage
-    get() = when (this) {
-        ProgramLanguage.ROBOLANG -> CodeLanguage.ROBOLANG
-        ProgramLanguage.JAVA -> CodeLanguage.JAVA
-    }

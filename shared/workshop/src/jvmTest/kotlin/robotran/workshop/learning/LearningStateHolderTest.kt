@@ -1,6 +1,7 @@
 package robotran.workshop.learning
 
 import kotlinx.coroutines.runBlocking
+import robotran.language.ProgramLanguage
 import robotran.learning.Tutorial
 import robotran.learning.WorldGallery
 import robotran.workshop.Workshop
@@ -11,7 +12,6 @@ import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
-import robotran.workshop.state.ProgramLanguage
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -2,8 +2,8 @@ package robotran.workshop.documents
 
 import kotlinx.coroutines.runBlocking
 import robotran.documents.StoreResult
+import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
-import robotran.projects.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot

@@ -6,6 +6,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.text.AnnotatedString
+import robotran.language.ProgramLanguage
 import robotran.textediting.CaretMove
 import robotran.textediting.EditKind
 import robotran.textediting.InputLink
@@ -18,9 +19,9 @@ import robotran.textediting.erasedBackwards
 import robotran.textediting.erasedForwards
 import robotran.textediting.indented
 import robotran.textediting.moved
-import robotran.textediting.text.CodeLanguage
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
+import robotran.textediting.text.indent
 import robotran.textediting.text.withWordSelected
 import robotran.textediting.typed
 import robotran.textediting.unindented
@@ -40,7 +41,7 @@ import robotran.textediting.wordErasedForwards
  */
 @Stable
 internal class EditorControl(
-    val language: CodeLanguage,
+    val language: ProgramLanguage,
     private val view: EditorView,
     private val hasRoom: (Draft) -> Boolean = { true },
     private val onWritten: (Draft, EditKind) -> Unit,

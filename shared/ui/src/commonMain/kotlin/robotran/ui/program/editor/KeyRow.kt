@@ -18,8 +18,8 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.ProgramLanguage
 import robotran.textediting.CaretMove
-import robotran.textediting.text.CodeLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_caret_left
 import robotran.ui.resources.editor_caret_right
@@ -65,6 +65,6 @@ private fun TouchKey(sign: String, words: String, onClick: () -> Unit) {
 
 private const val SIZE = 18f
 private val SIGNS = mapOf(
-    CodeLanguage.ROBOLANG to listOf("(", ")", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", ","),
-    CodeLanguage.JAVA to listOf("(", ")", "{", "}", ";", ".", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", "&", "|", "!"),
+    ProgramLanguage.ROBOLANG to listOf("(", ")", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", ","),
+    ProgramLanguage.JAVA to listOf("(", ")", "{", "}", ";", ".", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", "&", "|", "!"),
 )

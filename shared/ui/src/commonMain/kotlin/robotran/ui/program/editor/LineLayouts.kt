@@ -12,8 +12,8 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.sp
+import robotran.language.ProgramLanguage
 import robotran.textediting.code.piecesOf
-import robotran.textediting.text.CodeLanguage
 import robotran.ui.theme.codeStyle
 import kotlin.math.ceil
 
@@ -22,7 +22,7 @@ internal class LineLayouts(
     private val measurer: TextMeasurer,
     val style: TextStyle,
     private val colours: CodeColours,
-    private val language: CodeLanguage,
+    private val language: ProgramLanguage,
     density: Density,
 ) {
     private val kept = HashMap<LineKey, LaidOutLine>()
@@ -110,7 +110,7 @@ internal class ShownLine(line: String) {
 
 /** Layouts for text of [size] sp in the colours of the theme. */
 @Composable
-internal fun rememberLineLayouts(language: CodeLanguage, size: Float): LineLayouts {
+internal fun rememberLineLayouts(language: ProgramLanguage, size: Float): LineLayouts {
     val measurer = rememberTextMeasurer(cacheSize = 0)
     val colours = codeColours()
     val density = LocalDensity.current

@@ -2,8 +2,8 @@ package robotran.ui.program.editor
 
 import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.text.AnnotatedString
+import robotran.language.ProgramLanguage
 import robotran.textediting.CaretMove
-import robotran.textediting.text.CodeLanguage
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 import kotlin.test.Test
@@ -15,7 +15,7 @@ import kotlin.test.assertTrue
 
 class EditorControlTest {
     private val written = mutableListOf<Draft>()
-    private val control = EditorControl(CodeLanguage.ROBOLANG, EditorView()) { draft, _ -> written += draft }.apply {
+    private val control = EditorControl(ProgramLanguage.ROBOLANG, EditorView()) { draft, _ -> written += draft }.apply {
         clipboard = object : ClipboardManager {
             private var text: AnnotatedString? = null
 
@@ -42,7 +42,7 @@ class EditorControlTest {
 
     @Test
     fun `what there is no room for is told but not written, and the field is as it was`() {
-        val small = EditorControl(CodeLanguage.ROBOLANG, EditorView(), { it.text.length <= 8 }) { draft, _ -> written += draft }
+        val small = EditorControl(ProgramLanguage.ROBOLANG, EditorView(), { it.text.length <= 8 }) { draft, _ -> written += draft }
         small.follow(Draft("beep").withCaret(4))
         assertEquals("beep", small.link.fieldFor(small.draft).text)
         small.received(Draft("beep and more", TextSelection(13)), isComposing = false)
