@@ -53,5 +53,8 @@ export class EnginePage {
     return picture;
   }
 
+  /** Whether the page answers nothing any more, since the process that held it is gone. */
+  crashed = () => this.evaluate(() => true).then(() => false, () => true);
+
   close = () => this.remote.close();
 }

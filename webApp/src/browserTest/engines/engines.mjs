@@ -19,6 +19,9 @@ async function openChromium({ width, height }) {
   const browser = await startBrowser();
   const context = await browser.newContext({ viewport: { width, height }, serviceWorkers: 'allow' });
   const page = await context.newPage();
+  let crashed = false;
+  page.on('crash', () => { crashed = true; });
+  page.crashed = async () => crashed;
   page.close = () => browser.close();
   return page;
 }

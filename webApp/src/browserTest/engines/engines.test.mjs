@@ -2,12 +2,12 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
-import { after, before, describe, test } from 'node:test';
+import { after, describe, test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { assertRecordedRun, photograph, putWelcomeAway, report } from '../page.mjs';
-import { serve } from '../serve.mjs';
 import { appears, press, reports, says, writeProgram } from '../words.mjs';
 import { ENGINES } from './engines.mjs';
+import { Visit } from './visit.mjs';
 
 const SIZE = { width: 1180, height: 820 };
 const examples = process.env.EXAMPLES.split(path.delimiter);
@@ -23,20 +23,12 @@ const isThere = async (page) => {
 
 for (const [name, open] of Object.entries(ENGINES)) {
   describe(name, { skip: open === null && `${name} is not here` }, () => {
-    let site;
-    let page;
+    const visit = new Visit(() => open(SIZE));
+    const step = (title, action) => test(title, (t) => visit.step(action, (text) => t.diagnostic(text)));
 
-    before(async () => {
-      site = await serve(process.env.PAGE);
-      page = await open(SIZE);
-    });
+    after(() => visit.end());
 
-    after(async () => {
-      await page?.close();
-      site?.stop();
-    });
-
-    test(`the page starts in ${name}, and the robot draws the square`, async () => {
+    step(`the page starts in ${name}, and the robot draws the square`, async (page, site) => {
       await page.goto(site.address);
       await isThere(page);
       await putWelcomeAway(page);
@@ -47,19 +39,19 @@ for (const [name, open] of Object.entries(ENGINES)) {
       await photograph(page, `engine-${name.toLowerCase()}`);
     });
 
-    test(`a program that is typed in ${name} runs`, async () => {
+    step(`a program that is typed in ${name} runs`, async (page) => {
       await writeProgram(page, 'pen down\nforward 12');
       await says(page, 'status', /Run/);
       await press(page, 'run');
       await reports(page, (report) => report.status === 'ended' && report.inkCentimetres > 11 && report.inkCentimetres < 13);
     });
 
-    test(`${name} makes recorded runs, in Robolang and in Java, bit for bit`, async () => {
+    step(`${name} makes recorded runs, in Robolang and in Java, bit for bit`, async (page) => {
       await assertRecordedRun(page, example('square.robo'), process.env.EXPECTED_RUNS);
       await assertRecordedRun(page, example('Square.java'), process.env.EXPECTED_JAVA_RUNS);
     });
 
-    test(`without a network the page is there again in ${name}, with the work and with Java`, async () => {
+    step(`without a network the page is there again in ${name}, with the work and with Java`, async (page, site) => {
       await page.waitForFunction(() => navigator.serviceWorker.getRegistration()
         .then((registration) => registration?.active?.state === 'activated' && !registration.installing && !registration.waiting));
       site.refuse = () => 503;
@@ -71,7 +63,7 @@ for (const [name, open] of Object.entries(ENGINES)) {
       assert.deepEqual(site.asked.slice(asked).filter((path) => !/service-worker\.js$/.test(path)), []);
     });
 
-    test(`${name} opens a link`, async () => {
+    step(`${name} opens a link`, async (page) => {
       const project = JSON.parse(await readFile(path.join(process.env.EXPECTED_PROJECT_RUNS, 'full-of-things-0.robotran'), 'utf8'));
       const link = `#p=a${deflateRawSync(JSON.stringify(project)).toString('base64url')}`;
       await page.evaluate((fragment) => { location.hash = fragment; }, link);
