@@ -20,7 +20,6 @@ import robotran.ui.RobotranApp
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
 import robotran.workshop.Workshop
-import robotran.workshop.state.Pace
 
 /** The [workshop] on the whole window of [activity], with nothing to touch under the system's bars, a camera's cut-out or a keyboard. */
 @Composable
@@ -41,7 +40,7 @@ internal fun EdgeToEdge(activity: ComponentActivity, workshop: Workshop) {
 @Composable
 private fun StayingAwake(workshop: Workshop) {
     val view = LocalView.current
-    val runs by remember(workshop) { derivedStateOf { workshop.state.run.let { it.running && it.pace != Pace.PAUSED } } }
+    val runs by remember(workshop) { derivedStateOf { workshop.state.run.let { it.running && !it.isPaused } } }
     DisposableEffect(view, runs) {
         view.keepScreenOn = runs
         onDispose { view.keepScreenOn = false }

@@ -12,12 +12,12 @@ import androidx.compose.ui.input.key.KeyEvent as ComposeKeyEvent
 
 /** What a key of a keyboard at the tablet does anywhere in the workshop, as in the menus of the desktop; null for nothing. */
 internal fun eventForKey(event: KeyEvent): WorkshopEvent? {
-    val help = LearningEvent.PageWanted(LearningPage.HELP)
+    val help = LearningEvent.PageRequested(LearningPage.HELP)
     return when {
         event.keyCode == KeyEvent.KEYCODE_F5 -> if (event.isShiftPressed) RunEvent.StopPressed else RunEvent.RunPressed
         event.keyCode == KeyEvent.KEYCODE_F1 -> if (event.isShiftPressed) LearningEvent.TutorialBegun else help
         event.isCtrlPressed && event.keyCode == KeyEvent.KEYCODE_COMMA -> SettingsEvent.SettingsShown(true)
-        event.isCtrlPressed && event.keyCode == KeyEvent.KEYCODE_N -> DocumentEvent.NewWanted
+        event.isCtrlPressed && event.keyCode == KeyEvent.KEYCODE_N -> DocumentEvent.NewRequested
         else -> documentShortcut(ComposeKeyEvent(event))
     }
 }

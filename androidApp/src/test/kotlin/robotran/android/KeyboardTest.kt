@@ -42,7 +42,7 @@ class KeyboardTest {
     fun `Ctrl Shift O shows all works`() {
         press(KeyEvent.KEYCODE_O, KeyEvent.META_CTRL_ON or KeyEvent.META_SHIFT_ON)
         app.settle()
-        assertTrue(app.workshop.state.document.dialog is DocumentDialog.Works)
+        assertTrue(app.workshop.state.document.dialog is DocumentDialog.ProjectList)
     }
 
     @Test

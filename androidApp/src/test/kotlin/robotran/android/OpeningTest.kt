@@ -5,7 +5,6 @@ import android.net.Uri
 import android.os.Bundle
 import kotlinx.coroutines.runBlocking
 import org.junit.Assert.assertEquals
-import org.junit.Assert.assertNotEquals
 import org.junit.Assert.assertNull
 import org.junit.Assert.assertTrue
 import org.junit.Rule
@@ -18,6 +17,7 @@ import robotran.projects.LinkMaking
 import robotran.projects.Project
 import robotran.projects.linkOf
 import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.Notice
 import robotran.world.file.BuiltInWorlds
 import java.io.ByteArrayInputStream
 import java.io.IOException
@@ -77,7 +77,7 @@ class OpeningTest {
         app.open()
         app.receive(Intent(Intent.ACTION_VIEW, Uri.parse("robotran:#p=aBroken")))
         val dialog = app.workshop.state.document.dialog as DocumentDialog.PastingLink
-        assertTrue(dialog.trouble.orEmpty().isNotEmpty())
+        assertTrue(dialog.error.orEmpty().isNotEmpty())
         app.photograph("broken-link")
     }
 
@@ -110,7 +110,7 @@ class OpeningTest {
         offer("%PDF-1.4", letter)
         app.open()
         app.receive(viewing(letter))
-        assertTrue(app.workshop.state.document.dialog is DocumentDialog.Refused)
+        assertTrue(app.workshop.state.document.dialog is DocumentDialog.Rejected)
     }
 
     private fun refusing(stream: () -> InputStream) {
@@ -118,8 +118,8 @@ class OpeningTest {
         app.open()
         app.receive(viewing(place))
         assertNull(app.workshop.state.document.dialog)
-        assertNotEquals(null, app.workshop.state.notice)
-        assertTrue(app.workshop.state.notice!!.plain, "wave.robo cannot be read" in app.workshop.state.notice!!.plain)
+        val notice = app.workshop.state.notice as Notice.ForeignError
+        assertTrue(notice.sentence, "wave.robo cannot be read" in notice.sentence)
     }
 
     private fun offer(

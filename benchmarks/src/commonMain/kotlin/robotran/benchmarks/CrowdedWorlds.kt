@@ -7,7 +7,7 @@ import robotran.world.LightFacing
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.Shade
 import robotran.world.Wall
 import robotran.world.World
@@ -36,7 +36,7 @@ private fun walls(): List<Wall> {
 }
 
 private fun robotAt(number: Int, facing: LightFacing) =
-    RobotPlace(Pose(30.0 + 45 * (number % 4), 50.0 + 80 * (number / 4), 20.0 * number), name = "robot $number", lightFacing = facing)
+    RobotPlacement(Pose(30.0 + 45 * (number % 4), 50.0 + 80 * (number / 4), 20.0 * number), name = "robot $number", lightFacing = facing)
 
 private fun barrierAt(number: Int): Shape {
     val x = 10.0 + 9.5 * (number % PER_ROW)

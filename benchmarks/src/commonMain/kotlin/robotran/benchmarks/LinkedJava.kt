@@ -15,5 +15,5 @@ internal suspend fun javaProgramOf(
 ): RcxProgram =
     when (val result = ProgramCompiler(ANY_CALIBRATION, settings).read(ProgramSource.Java(name, listOf(SourceFile(name, source))))) {
         is ProgramResult.Ready -> result.program
-        is ProgramResult.Mistaken -> error(result.mistakes.first().message)
+        is ProgramResult.HasErrors -> error(result.diagnostics.first().message)
     }

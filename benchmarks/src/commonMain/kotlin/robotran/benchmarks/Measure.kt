@@ -25,7 +25,7 @@ internal class Figure(
  * say ratios of two such figures, not the figures.
  */
 internal fun median(
-    runs: Int = USUAL_RUNS,
+    runs: Int = DEFAULT_RUNS,
     work: () -> Unit,
 ): Duration {
     repeat(runs) { work() }
@@ -51,4 +51,4 @@ private fun withDecimals(
     return digits.dropLast(decimals) + "." + digits.takeLast(decimals)
 }
 
-private const val USUAL_RUNS = 5
+private const val DEFAULT_RUNS = 5

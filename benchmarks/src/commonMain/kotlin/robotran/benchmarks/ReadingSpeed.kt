@@ -21,7 +21,7 @@ internal suspend fun readingSpeed(): Figure {
 internal suspend fun mistakesTime(): Figure {
     val source = "repaet 4 tmes quikly\n".repeat(WRONG_LINES)
     var told = 0
-    val seconds = seconds { told = (compileRobolang("mistakes", source, ANY_CALIBRATION) as RobolangResult.Mistaken).diagnostics.size }
+    val seconds = seconds { told = (compileRobolang("mistakes", source, ANY_CALIBRATION) as RobolangResult.HasErrors).diagnostics.size }
     check(told == WRONG_LINES) { "Only $told of $WRONG_LINES mistakes were told." }
     return Figure(seconds, "s", "$told mistakes on as many lines")
 }
@@ -33,7 +33,7 @@ internal fun programOf(
 ): RobolangProgram =
     when (val result = compileRobolang("benchmark", source, calibration)) {
         is RobolangResult.Ready -> result.program
-        is RobolangResult.Mistaken -> error(result.diagnostics.first().message)
+        is RobolangResult.HasErrors -> error(result.diagnostics.first().message)
     }
 
 /** Declared once: a brick has no room for thousands of variables. */

@@ -40,7 +40,7 @@ private suspend fun keystrokes(lines: Int): List<Duration> {
         scene.render(now).close()
     }
     // Nothing has the focus yet: the Tab key gets to the text, and an arrow makes it a place to write in.
-    repeat(MOST_TABS) {
+    repeat(MAX_TABS) {
         scene.press(Key.Tab)
         frame()
         scene.press(Key.DirectionLeft)
@@ -78,7 +78,7 @@ private const val EVERY = 17
 private const val SCREEN_WIDTH = 1280
 private const val SCREEN_HEIGHT = 800
 private const val FRAME = 16_666_667L
-private const val MOST_TABS = 25
+private const val MAX_TABS = 25
 private const val WARMING_KEYS = 200
 private const val KEYS = 400
 private const val MIDDLE = 0.5

@@ -38,7 +38,7 @@ internal class FormatCommand(
 
     private fun format(name: String): ExitCode =
         when (val file = readRobolangText(name, spoken.language)) {
-            is TextFile.Refused -> refuse(file.reason)
+            is TextFile.Rejected -> refuse(file.reason)
             is TextFile.Read -> format(name, file.text)
         }
 
@@ -51,7 +51,7 @@ internal class FormatCommand(
                 settle(name, text, result.text)
             }
 
-            is FormatResult.Mistaken -> {
+            is FormatResult.HasErrors -> {
                 result.diagnostics.forEach { console.complain(lineOf(name, it)) }
                 ExitCode.PROGRAM_FAILED
             }

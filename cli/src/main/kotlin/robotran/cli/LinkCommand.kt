@@ -19,7 +19,7 @@ import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.nameOf
 import robotran.cli.files.readProgramFiles
-import robotran.cli.input.GivenWorld
+import robotran.cli.input.LoadedWorld
 import robotran.cli.input.isProject
 import robotran.cli.input.projectOf
 import robotran.cli.input.readGivenWorld
@@ -96,7 +96,7 @@ internal class LinkCommand(
                     read.programs.map { it to programOf(it) }
                 }
 
-                is ProgramFiles.Refused -> {
+                is ProgramFiles.Rejected -> {
                     console.complain(read.reason)
                     return null
                 }
@@ -105,7 +105,7 @@ internal class LinkCommand(
             console.complain(console.messages.compiled(program.path))
             return null
         }
-        val place = world?.let { readGivenWorld(it, console) ?: return null } ?: GivenWorld(BuiltInWorlds.plain)
+        val place = world?.let { readGivenWorld(it, console) ?: return null } ?: LoadedWorld(BuiltInWorlds.plain)
         val own = ProjectRobot(place.world.robots.first().name, programs.mapNotNull { it.second })
         return Project(place.world, listOf(own) + place.others)
     }

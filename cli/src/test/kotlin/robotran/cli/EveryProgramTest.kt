@@ -23,9 +23,9 @@ class EveryProgramTest {
     fun `check tells exactly the mistakes and warnings that are expected`() {
         for (program in programs) {
             val (status, console) = execute("check", program.path)
-            val mistakes = program.expected("error")
-            assertEquals(if (mistakes.isEmpty()) 0 else 1, status, program.path)
-            assertEquals(mistakes.map { "${program.path}:$it" }, console.complaints, program.path)
+            val diagnostics = program.expected("error")
+            assertEquals(if (diagnostics.isEmpty()) 0 else 1, status, program.path)
+            assertEquals(diagnostics.map { "${program.path}:$it" }, console.complaints, program.path)
             val warnings = program.expected("warning").map { "${program.path}:$it (a warning)" }
             if (warnings.isNotEmpty()) assertEquals(warnings, console.said.dropLast(1))
         }
@@ -35,10 +35,10 @@ class EveryProgramTest {
     fun `translate writes Java, or tells exactly the mistakes that are expected`() {
         for (program in programs) {
             val (status, console) = execute("translate", program.path)
-            val mistakes = program.expected("error")
-            assertEquals(if (mistakes.isEmpty()) 0 else 1, status, program.path)
-            assertEquals(mistakes.map { "${program.path}:$it" }, console.complaints, program.path)
-            assertEquals(mistakes.isEmpty(), console.said.singleOrNull().orEmpty().contains("public class "), program.path)
+            val diagnostics = program.expected("error")
+            assertEquals(if (diagnostics.isEmpty()) 0 else 1, status, program.path)
+            assertEquals(diagnostics.map { "${program.path}:$it" }, console.complaints, program.path)
+            assertEquals(diagnostics.isEmpty(), console.said.singleOrNull().orEmpty().contains("public class "), program.path)
         }
     }
 

@@ -19,8 +19,8 @@ import java.nio.file.Path
 internal fun openApp(files: List<String>): ExitCode {
     val arrival =
         when (val read = readArrival(files)) {
-            is ReadArrival.Read -> read.arrival
-            is ReadArrival.Refused -> return refuse(read.reason, ExitCode.BAD_INPUT)
+            is OpenRequestResult.Read -> read.arrival
+            is OpenRequestResult.Rejected -> return refuse(read.reason, ExitCode.BAD_INPUT)
         }
     if (!hasDisplay()) return refuse(NO_DISPLAY, ExitCode.NO_DISPLAY)
     showWindows(arrival)
@@ -28,34 +28,36 @@ internal fun openApp(files: List<String>): ExitCode {
 }
 
 /** What came of reading what the command line names. */
-internal sealed interface ReadArrival {
+internal sealed interface OpenRequestResult {
     /** [arrival] is null if nothing was named. */
     data class Read(
         val arrival: OpenRequest?,
-    ) : ReadArrival
+    ) : OpenRequestResult
 
-    data class Refused(
+    data class Rejected(
         val reason: String,
-    ) : ReadArrival
+    ) : OpenRequestResult
 }
 
 /** Reads [names], so that a shell is told of what cannot be read; what is in the files, the window tells. */
-internal fun readArrival(names: List<String>): ReadArrival {
-    if (names.isEmpty()) return ReadArrival.Read(null)
-    names.singleOrNull()?.takeIf(::isLink)?.let { return ReadArrival.Read(OpenRequest.OfLink(it)) }
-    names.firstOrNull { it.endsWith(".class") || it.endsWith(".jar") }?.let { return ReadArrival.Refused(COMPILED.replace("NAME", it)) }
+internal fun readArrival(names: List<String>): OpenRequestResult {
+    if (names.isEmpty()) return OpenRequestResult.Read(null)
+    names.singleOrNull()?.takeIf(::isLink)?.let { return OpenRequestResult.Read(OpenRequest.OfLink(it)) }
+    names.firstOrNull {
+        it.endsWith(".class") || it.endsWith(".jar")
+    }?.let { return OpenRequestResult.Rejected(COMPILED.replace("NAME", it)) }
     val opened =
         names.distinct().map { name ->
             val path =
                 try {
                     Path.of(name)
                 } catch (_: InvalidPathException) {
-                    return ReadArrival.Refused(noFile(name, spokenLanguage(null)))
+                    return OpenRequestResult.Rejected(noFile(name, spokenLanguage(null)))
                 }
-            var trouble = ""
-            openedFile(path) { trouble = it } ?: return ReadArrival.Refused(trouble)
+            var error = ""
+            openedFile(path) { error = it } ?: return OpenRequestResult.Rejected(error)
         }
-    return ReadArrival.Read(OpenRequest.OfFiles(opened))
+    return OpenRequestResult.Read(OpenRequest.OfFiles(opened))
 }
 
 private fun refuse(

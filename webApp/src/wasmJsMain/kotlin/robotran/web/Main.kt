@@ -40,7 +40,7 @@ private fun keepWork(
 ) {
     // A page that goes does nothing later: all that can be done at once is.
     onOutOfSight { scope.launch(Dispatchers.Unconfined) { workshop.restDocument() } }
-    askBeforeLosing { workshop.state.document.trouble != null }
+    askBeforeLosing { workshop.state.document.error != null }
 }
 
 /** Whether the address asks for world and brick alone, as part of a teacher's page: `?embed`. */

@@ -51,8 +51,13 @@ private suspend fun runOf(
         if (name.endsWith(JAVA)) ProgramSource.Java(name, listOf(SourceFile(name, program))) else ProgramSource.Robolang(name, program)
     val world = BuiltInWorlds.plain
     return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
-        is RobotLoads.Mistaken -> {
-            refusal(result.mistakes.first().let { mistake -> mistake.range?.let { "Line ${it.line}: " }.orEmpty() + mistake.message })
+        is RobotLoads.HasErrors -> {
+            refusal(
+                result.diagnostics.first().let { diagnostic ->
+                    diagnostic.range?.let { "Line ${it.line}: " }.orEmpty() +
+                        diagnostic.message
+                },
+            )
         }
 
         is RobotLoads.Ready -> {
@@ -69,7 +74,7 @@ private suspend fun projectRunOf(
     milliseconds: Int,
 ): JsAny? =
     when (val file = readProject(text)) {
-        is ProjectFileResult.Refused -> refusal(file.message)
+        is ProjectFileResult.Rejected -> refusal(file.message)
         is ProjectFileResult.Loaded -> runOf(file.project, milliseconds)
     }
 
@@ -78,8 +83,8 @@ private suspend fun runOf(
     milliseconds: Int,
 ): JsAny =
     when (val robots = readRobotLoads(project, ProgramCompiler(PENBOT_CALIBRATION, project.settings.java))) {
-        is RobotLoads.Mistaken -> {
-            refusal(robots.mistakes.first().message)
+        is RobotLoads.HasErrors -> {
+            refusal(robots.diagnostics.first().message)
         }
 
         is RobotLoads.Ready -> {

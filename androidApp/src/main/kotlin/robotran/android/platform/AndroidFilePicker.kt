@@ -82,7 +82,7 @@ class AndroidFilePicker internal constructor(
         places: List<Uri>,
         arrivals: OpenRequests,
     ): List<OpenedFile> =
-        places.take(MOST_FILES).mapNotNull { place ->
+        places.take(MAX_FILES).mapNotNull { place ->
             contents.read(place).also { if (it == null) arrivals.bring(OpenRequest.Unreadable(unreadable(contents.name(place)))) }
         }
 
@@ -105,6 +105,6 @@ class AndroidFilePicker internal constructor(
 
     private companion object {
         /** More than anybody opens at once on purpose. */
-        const val MOST_FILES = 100
+        const val MAX_FILES = 100
     }
 }

@@ -93,10 +93,10 @@ internal class ContentFiles(
             problem
         }
 
-    private fun InputStream.readUpTo(most: Int): ByteArray? {
+    private fun InputStream.readUpTo(max: Int): ByteArray? {
         val bytes = ByteArrayOutputStream()
         val part = ByteArray(PART)
-        while (bytes.size() <= most) {
+        while (bytes.size() <= max) {
             val length = read(part)
             if (length < 0) return bytes.toByteArray()
             bytes.write(part, 0, length)

@@ -22,7 +22,7 @@ private fun openAudioTrack(): SampleLine? =
     }
 
 private fun newTrack(): AudioTrack {
-    val least = AudioTrack.getMinBufferSize(ToneWave.SAMPLE_RATE, AudioFormat.CHANNEL_OUT_MONO, AudioFormat.ENCODING_PCM_16BIT)
+    val min = AudioTrack.getMinBufferSize(ToneWave.SAMPLE_RATE, AudioFormat.CHANNEL_OUT_MONO, AudioFormat.ENCODING_PCM_16BIT)
     return AudioTrack
         .Builder()
         .setAudioAttributes(
@@ -39,7 +39,7 @@ private fun newTrack(): AudioTrack {
                 .setEncoding(AudioFormat.ENCODING_PCM_16BIT)
                 .build(),
         ).setTransferMode(AudioTrack.MODE_STREAM)
-        .setBufferSizeInBytes(maxOf(least, SampleLine.BUFFER_BYTES))
+        .setBufferSizeInBytes(maxOf(min, SampleLine.BUFFER_BYTES))
         .build()
 }
 

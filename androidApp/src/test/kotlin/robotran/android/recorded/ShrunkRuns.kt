@@ -28,7 +28,7 @@ private suspend fun mistakeFaults(): List<String> {
     val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     val text = "public class Oops {\n  public static void main(String[] words) {\n    int count = \"five\";\n  }\n}\n"
     val result = reader.read(ProgramSource.Java("Oops.java", listOf(SourceFile("Oops.java", text))))
-    val mistake = (result as? ProgramResult.Mistaken)?.mistakes?.singleOrNull()
-    val isTold = mistake != null && ("count" in mistake.message || "String" in mistake.message)
+    val diagnostic = (result as? ProgramResult.HasErrors)?.diagnostics?.singleOrNull()
+    val isTold = diagnostic != null && ("count" in diagnostic.message || "String" in diagnostic.message)
     return if (isTold) emptyList() else listOf("One mistake was to be told in words, and not $result")
 }

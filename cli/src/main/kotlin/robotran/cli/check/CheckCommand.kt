@@ -40,7 +40,7 @@ internal class CheckCommand(
     ) {
         when (file) {
             is CheckedFile.Robolang -> tell(name, file.file)
-            is CheckedFile.Java -> tell(name, file.mistakes.map { lineOf(name, it) }, file.warnings.map { lineOf(name, it) })
+            is CheckedFile.Java -> tell(name, file.diagnostics.map { lineOf(name, it) }, file.warnings.map { lineOf(name, it) })
             is CheckedFile.Unreadable -> console.complain(file.reason)
         }
     }
@@ -51,25 +51,25 @@ internal class CheckCommand(
     ) {
         when (file) {
             is RobolangFile.Ready -> tell(name, emptyList(), file.warnings.map { lineOf(name, it) })
-            is RobolangFile.Mistaken -> tell(name, file.diagnostics.map { lineOf(name, it) }, emptyList())
+            is RobolangFile.HasErrors -> tell(name, file.diagnostics.map { lineOf(name, it) }, emptyList())
             is RobolangFile.Unreadable -> console.complain(file.reason)
         }
     }
 
     private fun tell(
         name: String,
-        mistakes: List<String>,
+        diagnostics: List<String>,
         warnings: List<String>,
     ) {
-        mistakes.forEach(console::complain)
+        diagnostics.forEach(console::complain)
         warnings.forEach { console.say(sentences.warning(it)) }
-        if (mistakes.isEmpty()) console.say(sentences.noMistakes(name))
+        if (diagnostics.isEmpty()) console.say(sentences.noMistakes(name))
     }
 
     private fun statusOf(file: CheckedFile): ExitCode =
         when (file) {
             is CheckedFile.Robolang -> if (file.file is RobolangFile.Ready) ExitCode.DONE else ExitCode.PROGRAM_FAILED
-            is CheckedFile.Java -> if (file.mistakes.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
+            is CheckedFile.Java -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
             is CheckedFile.Unreadable -> ExitCode.BAD_INPUT
         }
 }

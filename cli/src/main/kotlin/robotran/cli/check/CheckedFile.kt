@@ -9,8 +9,8 @@ import robotran.cli.input.RobolangFile
 import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
 import robotran.language.Language
-import robotran.programs.Mistake
 import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -22,7 +22,7 @@ internal sealed interface CheckedFile {
     data class Robolang(val file: RobolangFile) : CheckedFile
 
     /** One of the files of a Java program. */
-    data class Java(val mistakes: List<Mistake>, val warnings: List<Mistake>) : CheckedFile
+    data class Java(val diagnostics: List<ProgramDiagnostic>, val warnings: List<ProgramDiagnostic>) : CheckedFile
 
     /** It cannot be read; [reason] is a sentence that names the file. */
     data class Unreadable(val reason: String) : CheckedFile
@@ -56,21 +56,23 @@ private fun checkJava(
 ): Map<String, CheckedFile> {
     val read = names.associateWith { readTextFile(it, CommandMessages.of(language)) }
     val sources = read.mapNotNull { (name, file) -> (file as? TextFile.Read)?.let { SourceFile(name, it.text) } }
-    if (sources.isEmpty()) return read.mapValues { (_, file) -> CheckedFile.Unreadable((file as TextFile.Refused).reason) }
+    if (sources.isEmpty()) return read.mapValues { (_, file) -> CheckedFile.Unreadable((file as TextFile.Rejected).reason) }
     val result =
         runBlocking { ProgramCompiler(PENBOT_CALIBRATION, language = language).read(ProgramSource.Java(sources.first().name, sources)) }
-    val mistakes = byFile((result as? ProgramResult.Mistaken)?.mistakes.orEmpty(), sources)
+    val diagnostics = byFile((result as? ProgramResult.HasErrors)?.diagnostics.orEmpty(), sources)
     val warnings = byFile((result as? ProgramResult.Ready)?.warnings.orEmpty(), sources)
     return read.mapValues { (name, file) ->
         when (file) {
-            is TextFile.Refused -> CheckedFile.Unreadable(file.reason)
-            is TextFile.Read -> CheckedFile.Java(mistakes[name].orEmpty(), warnings[name].orEmpty())
+            is TextFile.Rejected -> CheckedFile.Unreadable(file.reason)
+            is TextFile.Read -> CheckedFile.Java(diagnostics[name].orEmpty(), warnings[name].orEmpty())
         }
     }
 }
 
 /** What is in none of the [sources] counts to the first. */
 private fun byFile(
-    told: List<Mistake>,
+    told: List<ProgramDiagnostic>,
     sources: List<SourceFile>,
-): Map<String, List<Mistake>> = told.groupBy { mistake -> (sources.find { it.name == mistake.file } ?: sources.first()).name }
+): Map<String, List<ProgramDiagnostic>> = told.groupBy { diagnostic ->
+    (sources.find { it.name == diagnostic.file } ?: sources.first()).name
+}

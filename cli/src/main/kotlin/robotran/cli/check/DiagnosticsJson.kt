@@ -7,8 +7,9 @@ import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import robotran.cli.console.jsonOutput
 import robotran.cli.input.RobolangFile
-import robotran.programs.Mistake
+import robotran.programs.ProgramDiagnostic
 import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.diagnostic.Severity
 import robotran.robolang.diagnostic.SourceRange
 
 /**
@@ -31,7 +32,7 @@ private fun json(
             is CheckedFile.Java -> put(
                 "diagnostics",
                 JsonArray(
-                    file.mistakes.map {
+                    file.diagnostics.map {
                         json("mistake", it)
                     } + file.warnings.map { json("warning", it) },
                 ),
@@ -44,19 +45,19 @@ private fun json(
 private fun diagnosticsOf(file: RobolangFile): List<Diagnostic> =
     when (file) {
         is RobolangFile.Ready -> file.warnings
-        is RobolangFile.Mistaken -> file.diagnostics
+        is RobolangFile.HasErrors -> file.diagnostics
         is RobolangFile.Unreadable -> emptyList()
     }
 
 private fun json(
     severity: String,
-    mistake: Mistake,
+    diagnostic: ProgramDiagnostic,
 ): JsonObject =
     buildJsonObject {
         put("severity", severity)
-        mistake.range?.let { put(it) }
-        put("message", mistake.message)
-        mistake.fix?.let { fix ->
+        diagnostic.range?.let { put(it) }
+        put("message", diagnostic.message)
+        diagnostic.fix?.let { fix ->
             put(
                 "fix",
                 buildJsonObject {
@@ -70,7 +71,7 @@ private fun json(
 private fun json(diagnostic: Diagnostic): JsonObject =
     buildJsonObject {
         put("code", diagnostic.code.id)
-        put("severity", diagnostic.severity.name.lowercase())
+        put("severity", if (diagnostic.severity == Severity.ERROR) "mistake" else "warning")
         put(diagnostic.range)
         put("text", diagnostic.text)
         put("message", diagnostic.message)

@@ -16,7 +16,7 @@ sealed interface FileContent {
     class Read(val bytes: ByteArray) : FileContent
 
     /** It could not be read; [reason] is a sentence that names the file. */
-    data class Refused(val reason: String) : FileContent
+    data class Rejected(val reason: String) : FileContent
 }
 
 /** Reads the file at [path], which a person knows by its name without the folders, and tells in [language] if it cannot be read. */
@@ -25,7 +25,7 @@ fun readFile(
     language: Language,
 ): FileContent {
     val messages = CommandMessages.of(language)
-    return reading(path.name, messages, FileContent::Refused) { readContent(path, path.name, LARGEST_FILE_BYTES, messages) }
+    return reading(path.name, messages, FileContent::Rejected) { readContent(path, path.name, LARGEST_FILE_BYTES, messages) }
 }
 
 /** Says in [language] that there is no file [name]. */
@@ -48,9 +48,9 @@ internal fun readContent(
     messages: FileMessages,
     tooLarge: () -> String = { messages.fileTooLarge(name, limit.toLong()) },
 ): FileContent {
-    notAFile(path, name, messages)?.let { return FileContent.Refused(it) }
+    notAFile(path, name, messages)?.let { return FileContent.Rejected(it) }
     val bytes = path.inputStream().use { it.readNBytes(limit + 1) }
-    return if (bytes.size > limit) FileContent.Refused(tooLarge()) else FileContent.Read(bytes)
+    return if (bytes.size > limit) FileContent.Rejected(tooLarge()) else FileContent.Read(bytes)
 }
 
 /**

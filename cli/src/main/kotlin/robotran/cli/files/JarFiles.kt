@@ -16,10 +16,10 @@ internal fun readJar(
     name: String,
     messages: FileMessages,
 ): ReadProgram =
-    reading(name, messages, ReadProgram::Refused) {
+    reading(name, messages, ReadProgram::Rejected) {
         val path = Path.of(name)
-        notAFile(path, name, messages)?.let { return@reading ReadProgram.Refused(it) }
-        if (path.fileSize() > LARGEST_JAR_BYTES) return@reading ReadProgram.Refused(messages.fileTooLarge(name, LARGEST_JAR_BYTES))
+        notAFile(path, name, messages)?.let { return@reading ReadProgram.Rejected(it) }
+        if (path.fileSize() > LARGEST_JAR_BYTES) return@reading ReadProgram.Rejected(messages.fileTooLarge(name, LARGEST_JAR_BYTES))
         ZipFile(path.toFile()).use { jar ->
             val entries = jar.entries().asSequence().filter { !it.isDirectory && isClassFile(it.name) }
             val files = LinkedHashMap<String, ByteArray>()
@@ -28,8 +28,8 @@ internal fun readJar(
                 val content = jar.open(entry) { it.readNBytes(TinyVmLimits.CLASS_FILE_BYTES + 1) }
                 if (content.size > TinyVmLimits.CLASS_FILE_BYTES) return@reading tooLarge("$name: ${entry.name}", messages)
                 bytes += content.size
-                if (bytes > MOST_JAR_BYTES) {
-                    return@reading ReadProgram.Refused(messages.jarTooLarge(name, MOST_JAR_BYTES))
+                if (bytes > MAX_JAR_BYTES) {
+                    return@reading ReadProgram.Rejected(messages.jarTooLarge(name, MAX_JAR_BYTES))
                 }
                 files[entry.name] = content
             }
@@ -40,7 +40,7 @@ internal fun readJar(
 /** The class that the manifest of [jar] names, with slashes; null if it names none or there is no manifest that can be read. */
 private fun mainClassOf(jar: ZipFile): String? {
     val entry = jar.getEntry(JarFile.MANIFEST_NAME) ?: return null
-    val bytes = jar.open(entry) { it.readNBytes(MOST_MANIFEST_BYTES) }
+    val bytes = jar.open(entry) { it.readNBytes(MAX_MANIFEST_BYTES) }
     val manifest = runCatching { Manifest(bytes.inputStream()) }.getOrNull()
     return manifest?.mainAttributes?.getValue(Attributes.Name.MAIN_CLASS)?.trim()?.replace('.', '/')
 }
@@ -54,5 +54,5 @@ private fun <T> ZipFile.open(
 private const val LARGEST_JAR_BYTES = 64_000_000L
 
 /** Far more than a brick holds. */
-private const val MOST_JAR_BYTES = 16_000_000
-private const val MOST_MANIFEST_BYTES = 100_000
+private const val MAX_JAR_BYTES = 16_000_000
+private const val MAX_MANIFEST_BYTES = 100_000

@@ -16,7 +16,7 @@ internal sealed interface ProgramFiles {
     data class Read(val programs: List<NamedProgram>) : ProgramFiles
 
     /** They cannot be used; [reason] is a sentence that names the file. */
-    data class Refused(val reason: String) : ProgramFiles
+    data class Rejected(val reason: String) : ProgramFiles
 }
 
 /**
@@ -40,14 +40,14 @@ internal fun readProgramFiles(
     messages: FileMessages = EnglishCommandMessages,
 ): ProgramFiles {
     val groups = names.distinct().groupBy { name -> FILES_OF_ONE_PROGRAM.firstOrNull { name.endsWith(it) } ?: name }.values
-    if (groups.size > Brick.MOST_PROGRAMS) {
-        return ProgramFiles.Refused(messages.tooManyPrograms(Brick.MOST_PROGRAMS, groups.size))
+    if (groups.size > Brick.MAX_PROGRAMS) {
+        return ProgramFiles.Rejected(messages.tooManyPrograms(Brick.MAX_PROGRAMS, groups.size))
     }
     val programs =
         groups.map { files ->
             when (val result = readProgram(files, messages)) {
                 is ReadProgram.Read -> NamedProgram(files.first(), result.source)
-                is ReadProgram.Refused -> return ProgramFiles.Refused(result.reason)
+                is ReadProgram.Rejected -> return ProgramFiles.Rejected(result.reason)
             }
         }
     return ProgramFiles.Read(programs)
@@ -64,7 +64,7 @@ private fun readProgram(
         first.endsWith(CLASS) -> readClassFiles(names, messages)
         first.endsWith(JAR) -> readJar(first, messages)
         isFolder(first) -> readClassFolder(first, messages)
-        else -> ReadProgram.Refused(messages.notAProgram(first, listOf(ROBOLANG, JAVA, CLASS, JAR)))
+        else -> ReadProgram.Rejected(messages.notAProgram(first, listOf(ROBOLANG, JAVA, CLASS, JAR)))
     }
 }
 
@@ -74,7 +74,7 @@ private fun compileRobolang(
 ): ReadProgram =
     when (val file = readTextFile(name, messages)) {
         is TextFile.Read -> ReadProgram.Read(ProgramSource.Robolang(nameOf(name), file.text))
-        is TextFile.Refused -> ReadProgram.Refused(file.reason)
+        is TextFile.Rejected -> ReadProgram.Rejected(file.reason)
     }
 
 private fun readJava(
@@ -85,7 +85,7 @@ private fun readJava(
         names.map { name ->
             when (val file = readTextFile(name, messages)) {
                 is TextFile.Read -> SourceFile(name, file.text)
-                is TextFile.Refused -> return ReadProgram.Refused(file.reason)
+                is TextFile.Rejected -> return ReadProgram.Rejected(file.reason)
             }
         }
     return ReadProgram.Read(ProgramSource.Java(nameOf(names.first()), files))

@@ -7,5 +7,5 @@ internal sealed interface ReadProgram {
     data class Read(val source: ProgramSource) : ReadProgram
 
     /** It cannot be used; [reason] is a sentence that names the file. */
-    data class Refused(val reason: String) : ReadProgram
+    data class Rejected(val reason: String) : ReadProgram
 }

@@ -14,7 +14,7 @@ internal sealed interface TextFile {
     data class Read(val text: String) : TextFile
 
     /** It could not be read; [reason] is a sentence that names the file. */
-    data class Refused(val reason: String) : TextFile
+    data class Rejected(val reason: String) : TextFile
 }
 
 /** Reads the UTF-8 file [name]; no larger one than [LARGEST_FILE_BYTES]. */
@@ -22,9 +22,9 @@ internal fun readTextFile(
     name: String,
     messages: FileMessages = EnglishCommandMessages,
 ): TextFile =
-    reading(name, messages, TextFile::Refused) {
+    reading(name, messages, TextFile::Rejected) {
         when (val file = readContent(Path.of(name), name, LARGEST_FILE_BYTES, messages)) {
-            is FileContent.Refused -> TextFile.Refused(file.reason)
+            is FileContent.Rejected -> TextFile.Rejected(file.reason)
             is FileContent.Read -> TextFile.Read(Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(file.bytes)).toString())
         }
     }

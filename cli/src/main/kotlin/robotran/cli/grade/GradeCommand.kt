@@ -11,7 +11,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import robotran.cli.console.Console
 import robotran.cli.console.LanguageOption
 import robotran.cli.console.speaking
-import robotran.cli.input.MOST_SEEDS
+import robotran.cli.input.MAX_SEEDS
 import robotran.cli.input.readSeeds
 import robotran.cli.run.RunOptions
 import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
@@ -28,15 +28,15 @@ internal class GradeCommand(
     ).multipleArguments(required = true)
     private val seeds by option("--seeds", metavar = "A..B", help = "runs once with each of these seeds; with the world's own if not given")
         .convert { text ->
-            readSeeds(text) ?: fail("$text is not two whole numbers such as 1..20, from 0 on and $MOST_SEEDS seeds at most")
+            readSeeds(text) ?: fail("$text is not two whole numbers such as 1..20, from 0 on and $MAX_SEEDS seeds at most")
         }
     private val jobs by option(
         "--jobs",
         metavar = "N",
         help = "how many runs at the same time; as many as there are processors if not given",
     )
-        .convert { text -> text.toIntOrNull()?.takeIf { it in 1..MOST_JOBS } ?: fail("$text is not a whole number from 1 to $MOST_JOBS") }
-        .default(Runtime.getRuntime().availableProcessors().coerceIn(1, MOST_JOBS))
+        .convert { text -> text.toIntOrNull()?.takeIf { it in 1..MAX_JOBS } ?: fail("$text is not a whole number from 1 to $MAX_JOBS") }
+        .default(Runtime.getRuntime().availableProcessors().coerceIn(1, MAX_JOBS))
     private val junit by option("--junit", metavar = "FILE|-", help = "writes the grades as JUnit's XML")
     private val report by option("--report", metavar = "FILE|-", help = "writes the grades as JSON")
     private val options by RunOptions()
@@ -54,7 +54,7 @@ internal class GradeCommand(
     }
 
     private companion object {
-        const val MOST_JOBS = 256
+        const val MAX_JOBS = 256
     }
 }
 

@@ -30,13 +30,13 @@ private fun XMLStreamWriter.suite(
         "name" to program.shownName,
         "tests" to maxOf(1, grades.size),
         "failures" to grades.count { !it.passed },
-        "errors" to if (program is ProgramGrades.Refused) 1 else 0,
+        "errors" to if (program is ProgramGrades.Rejected) 1 else 0,
         "skipped" to 0,
         "time" to grades.sumOf { it.seconds },
     )
     element("testsuite", *figures.toTypedArray()) {
         when (program) {
-            is ProgramGrades.Refused -> case(worldTitle, program.shownName, 0.0) {
+            is ProgramGrades.Rejected -> case(worldTitle, program.shownName, 0.0) {
                 element("error", "message" to program.reasons.first(), "type" to "mistakes") { characters(program.reasons) }
             }
 

@@ -30,7 +30,7 @@ private fun json(program: ProgramGrades): JsonObject =
     buildJsonObject {
         put("program", program.name)
         when (program) {
-            is ProgramGrades.Refused -> {
+            is ProgramGrades.Rejected -> {
                 put("mistakes", JsonArray(program.reasons.map(::JsonPrimitive)))
             }
 

@@ -29,7 +29,7 @@ internal class GradeTables(
         val rows = goalRows(program.grades.map { it.goals }, "")
         val table = render(messages.goalColumns(), rows)
         val failed = program.grades.filterNot { it.passed }
-        val told = failed.take(MOST_TOLD).flatMap { failure(program.name, it) }
+        val told = failed.take(MAX_TOLD).flatMap { failure(program.name, it) }
         return (listOf(table, sentence(program)) + told + rest(failed)).joinToString("\n")
     }
 
@@ -52,7 +52,7 @@ internal class GradeTables(
                 listOf(messages.countOf(program.passed, program.grades.size), missed?.sentence.orEmpty())
             }
 
-            is ProgramGrades.Refused -> {
+            is ProgramGrades.Rejected -> {
                 listOf("-", if (program.isReadable) messages.cannotRun() else messages.cannotBeUsed())
             }
         }
@@ -64,9 +64,9 @@ internal class GradeTables(
     ): List<List<String>> =
         runs.first().indices.flatMap { number ->
             val goals = runs.map { it[number] }
-            val least = goals.minBy { it.progress }
+            val min = goals.minBy { it.progress }
             val met = messages.countOf(goals.count { it.status == GoalStatus.MET }, goals.size)
-            listOf(listOf(indentation + least.sentence, met, percent(least))) + goalRows(goals.map { it.parts }, "$indentation  ")
+            listOf(listOf(indentation + min.sentence, met, percent(min))) + goalRows(goals.map { it.parts }, "$indentation  ")
         }
 
     private fun sentence(program: ProgramGrades.Graded): String =
@@ -88,7 +88,7 @@ internal class GradeTables(
     private fun inWords() = messages.seeds(seeds.first, seeds.last)
 
     private fun rest(failed: List<Grade>): List<String> {
-        val others = failed.drop(MOST_TOLD)
+        val others = failed.drop(MAX_TOLD)
         return if (others.isEmpty()) emptyList() else listOf(messages.moreSeeds(others.size, others.joinToString { "${it.seed}" }))
     }
 
@@ -112,7 +112,7 @@ internal class GradeTables(
     }
 
     private companion object {
-        const val MOST_TOLD = 10
+        const val MAX_TOLD = 10
         const val WIDTH = 110
 
         /** Only renders; what is rendered goes to the console like all else. */

@@ -6,9 +6,9 @@ import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
 import robotran.cli.files.filesOfProgram
 import robotran.cli.files.writeFile
-import robotran.cli.input.GivenWorld
-import robotran.cli.input.Loading
-import robotran.cli.input.ReadHandIn
+import robotran.cli.input.LoadedWorld
+import robotran.cli.input.RobotProgramsResult
+import robotran.cli.input.SubmissionResult
 import robotran.cli.input.WorldChanges
 import robotran.cli.input.readGivenWorld
 import robotran.cli.input.readHandIn
@@ -36,18 +36,18 @@ internal class ProgramGrader(
         val names = request.programs.distinct()
         val shownNames = shownNames(names)
         val loadings = names.associateWith { loading(it, shownNames.getValue(it), place, request) }
-        loadings.values.filterIsInstance<Loading.Refused>().flatMap { it.reasons }.forEach(console::complain)
-        if (loadings.values.none { it is Loading.Loaded }) return ExitCode.BAD_INPUT
+        loadings.values.filterIsInstance<RobotProgramsResult.Rejected>().flatMap { it.reasons }.forEach(console::complain)
+        if (loadings.values.none { it is RobotProgramsResult.Loaded }) return ExitCode.BAD_INPUT
 
         val seeds = request.seeds ?: world.seed..world.seed
         val milliseconds = request.options.milliseconds ?: (world.timeLimit * MILLISECONDS_PER_SECOND)
-        val loads = loadings.mapNotNull { (name, loading) -> (loading as? Loading.Loaded)?.let { name to it.loads } }.toMap()
+        val loads = loadings.mapNotNull { (name, loading) -> (loading as? RobotProgramsResult.Loaded)?.let { name to it.loads } }.toMap()
         val grades = grade(world, loads, seeds, milliseconds, request.jobs)
         val programs = loadings.map { (name, loading) ->
             val shownName = shownNames.getValue(name)
             when (loading) {
-                is Loading.Loaded -> ProgramGrades.Graded(name, shownName, grades.getValue(name))
-                is Loading.Refused -> ProgramGrades.Refused(name, shownName, loading.reasons, loading.isReadable)
+                is RobotProgramsResult.Loaded -> ProgramGrades.Graded(name, shownName, grades.getValue(name))
+                is RobotProgramsResult.Rejected -> ProgramGrades.Rejected(name, shownName, loading.reasons, loading.isReadable)
             }
         }
         val problems = write(world, programs, request)
@@ -56,7 +56,7 @@ internal class ProgramGrader(
             console.say(words(programs, seeds, GradedRun(request.world, milliseconds, request.options.words)))
         }
         return when {
-            problems.isNotEmpty() || programs.any { it is ProgramGrades.Refused } -> ExitCode.BAD_INPUT
+            problems.isNotEmpty() || programs.any { it is ProgramGrades.Rejected } -> ExitCode.BAD_INPUT
             programs.all { it is ProgramGrades.Graded && it.passed == it.grades.size } -> ExitCode.DONE
             else -> ExitCode.PROGRAM_FAILED
         }
@@ -71,17 +71,17 @@ internal class ProgramGrader(
     private fun loading(
         name: String,
         shownName: String,
-        place: GivenWorld,
+        place: LoadedWorld,
         request: GradeRequest,
-    ): Loading =
+    ): RobotProgramsResult =
         when (val read = readHandIn(filesOfProgram(name), console, shownName)) {
-            is ReadHandIn.Read -> {
+            is SubmissionResult.Read -> {
                 val reader = ProgramCompiler(PENBOT_CALIBRATION, request.options.java, console.language)
                 readLoads(place, reader, read.handIn, request.options.robots)
             }
 
-            is ReadHandIn.Refused -> {
-                Loading.Refused(listOf(read.reason), isReadable = false)
+            is SubmissionResult.Rejected -> {
+                RobotProgramsResult.Rejected(listOf(read.reason), isReadable = false)
             }
         }
 

@@ -24,7 +24,7 @@ internal sealed interface ProgramGrades {
     }
 
     /** It cannot run; each of [reasons] is a line for a person. If it is readable, it has mistakes. */
-    data class Refused(
+    data class Rejected(
         override val name: String,
         override val shownName: String,
         val reasons: List<String>,

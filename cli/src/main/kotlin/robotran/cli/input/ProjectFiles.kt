@@ -17,7 +17,7 @@ internal sealed interface ReadProject {
     data class Read(val project: Project) : ReadProject
 
     /** It cannot be used; [reason] is a sentence that names the file, or the link as it is told of. */
-    data class Refused(val reason: String) : ReadProject
+    data class Rejected(val reason: String) : ReadProject
 }
 
 /** Whether [name] is a project file or a link, and not a program. */
@@ -44,7 +44,7 @@ internal fun projectOf(
             result.project
         }
 
-        is ReadProject.Refused -> {
+        is ReadProject.Rejected -> {
             console.complain(result.reason)
             null
         }
@@ -58,7 +58,7 @@ private fun openProjectLink(
     when (val result = runBlocking { openLink(link, console.language) }) {
         is LinkResult.OfProject -> ReadProject.Read(result.project)
         is LinkResult.OfWorld -> ReadProject.Read(Project(result.world))
-        is LinkResult.Refused -> ReadProject.Refused(listOfNotNull(linkName, result.message).joinToString(": "))
+        is LinkResult.Rejected -> ReadProject.Rejected(listOfNotNull(linkName, result.message).joinToString(": "))
     }
 
 private fun readProjectText(
@@ -66,14 +66,14 @@ private fun readProjectText(
     console: Console,
 ): ReadProject =
     when (val file = readTextFile(name, console.messages)) {
-        is TextFile.Refused -> {
-            ReadProject.Refused(file.reason)
+        is TextFile.Rejected -> {
+            ReadProject.Rejected(file.reason)
         }
 
         is TextFile.Read -> {
             when (val result = readProject(file.text, console.language)) {
                 is ProjectFileResult.Loaded -> ReadProject.Read(result.project)
-                is ProjectFileResult.Refused -> ReadProject.Refused("$name: ${result.message}")
+                is ProjectFileResult.Rejected -> ReadProject.Rejected("$name: ${result.message}")
             }
         }
     }

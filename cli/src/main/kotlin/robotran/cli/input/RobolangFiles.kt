@@ -20,7 +20,7 @@ internal sealed interface RobolangFile {
     data class Ready(val source: String, val program: RobolangProgram, val warnings: List<Diagnostic>) : RobolangFile
 
     /** It has mistakes. */
-    data class Mistaken(val diagnostics: List<Diagnostic>) : RobolangFile
+    data class HasErrors(val diagnostics: List<Diagnostic>) : RobolangFile
 
     /** There is no such program; [reason] is a sentence that names the file. */
     data class Unreadable(val reason: String) : RobolangFile
@@ -32,14 +32,14 @@ internal fun readRobolangFile(
     language: Language,
 ): RobolangFile =
     when (val file = readRobolangText(name, language)) {
-        is TextFile.Refused -> {
+        is TextFile.Rejected -> {
             RobolangFile.Unreadable(file.reason)
         }
 
         is TextFile.Read -> {
             when (val result = compileRobolang(Path(name).name, file.text, PENBOT_CALIBRATION, RobolangMessages.of(language))) {
                 is RobolangResult.Ready -> RobolangFile.Ready(file.text, result.program, result.warnings)
-                is RobolangResult.Mistaken -> RobolangFile.Mistaken(result.diagnostics)
+                is RobolangResult.HasErrors -> RobolangFile.HasErrors(result.diagnostics)
             }
         }
     }
@@ -52,7 +52,7 @@ internal fun readRobolangText(
     if (name.endsWith(ROBOLANG)) {
         readTextFile(name, CommandMessages.of(language))
     } else {
-        TextFile.Refused(CommandMessages.of(language).notRobolang(name, ROBOLANG))
+        TextFile.Rejected(CommandMessages.of(language).notRobolang(name, ROBOLANG))
     }
 
 /** [diagnostic] in one line for a person, with the place that editors jump to. */

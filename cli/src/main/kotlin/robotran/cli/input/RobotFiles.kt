@@ -28,12 +28,12 @@ internal fun readRobotFile(text: String): RobotFile? {
 }
 
 /** What came of reading what the robots of a world are to run. */
-internal sealed interface Loading {
+internal sealed interface RobotProgramsResult {
     /** @property loads one for each robot, in the world's order. */
-    data class Loaded(val loads: List<RobotLoad>) : Loading
+    data class Loaded(val loads: List<RobotLoad>) : RobotProgramsResult
 
     /** They cannot run; each of [reasons] is a line for a person. If they are readable, they have mistakes. */
-    data class Refused(val reasons: List<String>, val isReadable: Boolean = true) : Loading
+    data class Rejected(val reasons: List<String>, val isReadable: Boolean = true) : RobotProgramsResult
 }
 
 /**
@@ -41,41 +41,41 @@ internal sealed interface Loading {
  * from gives them.
  */
 internal fun readLoads(
-    place: GivenWorld,
+    place: LoadedWorld,
     reader: ProgramCompiler,
-    own: HandIn,
+    own: Submission,
     others: List<RobotFile>,
-): Loading {
+): RobotProgramsResult {
     val world = place.world
     val messages = CommandMessages.of(reader.language)
     val given = mutableMapOf<String, List<NamedProgram>>()
     for ((robot, files) in others.groupBy({ it.robot }, { it.file })) {
         when (val read = readProgramFiles(files, messages)) {
             is ProgramFiles.Read -> given[robot] = read.programs
-            is ProgramFiles.Refused -> return Loading.Refused(listOf(read.reason))
+            is ProgramFiles.Rejected -> return RobotProgramsResult.Rejected(listOf(read.reason))
         }
     }
     val first = world.robots.first().name
-    if (first in given) return Loading.Refused(listOf(messages.firstRobotNamed(first)))
+    if (first in given) return RobotProgramsResult.Rejected(listOf(messages.firstRobotNamed(first)))
     val robots = place.others.filter { it.name !in given }
     robots.forEach { robot -> given[robot.name] = robot.programs.map { NamedProgram(it.name, it.source) } }
     given[first] = own.programs
     val result = runBlocking { readRobotLoads(world, reader, given.mapValues { (_, programs) -> programs.map { it.source } }) }
     val choices = robots + ProjectRobot(first, firstProgram = own.firstProgram, lightFacing = own.lightFacing)
     return when (result) {
-        is RobotLoads.Ready -> Loading.Loaded(loadsWith(choices, world, result.loads))
-        is RobotLoads.Mistaken -> Loading.Refused(linesOf(result, given[result.robot].orEmpty(), reader))
+        is RobotLoads.Ready -> RobotProgramsResult.Loaded(loadsWith(choices, world, result.loads))
+        is RobotLoads.HasErrors -> RobotProgramsResult.Rejected(linesOf(result, given[result.robot].orEmpty(), reader))
     }
 }
 
 /** The mistakes with the files as they were named, which only reading each program by itself tells. */
 private fun linesOf(
-    mistaken: RobotLoads.Mistaken,
+    mistaken: RobotLoads.HasErrors,
     programs: List<NamedProgram>,
     reader: ProgramCompiler,
 ): List<String> =
     programs
         .flatMap { program ->
             val result = runBlocking { reader.read(program.source) }
-            (result as? ProgramResult.Mistaken)?.mistakes.orEmpty().map { lineOf(program, it) }
-        }.ifEmpty { mistaken.mistakes.map { if (it.file.isEmpty()) it.message else lineOf(it.file, it) } }
+            (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty().map { lineOf(program, it) }
+        }.ifEmpty { mistaken.diagnostics.map { if (it.file.isEmpty()) it.message else lineOf(it.file, it) } }

@@ -31,7 +31,7 @@ internal fun readWorldFile(
                 file.text
             }
 
-            is TextFile.Refused -> {
+            is TextFile.Rejected -> {
                 console.complain(file.reason)
                 return null
             }
@@ -41,7 +41,7 @@ internal fun readWorldFile(
             result.world
         }
 
-        is WorldFileResult.Refused -> {
+        is WorldFileResult.Rejected -> {
             console.complain("$name: ${result.message}")
             null
         }

@@ -16,7 +16,7 @@ internal sealed interface ButtonPressResult {
     data class Read(val press: ButtonPress) : ButtonPressResult
 
     /** @property reason a sentence. */
-    data class Refused(val reason: String) : ButtonPressResult
+    data class Rejected(val reason: String) : ButtonPressResult
 }
 
 /** Reads `BUTTON@SECONDS` or `BUTTON@SECONDS+SECONDS`, such as `run@1` or `on-off@10+0.5`; [longest] is the last second there is. */
@@ -24,7 +24,7 @@ internal fun readButtonPress(
     text: String,
     longest: Int,
 ): ButtonPressResult {
-    fun refuse(reason: String) = ButtonPressResult.Refused("$reason, as in run@2.5 or run@2.5+1.")
+    fun refuse(reason: String) = ButtonPressResult.Rejected("$reason, as in run@2.5 or run@2.5+1.")
     val (name, times) = text.split('@').takeIf { it.size == 2 } ?: return refuse("$text is not a button and a time")
     val button = BrickButton.entries.find { buttonName(it) == name.lowercase() }
         ?: return refuse("There is no button $name, only ${BrickButton.entries.joinToString { buttonName(it) }}; write one with its time")

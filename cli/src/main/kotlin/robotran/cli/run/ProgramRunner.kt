@@ -5,11 +5,11 @@ import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
-import robotran.cli.input.GivenWorld
-import robotran.cli.input.HandIn
-import robotran.cli.input.Loading
-import robotran.cli.input.ReadHandIn
+import robotran.cli.input.LoadedWorld
 import robotran.cli.input.RobotFile
+import robotran.cli.input.RobotProgramsResult
+import robotran.cli.input.Submission
+import robotran.cli.input.SubmissionResult
 import robotran.cli.input.WorldChanges
 import robotran.cli.input.isProject
 import robotran.cli.input.lineOf
@@ -64,7 +64,7 @@ internal class ProgramRunner(
         val project = request.programs.singleOrNull()?.takeIf(::isProject)
         if (project != null && request.world == null) return runProject(project, request, outputs)
         val own = readOwn(request.programs)
-        val place = if (request.world == null) GivenWorld(BuiltInWorlds.plain) else readGivenWorld(request.world, console)
+        val place = if (request.world == null) LoadedWorld(BuiltInWorlds.plain) else readGivenWorld(request.world, console)
         if (own == null || place == null) return ExitCode.BAD_INPUT
         val loads = readLoads(place, own, request) ?: return ExitCode.BAD_INPUT
         return run(request.changes.of(place.world), loads, request, outputs)
@@ -81,19 +81,19 @@ internal class ProgramRunner(
             return ExitCode.BAD_INPUT
         }
         val project = projectOf(name, console) ?: return ExitCode.BAD_INPUT
-        val usual = JavaSettings()
+        val default = JavaSettings()
         val java =
             JavaSettings(
-                if (request.java.mode == usual.mode) project.settings.java.mode else request.java.mode,
-                if (request.java.speed == usual.speed) project.settings.java.speed else request.java.speed,
+                if (request.java.mode == default.mode) project.settings.java.mode else request.java.mode,
+                if (request.java.speed == default.speed) project.settings.java.speed else request.java.speed,
             )
         return when (val result = runBlocking { readRobotLoads(project, ProgramCompiler(PENBOT_CALIBRATION, java, console.language)) }) {
             is RobotLoads.Ready -> {
                 run(request.changes.of(project.worldToRun), result.loads, request, outputs, project.inputs)
             }
 
-            is RobotLoads.Mistaken -> {
-                result.mistakes.forEach { console.complain(if (it.file.isEmpty()) it.message else lineOf(it.file, it)) }
+            is RobotLoads.HasErrors -> {
+                result.diagnostics.forEach { console.complain(if (it.file.isEmpty()) it.message else lineOf(it.file, it)) }
                 ExitCode.BAD_INPUT
             }
         }
@@ -151,13 +151,13 @@ internal class ProgramRunner(
     }
 
     /** Null if any of them cannot be read; why is told. */
-    private fun readOwn(names: List<String>): HandIn? =
+    private fun readOwn(names: List<String>): Submission? =
         when (val read = readHandIn(names, console)) {
-            is ReadHandIn.Read -> {
+            is SubmissionResult.Read -> {
                 read.handIn
             }
 
-            is ReadHandIn.Refused -> {
+            is SubmissionResult.Rejected -> {
                 console.complain(read.reason)
                 null
             }
@@ -165,16 +165,16 @@ internal class ProgramRunner(
 
     /** Null if any of them cannot run; why is told. */
     private fun readLoads(
-        place: GivenWorld,
-        own: HandIn,
+        place: LoadedWorld,
+        own: Submission,
         request: RunRequest,
     ): List<RobotLoad>? =
         when (val loading = readLoads(place, ProgramCompiler(PENBOT_CALIBRATION, request.java, console.language), own, request.robots)) {
-            is Loading.Loaded -> {
+            is RobotProgramsResult.Loaded -> {
                 loading.loads
             }
 
-            is Loading.Refused -> {
+            is RobotProgramsResult.Rejected -> {
                 loading.reasons.forEach(console::complain)
                 null
             }

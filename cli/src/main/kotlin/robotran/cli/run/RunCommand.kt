@@ -53,7 +53,7 @@ internal class RunCommand(
     ).convert { text ->
         when (val result = readButtonPress(text, LONGEST_RUN_SECONDS)) {
             is ButtonPressResult.Read -> result.press
-            is ButtonPressResult.Refused -> fail(result.reason)
+            is ButtonPressResult.Rejected -> fail(result.reason)
         }
     }.multiple()
     private val romLog by option("--rom-log", metavar = "FILE|-", help = "writes every ROM call, one a line; a table if FILE ends in .csv")
@@ -79,7 +79,7 @@ internal class RunCommand(
             console.complain(console.messages.needsDesktopApp())
             throw ProgramResult(ExitCode.BAD_INPUT.status)
         }
-        conflictIn(presses, options.milliseconds ?: USUAL_RUN_MILLISECONDS)?.let { throw UsageError(it) }
+        conflictIn(presses, options.milliseconds ?: DEFAULT_RUN_MILLISECONDS)?.let { throw UsageError(it) }
         val outputs = RunOutputs(picture, romLog, romLogOnly, report, brickReport, memory, explain)
         val request = RunRequest(
             programs, options.robots, options.java, world, WorldChanges(seed, options.realism), options.milliseconds, presses,
@@ -88,7 +88,7 @@ internal class RunCommand(
     }
 
     private companion object {
-        const val USUAL_RUN_MILLISECONDS = World.DEFAULT_TIME_LIMIT * 1000
+        const val DEFAULT_RUN_MILLISECONDS = World.DEFAULT_TIME_LIMIT * 1000
 
         val GROUPS = RomGroup.entries.associateBy { it.name.lowercase() }
     }

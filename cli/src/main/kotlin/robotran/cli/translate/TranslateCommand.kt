@@ -58,12 +58,12 @@ internal class TranslateCommand(
         val files =
             when (val read = readProgramFiles(programs, sentences)) {
                 is ProgramFiles.Read -> read.programs.single()
-                is ProgramFiles.Refused -> return refuse(read.reason)
+                is ProgramFiles.Rejected -> return refuse(read.reason)
             }
         val reader = ProgramCompiler(PENBOT_CALIBRATION, language = spoken.language)
         return when (val result = runBlocking { reader.read(files.source) }) {
-            is Reading.Mistaken -> {
-                result.mistakes.forEach { console.complain(lineOf(files, it)) }
+            is Reading.HasErrors -> {
+                result.diagnostics.forEach { console.complain(lineOf(files, it)) }
                 ExitCode.PROGRAM_FAILED
             }
 
@@ -85,7 +85,7 @@ internal class TranslateCommand(
                 write(program, file)
             }
 
-            is RobolangFile.Mistaken -> {
+            is RobolangFile.HasErrors -> {
                 file.diagnostics.forEach { console.complain(lineOf(program, it)) }
                 ExitCode.PROGRAM_FAILED
             }

@@ -24,8 +24,8 @@ internal class WebCommand(
     private val process: Console,
     private val stay: (SiteServer) -> Unit = { Thread.sleep(Long.MAX_VALUE) },
 ) : CoreCliktCommand("web") {
-    private val port by option("--port", metavar = "N", help = "the port, $USUAL_PORT if not given; 0 for any that is free")
-        .int().restrictTo(0..HIGHEST_PORT).default(USUAL_PORT)
+    private val port by option("--port", metavar = "N", help = "the port, $DEFAULT_PORT if not given; 0 for any that is free")
+        .int().restrictTo(0..HIGHEST_PORT).default(DEFAULT_PORT)
     private val site by option(
         "--site",
         metavar = "FOLDER",
@@ -56,7 +56,7 @@ internal class WebCommand(
         /** The system property by which `./robotran` tells where the tree's site is. */
         const val SITE = "robotran.site"
 
-        private const val USUAL_PORT = 8080
+        private const val DEFAULT_PORT = 8080
         private const val HIGHEST_PORT = 65_535
     }
 }

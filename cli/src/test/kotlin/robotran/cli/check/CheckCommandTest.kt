@@ -44,11 +44,11 @@ class CheckCommandTest : CommandTest() {
         assertEquals(1, check(wrong, square, "--json"))
         val (mistaken, ready) = Json.parseToJsonElement(console.said.single()).jsonArray.map { it.jsonObject }
         assertEquals(wrong, mistaken.getValue("file").jsonPrimitive.content)
-        val mistake = mistaken.getValue("diagnostics").jsonArray.single().jsonObject
-        val told = listOf("code", "severity", "line", "column", "endColumn", "text").map { mistake.getValue(it).jsonPrimitive.content }
+        val diagnostic = mistaken.getValue("diagnostics").jsonArray.single().jsonObject
+        val told = listOf("code", "severity", "line", "column", "endColumn", "text").map { diagnostic.getValue(it).jsonPrimitive.content }
         assertEquals(listOf("unknown-command", "mistake", "1", "1", "7", "foward"), told)
-        assertContains(mistake.getValue("message").jsonPrimitive.content, "\"foward\"")
-        val fix = mistake.getValue("fix").jsonObject
+        assertContains(diagnostic.getValue("message").jsonPrimitive.content, "\"foward\"")
+        val fix = diagnostic.getValue("fix").jsonObject
         assertEquals(
             listOf("1", "1", "7", "forward"),
             listOf("line", "column", "endColumn", "replacement").map {

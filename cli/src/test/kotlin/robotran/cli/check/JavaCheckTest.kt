@@ -65,11 +65,11 @@ class JavaCheckTest : CommandTest() {
         assertEquals(1, check(main, other, "--json"))
         val (mistaken, ready) = Json.parseToJsonElement(console.said.single()).jsonArray.map { it.jsonObject }
         assertEquals(listOf(main, other), listOf(mistaken, ready).map { it.getValue("file").jsonPrimitive.content })
-        val mistake = mistaken.getValue("diagnostics").jsonArray.single().jsonObject
-        val place = listOf("severity", "line", "column", "endColumn").map { mistake.getValue(it).jsonPrimitive.content }
+        val diagnostic = mistaken.getValue("diagnostics").jsonArray.single().jsonObject
+        val place = listOf("severity", "line", "column", "endColumn").map { diagnostic.getValue(it).jsonPrimitive.content }
         assertEquals(listOf("mistake", "5", "17", "23"), place)
-        assertContains(mistake.getValue("message").jsonPrimitive.content, "\"forwrd\"")
-        assertEquals("forward", mistake.getValue("fix").jsonObject.getValue("replacement").jsonPrimitive.content)
+        assertContains(diagnostic.getValue("message").jsonPrimitive.content, "\"forwrd\"")
+        assertEquals("forward", diagnostic.getValue("fix").jsonObject.getValue("replacement").jsonPrimitive.content)
         assertEquals(0, ready.getValue("diagnostics").jsonArray.size)
     }
 }

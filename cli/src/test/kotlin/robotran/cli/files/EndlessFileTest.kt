@@ -73,7 +73,7 @@ class EndlessFileTest : CommandTest() {
         val large = folder.resolve("large.robo").also { it.writeBytes(ByteArray(LARGEST_FILE_BYTES + 1)) }
         assertContains(refusal("run", "$large"), "large.robo is too large")
         // What the system tells of itself has a length of 0 and many letters, as a file has that grows once its length is known.
-        val growing = assertIs<FileContent.Refused>(readContent(Path.of("/proc/self/status"), "growing.robo", 10, EnglishCommandMessages))
+        val growing = assertIs<FileContent.Rejected>(readContent(Path.of("/proc/self/status"), "growing.robo", 10, EnglishCommandMessages))
         assertEquals("growing.robo is too large: it can have 10 bytes at most.", growing.reason)
         assertIs<FileContent.Read>(readContent(Path.of("/proc/self/status"), "growing.robo", 100_000, EnglishCommandMessages))
     }

@@ -29,7 +29,7 @@ import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
 /** What the app makes of a pupil's work, handed in: `.robotran` files and links. */
-class HandInTest : CommandTest() {
+class SubmissionTest : CommandTest() {
     private val worldText =
         """{"format": "robotran-world", "version": 2, "title": "Ahead", "paper": {"width": 100, "height": 80},
            "robots": [{"start": {"x": 50, "y": 40, "heading": 0}}, {"name": "red", "start": {"x": 10, "y": 10, "heading": 0}}], "timeLimit": 8,

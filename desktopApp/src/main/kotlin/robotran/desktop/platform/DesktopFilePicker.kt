@@ -90,7 +90,7 @@ internal fun openedFile(
             OpenedFile(place.name, file.bytes, place.toString())
         }
 
-        is FileContent.Refused -> {
+        is FileContent.Rejected -> {
             tell(file.reason)
             null
         }

@@ -43,7 +43,7 @@ internal fun AppWindow(
         key(open.attempt) {
             Window(askToClose, state, title = windowTitle(open.workshop), icon = icon) {
                 DisposableEffect(window) {
-                    window.minimumSize = Dimension(LEAST_WIDTH, LEAST_HEIGHT)
+                    window.minimumSize = Dimension(MIN_WIDTH, MIN_HEIGHT)
                     open.frame = window
                     onDispose { open.frame = null }
                 }
@@ -61,7 +61,7 @@ private fun KeepPlace(
     state: WindowState,
 ) {
     LaunchedEffect(state) {
-        snapshotFlow { WindowPlace.of(state) }.collectLatest { place ->
+        snapshotFlow { WindowBounds.of(state) }.collectLatest { place ->
             delay(REST_MILLISECONDS)
             if (place != null && !state.isMinimized) withContext(Dispatchers.IO) { open.platform.store.write(PLACE, place.toText()) }
         }

@@ -22,9 +22,9 @@ internal class CrashHandler(
         problem.printStackTrace()
         val now = System.nanoTime()
         times.addLast(now)
-        while (times.size > MOST_TIMES) times.removeFirst()
+        while (times.size > MAX_TIMES) times.removeFirst()
         open.keepAfterTrouble()
-        if (open.workshop == null || (times.size == MOST_TIMES && now - times.first() < SOON_NANOSECONDS)) {
+        if (open.workshop == null || (times.size == MAX_TIMES && now - times.first() < SOON_NANOSECONDS)) {
             val words = "Robotran cannot go on: $problem\nYour work is kept."
             JOptionPane.showMessageDialog(null, words, "Robotran", JOptionPane.ERROR_MESSAGE)
             return giveUp()
@@ -33,7 +33,7 @@ internal class CrashHandler(
     }
 
     private companion object {
-        const val MOST_TIMES = 3
+        const val MAX_TIMES = 3
         const val SOON_NANOSECONDS = 10_000_000_000L
     }
 }

@@ -42,9 +42,9 @@ internal fun arrivalsIn(dropped: Transferable): List<OpenRequest> {
         val text = dropped.contentIn(DataFlavor.stringFlavor) as? String
         return listOfNotNull(text?.takeIf(::isLink)?.let(OpenRequest::OfLink))
     }
-    val troubles = mutableListOf<OpenRequest>()
-    val opened = files.mapNotNull { file -> openedFile(file.toPath()) { troubles += OpenRequest.Unreadable(it) } }
-    return troubles + listOfNotNull(opened.takeIf { it.isNotEmpty() }?.let(OpenRequest::OfFiles))
+    val errors = mutableListOf<OpenRequest>()
+    val opened = files.mapNotNull { file -> openedFile(file.toPath()) { errors += OpenRequest.Unreadable(it) } }
+    return errors + listOfNotNull(opened.takeIf { it.isNotEmpty() }?.let(OpenRequest::OfFiles))
 }
 
 private fun Transferable.contentIn(flavour: DataFlavor): Any? =

@@ -15,7 +15,7 @@ import kotlin.coroutines.EmptyCoroutineContext
 /** Shows a window with what [arrival] brings or, without, with the work that was open last, and returns when all windows are closed. */
 internal fun showWindows(arrival: OpenRequest?) {
     val store = FolderKeyValueStore(dataFolder(), EmptyCoroutineContext)
-    val place = runBlocking { store.read(PLACE) }?.let { WindowPlace.of(it) }
+    val place = runBlocking { store.read(PLACE) }?.let { WindowBounds.of(it) }
     val windows = mutableStateListOf(OpenWindow(store, arrival, goesOn = true))
     Thread.setDefaultUncaughtExceptionHandler { _, problem ->
         problem.printStackTrace()

@@ -1,6 +1,6 @@
 package robotran.desktop.window
 
-import robotran.desktop.ReadArrival
+import robotran.desktop.OpenRequestResult
 import robotran.desktop.platform.openedFile
 import robotran.desktop.readArrival
 import robotran.workshop.platform.OpenRequest
@@ -34,7 +34,7 @@ class OpenRequestTest {
 
     @Test
     fun `files of the command line come with where they are`() {
-        val read = assertIs<ReadArrival.Read>(readArrival(listOf("$program", "$program")))
+        val read = assertIs<OpenRequestResult.Read>(readArrival(listOf("$program", "$program")))
         val file = assertIs<OpenRequest.OfFiles>(read.arrival).files.single()
         assertEquals("a.robo", file.name)
         assertEquals("beep", file.bytes.decodeToString())
@@ -43,21 +43,21 @@ class OpenRequestTest {
 
     @Test
     fun `nothing named is nothing, and a link is a link`() {
-        assertNull(assertIs<ReadArrival.Read>(readArrival(emptyList())).arrival)
-        assertEquals(OpenRequest.OfLink("#p=a123"), assertIs<ReadArrival.Read>(readArrival(listOf("#p=a123"))).arrival)
+        assertNull(assertIs<OpenRequestResult.Read>(readArrival(emptyList())).arrival)
+        assertEquals(OpenRequest.OfLink("#p=a123"), assertIs<OpenRequestResult.Read>(readArrival(listOf("#p=a123"))).arrival)
     }
 
     @Test
     fun `what cannot be read is refused before a window opens`() {
-        assertContains(assertIs<ReadArrival.Refused>(readArrival(listOf("$folder/none.robo"))).reason, "There is no file none.robo.")
-        assertContains(assertIs<ReadArrival.Refused>(readArrival(listOf("Main.class"))).reason, "is compiled")
-        assertIs<ReadArrival.Refused>(readArrival(listOf("$folder")))
+        assertContains(assertIs<OpenRequestResult.Rejected>(readArrival(listOf("$folder/none.robo"))).reason, "There is no file none.robo.")
+        assertContains(assertIs<OpenRequestResult.Rejected>(readArrival(listOf("Main.class"))).reason, "is compiled")
+        assertIs<OpenRequestResult.Rejected>(readArrival(listOf("$folder")))
     }
 
     @Test
     fun `a device or a pipe is refused at once, named, chosen or dropped`() {
         val zero = folder.resolve("zero.robo").createSymbolicLinkPointingTo(Path.of("/dev/zero"))
-        assertContains(assertIs<ReadArrival.Refused>(readArrival(listOf("$zero"))).reason, "zero.robo")
+        assertContains(assertIs<OpenRequestResult.Rejected>(readArrival(listOf("$zero"))).reason, "zero.robo")
         val pipe = folder.resolve("pipe.robo")
         val made = ProcessBuilder("mkfifo", "$pipe").start()
         check(made.waitFor(10, TimeUnit.SECONDS) && made.exitValue() == 0)

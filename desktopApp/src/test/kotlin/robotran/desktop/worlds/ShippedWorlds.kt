@@ -42,7 +42,7 @@ internal object ShippedWorlds {
         file: File?,
     ): List<RobotLoad> = when (val loads = runBlocking { readRobotLoads(world, reader, world.forFirstRobot(listOf(source(file)))) }) {
         is RobotLoads.Ready -> loads.loads
-        is RobotLoads.Mistaken -> error("${loads.robot}: ${loads.mistakes}")
+        is RobotLoads.HasErrors -> error("${loads.robot}: ${loads.diagnostics}")
     }
 
     private fun source(file: File?): ProgramSource = when (file?.extension) {
@@ -53,7 +53,7 @@ internal object ShippedWorlds {
 
     private fun loaded(file: File): World = when (val result = readWorld(file.readText())) {
         is WorldFileResult.Loaded -> result.world
-        is WorldFileResult.Refused -> error("${file.name}: ${result.message}")
+        is WorldFileResult.Rejected -> error("${file.name}: ${result.message}")
     }
 
     private const val ENDING = ".world.json"

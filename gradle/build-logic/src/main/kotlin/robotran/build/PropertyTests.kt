@@ -7,13 +7,13 @@ import org.gradle.api.tasks.testing.Test
 internal object PropertyTests {
     /** `-PpropertySeed=N` lets a build try other values. */
     private const val SEED_PROPERTY = "propertySeed"
-    private const val USUAL_SEED = "2005"
+    private const val DEFAULT_SEED = "2005"
 
     fun configure(
         project: Project,
         test: Test,
     ) {
-        test.systemProperty("kotest.proptest.default.seed", project.findProperty(SEED_PROPERTY) ?: USUAL_SEED)
+        test.systemProperty("kotest.proptest.default.seed", project.findProperty(SEED_PROPERTY) ?: DEFAULT_SEED)
         // A seed remembered in the home folder would make a build depend on the ones before.
         test.systemProperty("kotest.proptest.seed.write-failed", "false")
     }

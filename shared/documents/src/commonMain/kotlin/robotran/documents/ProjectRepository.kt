@@ -14,29 +14,37 @@ class ProjectRepository(private val store: KeyValueStore) {
     private val newest = mutableMapOf<String, Place>()
 
     /** All works that can be used, the newest first. */
-    suspend fun works(): List<WorkEntry> = ids().mapNotNull { copies(it).newestWhole()?.second?.entry }.sortedByDescending { it.keptAt }
+    suspend fun works(): List<ProjectSummary> = ids().mapNotNull {
+        copies(it).newestWhole()?.second?.entry
+    }.sortedByDescending { it.keptAt }
 
-    suspend fun read(id: String): WorkReading {
+    suspend fun read(id: String): SavedProjectResult {
         val copies = copies(id)
-        val whole = copies.filter { it.second is WorkCopy.Whole }
-        if (copies.any { it.second is WorkCopy.Newer }) return WorkReading.Unusable { DocumentMessages.of(it).keptByNewer() }
+        val whole = copies.filter { it.second is SavedProjectCopy.Whole }
+        if (copies.any { it.second is SavedProjectCopy.Newer }) return SavedProjectResult.Unusable { DocumentMessages.of(it).keptByNewer() }
         val (place, copy) = whole.newestWhole()
-            ?: return if (copies.isEmpty()) WorkReading.Missing else WorkReading.Unusable { DocumentMessages.of(it).copiesBroken() }
+            ?: return if (copies.isEmpty()) {
+                SavedProjectResult.Missing
+            } else {
+                SavedProjectResult.Unusable {
+                    DocumentMessages.of(it).copiesBroken()
+                }
+            }
         newest[id] = Place(place, copy.order)
         val reading = copy.read()
-        return if (reading is WorkReading.Found) reading.copy(isPartial = copies.size > whole.size) else reading
+        return if (reading is SavedProjectResult.Found) reading.copy(isPartial = copies.size > whole.size) else reading
     }
 
     /** Keeps [work], which must be claimed. A work that could not be read again is not kept. */
     suspend fun keep(work: SavedProject): SaveResult {
         require(work.id.length <= SavedProject.MAXIMUM_ID) { "${work.id} is too long" }
         val project = writeProject(work.project)
-        if (readProject(project) is ProjectFileResult.Refused) return SaveResult.TooLong
+        if (readProject(project) is ProjectFileResult.Rejected) return SaveResult.TooLong
         if (work.id !in newest) copies(work.id).newestWhole()?.let { (place, copy) -> newest[work.id] = Place(place, copy.order) }
         val last = newest[work.id]
         val place = if (last?.copy == COPIES.first()) COPIES.last() else COPIES.first()
         val order = (last?.order ?: 0) + 1
-        return when (val result = store.write(nameOf(work.id, place), WorkText.write(work, order, project))) {
+        return when (val result = store.write(nameOf(work.id, place), SavedProjectText.write(work, order, project))) {
             StoreResult.Done -> SaveResult.Kept.also { newest[work.id] = Place(place, order) }
             StoreResult.Full -> SaveResult.Full
             is StoreResult.Failed -> SaveResult.Failed(result.reason)
@@ -60,12 +68,12 @@ class ProjectRepository(private val store: KeyValueStore) {
             .map { it.removePrefix(PREFIX).substringBeforeLast('.') }.distinct()
 
     /** What is there of the work [id], null for a copy that is not whole. */
-    private suspend fun copies(id: String): List<Pair<String, WorkCopy?>> = COPIES.mapNotNull { copy ->
-        store.read(nameOf(id, copy))?.let { copy to WorkText.open(id, it) }
+    private suspend fun copies(id: String): List<Pair<String, SavedProjectCopy?>> = COPIES.mapNotNull { copy ->
+        store.read(nameOf(id, copy))?.let { copy to SavedProjectText.open(id, it) }
     }
 
-    private fun List<Pair<String, WorkCopy?>>.newestWhole(): Pair<String, WorkCopy.Whole>? =
-        mapNotNull { (place, copy) -> (copy as? WorkCopy.Whole)?.let { place to it } }.maxByOrNull { it.second.order }
+    private fun List<Pair<String, SavedProjectCopy?>>.newestWhole(): Pair<String, SavedProjectCopy.Whole>? =
+        mapNotNull { (place, copy) -> (copy as? SavedProjectCopy.Whole)?.let { place to it } }.maxByOrNull { it.second.order }
 
     private fun nameOf(id: String, copy: String) = "$PREFIX$id.$copy"
 

@@ -24,5 +24,5 @@ enum class SavingCheck {
  * @param now what is in it now; null if it is not there.
  * @param toWrite what is to be written: if that is in it already, nothing is lost.
  */
-fun checkBeforeSaving(file: WorkFile, now: ByteArray?, toWrite: ByteArray): SavingCheck =
+fun checkBeforeSaving(file: SaveTarget, now: ByteArray?, toWrite: ByteArray): SavingCheck =
     if (now == null || FileStamp.of(now) == file.stamp || now.contentEquals(toWrite)) SavingCheck.FREE else SavingCheck.CHANGED_MEANWHILE

@@ -17,7 +17,7 @@ data class SavedProject(
     val name: String,
     val keptAt: Long,
     val project: Project,
-    val file: WorkFile? = null,
+    val file: SaveTarget? = null,
     val saved: Boolean = false,
 ) {
     companion object {
@@ -33,21 +33,21 @@ data class SavedProject(
  *
  * @property fileName the name of the file it is saved in; null if in none.
  */
-data class WorkEntry(val id: String, val name: String, val keptAt: Long, val fileName: String?)
+data class ProjectSummary(val id: String, val name: String, val keptAt: Long, val fileName: String?)
 
 /** What came of looking for a kept work. */
-sealed interface WorkReading {
+sealed interface SavedProjectResult {
     /** @property isPartial whether the newest copy was broken, so that this is the one before it. */
-    data class Found(val work: SavedProject, val isPartial: Boolean) : WorkReading
+    data class Found(val work: SavedProject, val isPartial: Boolean) : SavedProjectResult
 
-    data object Missing : WorkReading
+    data object Missing : SavedProjectResult
 
     /**
      * It is there, but it cannot be used: it is broken, or a newer Robotran has made it. Nothing is written over it.
      *
      * @property reason a sentence, in any language.
      */
-    class Unusable(val reason: (Language) -> String) : WorkReading
+    class Unusable(val reason: (Language) -> String) : SavedProjectResult
 }
 
 /** What came of keeping a work. */

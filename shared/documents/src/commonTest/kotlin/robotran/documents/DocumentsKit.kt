@@ -18,7 +18,7 @@ internal fun projectOf(text: String): Project {
 internal fun workOf(text: String, id: String = "one", keptAt: Long = 1_000): SavedProject =
     SavedProject(id, "Maze", keptAt, projectOf(text))
 
-internal suspend fun KeyValueStore.work(id: String = "one"): WorkReading.Found =
-    assertIs<WorkReading.Found>(ProjectRepository(this).read(id))
+internal suspend fun KeyValueStore.work(id: String = "one"): SavedProjectResult.Found =
+    assertIs<SavedProjectResult.Found>(ProjectRepository(this).read(id))
 
 internal val SavedProject.text: String get() = project.robots.single().programs.single().files.single().text

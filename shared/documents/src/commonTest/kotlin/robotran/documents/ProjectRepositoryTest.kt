@@ -16,10 +16,10 @@ class ProjectRepositoryTest {
 
     @Test
     fun `a work comes back as it was kept`() = runTest {
-        val file = WorkFile(FilePlace("/home/ann/maze.robotran", "maze.robotran"), FileStamp.of("x"))
+        val file = SaveTarget(FileReference("/home/ann/maze.robotran", "maze.robotran"), FileStamp.of("x"))
         val work = workOf("beep\n\t// ñ🤖 \"end \"\nend 0123456789abcdef\n").copy(name = "Ann's \"Maze\" \uD83E", file = file, saved = true)
         assertEquals(SaveResult.Kept, shelf.keep(work))
-        assertEquals(WorkReading.Found(work, isPartial = false), ProjectRepository(store).read("one"))
+        assertEquals(SavedProjectResult.Found(work, isPartial = false), ProjectRepository(store).read("one"))
     }
 
     @Test
@@ -35,7 +35,7 @@ class ProjectRepositoryTest {
     fun `being killed at any byte of a write leaves the copy before it`() = runTest {
         shelf.keep(workOf("forward 1"))
         shelf.keep(workOf("forward 2"))
-        val whole = WorkText.write(workOf("forward 3"), order = 3)
+        val whole = SavedProjectText.write(workOf("forward 3"), order = 3)
         for (room in 0..whole.length) {
             val disk = MemoryKeyValueStore(store.texts)
             val kept = runCatching { ProjectRepository(CuttingStore(disk, room, kills = true)).keep(workOf("forward 3")) }
@@ -99,7 +99,7 @@ class ProjectRepositoryTest {
         shelf.keep(workOf("beep", id = "new", keptAt = 7).copy(name = "Town"))
         store.write("work-broken.a", "robotran-work 1\n{")
         store.write("settings", "language=de")
-        assertEquals(listOf(WorkEntry("new", "Town", 7, null), WorkEntry("old", "Maze", 5, null)), shelf.works())
+        assertEquals(listOf(ProjectSummary("new", "Town", 7, null), ProjectSummary("old", "Maze", 5, null)), shelf.works())
     }
 
     @Test
@@ -107,7 +107,7 @@ class ProjectRepositoryTest {
         repeat(2) { shelf.keep(workOf("beep")) }
         assertEquals(StoreResult.Done, shelf.delete("one"))
         assertEquals(emptyList(), store.names())
-        assertEquals(WorkReading.Missing, shelf.read("one"))
+        assertEquals(SavedProjectResult.Missing, shelf.read("one"))
     }
 
     @Test
@@ -115,7 +115,7 @@ class ProjectRepositoryTest {
         shelf.keep(workOf("beep"))
         val sealed = "robotran-work 2\n{}\n"
         store.write("work-one.b", "${sealed}end ${FileStamp.of(sealed).text}\n")
-        assertIs<WorkReading.Unusable>(shelf.read("one"))
+        assertIs<SavedProjectResult.Unusable>(shelf.read("one"))
     }
 
     @Test

@@ -31,7 +31,7 @@ class SavedFileTest {
     fun `a file that somebody else has changed is noticed before it is written`() {
         val before = byteArrayOf(1, 2, 3)
         val ours = byteArrayOf(4)
-        val file = WorkFile(FilePlace("x", "x"), FileStamp.of(before))
+        val file = SaveTarget(FileReference("x", "x"), FileStamp.of(before))
         assertEquals(SavingCheck.FREE, checkBeforeSaving(file, before, ours))
         assertEquals(SavingCheck.FREE, checkBeforeSaving(file, null, ours))
         assertEquals(SavingCheck.FREE, checkBeforeSaving(file, ours, ours))

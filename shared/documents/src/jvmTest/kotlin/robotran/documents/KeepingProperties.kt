@@ -25,7 +25,7 @@ class KeepingProperties : StringSpec({
                 } catch (_: Killed) {
                     // The app is started anew.
                 }
-                val found = (ProjectRepository(disk).read("one") as? WorkReading.Found)?.work?.text
+                val found = (ProjectRepository(disk).read("one") as? SavedProjectResult.Found)?.work?.text
                 (found == kept || found == tried) shouldBe true
                 kept = found
             }
@@ -39,7 +39,7 @@ class KeepingProperties : StringSpec({
             var kept: String? = null
             for (change in changes) {
                 if (shelf.keep(workOf(change)) == SaveResult.Kept) kept = change
-                (ProjectRepository(disk).read("one") as? WorkReading.Found)?.work?.text shouldBe kept
+                (ProjectRepository(disk).read("one") as? SavedProjectResult.Found)?.work?.text shouldBe kept
             }
         }
     }

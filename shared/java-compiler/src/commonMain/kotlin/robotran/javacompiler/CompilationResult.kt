@@ -20,5 +20,5 @@ sealed interface CompilationResult {
     ) : CompilationResult
 
     /** It cannot run; [diagnostics] are all its mistakes, in the order of the sources, never empty. */
-    data class Refused(val diagnostics: List<JavaDiagnostic>) : CompilationResult
+    data class Rejected(val diagnostics: List<JavaDiagnostic>) : CompilationResult
 }

@@ -26,11 +26,11 @@ class JavaCompiler internal constructor(
         val compilation = ecj.compile(texts, library)
         val diagnosis = Diagnosis(texts, library.keys, compilation, messages)
         val diagnostics = diagnosis.diagnostics()
-        val mistakes = diagnostics.filter { it.severity == JavaSeverity.MISTAKE }
-        return if (mistakes.isEmpty()) {
+        val errors = diagnostics.filter { it.severity == JavaSeverity.ERROR }
+        return if (errors.isEmpty()) {
             CompilationResult.Compiled(compilation.classes, diagnostics, compilation.mainClasses, diagnosis.missingMain())
         } else {
-            CompilationResult.Refused(mistakes)
+            CompilationResult.Rejected(errors)
         }
     }
 

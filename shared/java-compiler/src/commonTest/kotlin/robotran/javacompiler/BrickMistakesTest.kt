@@ -8,7 +8,7 @@ import kotlin.test.assertNotNull
 /** What Java has on a computer and not on a brick. */
 class BrickMistakesTest {
     private suspend fun assertHint(statements: String, hint: String) =
-        assertContains(listOfNotNull(mistake(statements).message, mistake(statements).hint).joinToString(" "), hint)
+        assertContains(listOfNotNull(diagnostic(statements).message, diagnostic(statements).hint).joinToString(" "), hint)
 
     @Test
     fun `classes that the brick does not have are told with what it has instead`() = runTest {
@@ -21,8 +21,8 @@ class BrickMistakesTest {
         assertHint("char d = Character.toUpperCase('c');", "char")
         assertHint("JFrame frame;", "LCD")
         assertHint("UltrasonicSensor eye;", "josx.platform.rcx")
-        assertContains(assertNotNull(mistakes("import lejos.nxt.Motor;\nclass Robot { }").first().hint), "josx.platform.rcx")
-        assertContains(assertNotNull(mistakes("import java.util.ArrayList;\nclass Robot { }").first().hint), "Vector")
+        assertContains(assertNotNull(diagnostics("import lejos.nxt.Motor;\nclass Robot { }").first().hint), "josx.platform.rcx")
+        assertContains(assertNotNull(diagnostics("import java.util.ArrayList;\nclass Robot { }").first().hint), "Vector")
     }
 
     @Test
@@ -60,10 +60,10 @@ class BrickMistakesTest {
         assertHint("assert 1 > 2;", "Use \"if\"")
         assertHint("int x = 1_000;", "digits only")
         assertHint("String s = \"\"\"\nhello\n\"\"\";", "on one line")
-        assertContains(assertNotNull(mistakes("class Robot { enum Color { RED } }").first().hint), "static final int")
-        assertContains(mistakes("class Robot { @Override public String toString() { return null; } }").first().message, "annotations")
-        assertContains(assertNotNull(mistakes("class Robot { void all(int... n) { } }").first().hint), "array")
-        assertContains(assertNotNull(mistakes("import static java.lang.Math.*;\nclass Robot { }").first().hint), "Import the class")
+        assertContains(assertNotNull(diagnostics("class Robot { enum Color { RED } }").first().hint), "static final int")
+        assertContains(diagnostics("class Robot { @Override public String toString() { return null; } }").first().message, "annotations")
+        assertContains(assertNotNull(diagnostics("class Robot { void all(int... n) { } }").first().hint), "array")
+        assertContains(assertNotNull(diagnostics("import static java.lang.Math.*;\nclass Robot { }").first().hint), "Import the class")
     }
 
     @Test

@@ -21,18 +21,18 @@ suspend fun compile(text: String, vararg others: JavaSource): CompilationResult 
 
 suspend fun compiled(text: String, vararg others: JavaSource): CompilationResult.Compiled = assertIs(compile(text, *others))
 
-suspend fun mistakes(text: String, vararg others: JavaSource): List<JavaDiagnostic> =
-    assertIs<CompilationResult.Refused>(compile(text, *others)).diagnostics
+suspend fun diagnostics(text: String, vararg others: JavaSource): List<JavaDiagnostic> =
+    assertIs<CompilationResult.Rejected>(compile(text, *others)).diagnostics
 
 /** A whole program around [statements], which begin in line 4. */
 fun program(statements: String) =
     "import josx.platform.rcx.*;\npublic class Robot {\npublic static void main(String[] args) throws InterruptedException {\n$statements\n}\n}\n"
 
 /** The first mistake of [statements] in a method main. */
-suspend fun mistake(statements: String): JavaDiagnostic = mistakes(program(statements)).first()
+suspend fun diagnostic(statements: String): JavaDiagnostic = diagnostics(program(statements)).first()
 
 /** The first mistake of the class members [declarations]. */
-suspend fun memberMistake(declarations: String): JavaDiagnostic = mistakes("class Robot {\n$declarations\n}").first()
+suspend fun memberMistake(declarations: String): JavaDiagnostic = diagnostics("class Robot {\n$declarations\n}").first()
 
 /** [text] with [fix]. */
 fun mended(text: String, fix: JavaFix): String {
@@ -44,6 +44,6 @@ fun mended(text: String, fix: JavaFix): String {
 
 /** What [statements] in a method main become by the fix of their first mistake. */
 suspend fun mendedStatements(statements: String): String {
-    val text = mended(program(statements), assertNotNull(mistake(statements).fix))
+    val text = mended(program(statements), assertNotNull(diagnostic(statements).fix))
     return text.substringAfter("InterruptedException {\n").removeSuffix("\n}\n}\n")
 }

@@ -62,13 +62,13 @@ class CompilingTest {
         val source = listOf(JavaSource("Robot.java", "class Robot { Helper helper; }"))
         val helper = compiled("class Helper { }").classes
         assertIs<CompilationResult.Compiled>(compiler().compile(source, library + helper))
-        assertIs<CompilationResult.Refused>(compiler().compile(source, library))
+        assertIs<CompilationResult.Rejected>(compiler().compile(source, library))
     }
 
     @Test
     fun `a byte order mark is no part of a program`() = runTest {
         assertTrue(compiled("\uFEFFclass Robot { }").warnings.isEmpty())
-        assertEquals(JavaRange(1, 15, 15), mistakes("\uFEFFclass Robot { int a }").single().range.copy(column = 15, endColumn = 15))
+        assertEquals(JavaRange(1, 15, 15), diagnostics("\uFEFFclass Robot { int a }").single().range.copy(column = 15, endColumn = 15))
     }
 
     @Test

@@ -15,23 +15,23 @@ suspend fun compileMutations(count: Int) {
         val text = mutated(originals[number % originals.size], random)
         when (val result = compile(text)) {
             is CompilationResult.Compiled -> assertTrue(result.classes.isNotEmpty() || "class" !in text, text)
-            is CompilationResult.Refused -> assertTold(result, text)
+            is CompilationResult.Rejected -> assertTold(result, text)
         }
     }
 }
 
-private fun assertTold(result: CompilationResult.Refused, text: String) {
+private fun assertTold(result: CompilationResult.Rejected, text: String) {
     val lines = text.lines().size
-    for (mistake in result.diagnostics) {
-        assertTrue(mistake.message.isNotBlank(), text)
-        assertTrue(mistake.range.line in 1..lines && mistake.range.column in 1..mistake.range.endColumn, text)
-        mistake.fix?.let { mended(text, it) }
+    for (diagnostic in result.diagnostics) {
+        assertTrue(diagnostic.message.isNotBlank(), text)
+        assertTrue(diagnostic.range.line in 1..lines && diagnostic.range.column in 1..diagnostic.range.endColumn, text)
+        diagnostic.fix?.let { mended(text, it) }
     }
 }
 
 private fun mutated(text: String, random: Random): String {
     val words = WORD.findAll(text).map { it.value }.toMutableList()
-    repeat(random.nextInt(1, MOST_MUTATIONS)) {
+    repeat(random.nextInt(1, MAX_MUTATIONS)) {
         val place = random.nextInt(words.size)
         when (random.nextInt(KINDS)) {
             0 -> words.removeAt(place)
@@ -43,5 +43,5 @@ private fun mutated(text: String, random: Random): String {
     return words.joinToString("")
 }
 
-private const val MOST_MUTATIONS = 6
+private const val MAX_MUTATIONS = 6
 private const val KINDS = 4

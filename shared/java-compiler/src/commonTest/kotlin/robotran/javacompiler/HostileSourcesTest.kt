@@ -9,8 +9,8 @@ import kotlin.test.assertIs
 class HostileSourcesTest {
     @Test
     fun `sources that are too long are not read`() = runTest {
-        assertContains(mistakes("/*" + "x".repeat(200_000) + "*/").single().message, "characters")
-        assertContains(mistakes(program("int x = 1;\n".repeat(100_000))).single().message, "characters")
+        assertContains(diagnostics("/*" + "x".repeat(200_000) + "*/").single().message, "characters")
+        assertContains(diagnostics(program("int x = 1;\n".repeat(100_000))).single().message, "characters")
     }
 
     @Test
@@ -29,7 +29,7 @@ class HostileSourcesTest {
         )
         texts.forEach { assertIs<CompilationResult>(compile(program(it))) }
         val files = List(100) { JavaSource("Wrong$it.java", "class Wrong$it { " + "int f$it() { return lenght; } ".repeat(50) + "}") }
-        assertIs<CompilationResult.Refused>(compiler().compile(files, library))
+        assertIs<CompilationResult.Rejected>(compiler().compile(files, library))
     }
 
     @Test
@@ -45,7 +45,7 @@ class HostileSourcesTest {
             "int" + "[]".repeat(20_000) + " x;",
             "\\u0028".repeat(5_000),
         )
-        deep.forEach { assertContains(mistakes(program(it)).joinToString { mistake -> mistake.message }, "inside each other") }
+        deep.forEach { assertContains(diagnostics(program(it)).joinToString { diagnostic -> diagnostic.message }, "inside each other") }
     }
 
     @Test
@@ -66,7 +66,7 @@ class HostileSourcesTest {
     @Test
     fun `texts that double again and again do not fill the memory`() = runTest {
         val doubling = (1..40).joinToString("\n") { "static final String S$it = S${it - 1} + S${it - 1};" }
-        mistakes("class Robot {\nstatic final String S0 = \"0123456789\";\n$doubling\n}")
+        diagnostics("class Robot {\nstatic final String S0 = \"0123456789\";\n$doubling\n}")
     }
 
     @Test
@@ -78,6 +78,6 @@ class HostileSourcesTest {
 
     @Test
     fun `classes above each other in a circle are refused`() = runTest {
-        mistakes("class Robot extends B { } class B extends Robot { }")
+        diagnostics("class Robot extends B { } class B extends Robot { }")
     }
 }

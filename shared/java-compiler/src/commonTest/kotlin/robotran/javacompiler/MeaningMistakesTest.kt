@@ -8,7 +8,7 @@ import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 
 class MeaningMistakesTest {
-    private suspend fun hint(statements: String) = assertNotNull(mistake(statements).hint)
+    private suspend fun hint(statements: String) = assertNotNull(diagnostic(statements).hint)
 
     @Test
     fun `a single equals sign in a condition becomes two`() = runTest {
@@ -21,7 +21,7 @@ class MeaningMistakesTest {
         assertEquals("int x = (int) (Math.random() * 3);", mendedStatements("int x = Math.random() * 3;"))
         assertEquals("int x = (int) Math.sqrt(2);", mendedStatements("int x = Math.sqrt(2);"))
         assertContains(hint("int n = Math.round(3.4);"), "(float)")
-        assertContains(mistake("int n = 99999999999;").message, "2147483647")
+        assertContains(diagnostic("int n = 99999999999;").message, "2147483647")
     }
 
     @Test
@@ -35,19 +35,19 @@ class MeaningMistakesTest {
         assertContains(hint("int x = 1; if (x) { }"), "count > 0")
         assertContains(hint("String s = 3;"), "\"\" +")
         assertContains(hint("TextLCD.print(3);"), "\"\" +")
-        assertContains(mistake("int x = nothing(); } static void nothing() {").message, "void")
-        assertContains(mistake("boolean b = 3 & true;").message, "\"int, boolean\"")
-        assertContains(mistake("Motor.A.setPower();").message, "takes (int), not no values")
+        assertContains(diagnostic("int x = nothing(); } static void nothing() {").message, "void")
+        assertContains(diagnostic("boolean b = 3 & true;").message, "\"int, boolean\"")
+        assertContains(diagnostic("Motor.A.setPower();").message, "takes (int), not no values")
     }
 
     @Test
     fun `an exception that nothing takes care of is passed on or caught`() = runTest {
         val text = "class Robot {\nvoid go() {\n  Thread.sleep(10);\n}\n}"
-        val mistake = mistakes(text).single()
-        assertContains(assertNotNull(mistake.hint), "throws InterruptedException")
-        assertContains(assertNotNull(mistake.hint), "catch (InterruptedException e)")
-        compiled(mended(text, assertNotNull(mistake.fix)))
-        assertNull(mistakes("class Robot { void go() { if (true) Thread.sleep(10); } }").single().fix)
+        val diagnostic = diagnostics(text).single()
+        assertContains(assertNotNull(diagnostic.hint), "throws InterruptedException")
+        assertContains(assertNotNull(diagnostic.hint), "catch (InterruptedException e)")
+        compiled(mended(text, assertNotNull(diagnostic.fix)))
+        assertNull(diagnostics("class Robot { void go() { if (true) Thread.sleep(10); } }").single().fix)
     }
 
     @Test
@@ -61,24 +61,24 @@ class MeaningMistakesTest {
         assertContains(assertNotNull(memberMistake("int f(int x) { if (x > 3) return 1; }").hint), "return")
         assertContains(memberMistake("void f() { return 3; }").message, "void")
         val text = "class Robot {\npublic static main(String[] args) { }\n}"
-        compiled(mended(text, assertNotNull(mistakes(text).single().fix)))
+        compiled(mended(text, assertNotNull(diagnostics(text).single().fix)))
     }
 
     @Test
     fun `what is never reached is told`() = runTest {
-        assertContains(mistake("while (true) { }\nint y = 3;").message, "never gets here")
-        assertContains(mistake("return;\nint y = 3;").message, "never gets here")
+        assertContains(diagnostic("while (true) { }\nint y = 3;").message, "never gets here")
+        assertContains(diagnostic("return;\nint y = 3;").message, "never gets here")
     }
 
     @Test
     fun `variables have a value before they are read and one declaration`() = runTest {
-        assertContains(mistake("int x; x++;").message, "no value yet")
-        assertContains(mistake("int x = 1; int x = 2;").message, "declared already")
-        assertContains(mistake("final int x = 1; x = 2;").message, "only once")
+        assertContains(diagnostic("int x; x++;").message, "no value yet")
+        assertContains(diagnostic("int x = 1; int x = 2;").message, "declared already")
+        assertContains(diagnostic("final int x = 1; x = 2;").message, "only once")
         assertContains(memberMistake("static final int X = 1; void f() { X = 2; }").message, "only once")
         assertContains(memberMistake("int q;\nint q;").message, "declared already")
         assertContains(memberMistake("void f() { }\nvoid f() { }").message, "declared already")
-        assertContains(mistakes("class A { }\nclass A { }").single().message, "declared already")
+        assertContains(diagnostics("class A { }\nclass A { }").single().message, "declared already")
     }
 
     @Test
@@ -86,18 +86,18 @@ class MeaningMistakesTest {
         assertContains(assertNotNull(memberMistake("int n; static void f() { n = 3; }").hint), "\"static\"")
         assertContains(assertNotNull(memberMistake("void g() { } static void f() { g(); }").hint), "\"static\"")
         assertContains(memberMistake("static void f() { this.toString(); }").message, "\"this\"")
-        assertContains(mistake("Motor.setPower(3);").message, "object of \"Motor\"")
+        assertContains(diagnostic("Motor.setPower(3);").message, "object of \"Motor\"")
     }
 
     @Test
     fun `classes have the methods that they must have`() = runTest {
-        assertContains(assertNotNull(mistakes("class Robot extends Thread { }").single().hint), "public void run()")
-        assertContains(mistakes("class Robot extends Thread { void run() { } }").single().message, "\"public\"")
-        assertContains(assertNotNull(mistakes("interface X { } class Robot { X x = new X(); }").single().hint), "is a X")
+        assertContains(assertNotNull(diagnostics("class Robot extends Thread { }").single().hint), "public void run()")
+        assertContains(diagnostics("class Robot extends Thread { void run() { } }").single().message, "\"public\"")
+        assertContains(assertNotNull(diagnostics("interface X { } class Robot { X x = new X(); }").single().hint), "is a X")
     }
 
     @Test
     fun `a public class is called like its file`() = runTest {
-        assertContains(mistakes("public class Other { }").single().message, "\"Other.java\"")
+        assertContains(diagnostics("public class Other { }").single().message, "\"Other.java\"")
     }
 }

@@ -17,7 +17,7 @@ class NameMistakesTest {
         assertEquals("Motor.A.forward();", mendedStatements("Motor.A.foward();"))
         assertEquals("Motor.A.forward();", mendedStatements("Moter.A.forward();"))
         assertEquals("int speed = 3; Motor.A.setPower(speed);", mendedStatements("int speed = 3; Motor.A.setPower(sped);"))
-        assertNull(mistake("int x = qqq;").fix)
+        assertNull(diagnostic("int x = qqq;").fix)
     }
 
     @Test
@@ -28,21 +28,21 @@ class NameMistakesTest {
         assertEquals("LCD.showNumber(3);", mendedStatements("lcd.showNumber(3);"))
         assertEquals("String s;", mendedStatements("string s;"))
         assertEquals("int y;", mendedStatements("Int y;"))
-        assertContains(assertNotNull(mistake("motor.A.forward();").hint), "capital")
+        assertContains(assertNotNull(diagnostic("motor.A.forward();").hint), "capital")
     }
 
     @Test
     fun `a missing import is told with its line`() = runTest {
-        val mistake = mistakes("class Robot { void go() { Motor.A.forward(); } }").single()
-        assertContains(assertNotNull(mistake.hint), "import josx.platform.rcx.*;")
-        assertEquals(JavaFix(JavaRange(1, 1, 1), "import josx.platform.rcx.*;\n"), mistake.fix)
+        val diagnostic = diagnostics("class Robot { void go() { Motor.A.forward(); } }").single()
+        assertContains(assertNotNull(diagnostic.hint), "import josx.platform.rcx.*;")
+        assertEquals(JavaFix(JavaRange(1, 1, 1), "import josx.platform.rcx.*;\n"), diagnostic.fix)
         val inPackage = "// package none;\npackage robots;\nclass Robot { Vector all; }"
-        assertEquals(JavaFix(JavaRange(2, 16, 16), "\nimport java.util.*;"), mistakes(inPackage).single().fix)
+        assertEquals(JavaFix(JavaRange(2, 16, 16), "\nimport java.util.*;"), diagnostics(inPackage).single().fix)
     }
 
     @Test
     fun `an import of what is not there is told with what was meant`() = runTest {
-        suspend fun mendedImport(name: String) = mistakes("import $name;\nclass Robot { }").single().fix?.replacement
+        suspend fun mendedImport(name: String) = diagnostics("import $name;\nclass Robot { }").single().fix?.replacement
         assertEquals("josx.platform.rcx.Motor", mendedImport("josx.platform.rcx.Moto"))
         assertEquals("josx.platform.rcx.Motor", mendedImport("josx.platform.rcx.motor"))
         assertEquals("josx.platform.rcx.Motor", mendedImport("Motor"))
@@ -52,50 +52,50 @@ class NameMistakesTest {
 
     @Test
     fun `an unknown variable can be declared`() = runTest {
-        assertContains(assertNotNull(mistake("number = 1;").hint), "int number = 0;")
+        assertContains(assertNotNull(diagnostic("number = 1;").hint), "int number = 0;")
     }
 
     @Test
     fun `an unknown method can be written`() = runTest {
-        assertContains(assertNotNull(mistake("turnAround();").hint), "static void turnAround() { }")
+        assertContains(assertNotNull(diagnostic("turnAround();").hint), "static void turnAround() { }")
     }
 
     @Test
     fun `what is private is told to be so`() = runTest {
         val other = JavaSource("Other.java", "class Other { private int count; private void go() { } }")
         for (use in listOf("new Other().count = 3;", "new Other().go();")) {
-            val mistake = mistakes(program(use), other).single()
-            assertContains(mistake.message, "only \"Other\" itself")
-            assertContains(assertNotNull(mistake.hint), "Take \"private\" away")
+            val diagnostic = diagnostics(program(use), other).single()
+            assertContains(diagnostic.message, "only \"Other\" itself")
+            assertContains(assertNotNull(diagnostic.hint), "Take \"private\" away")
         }
     }
 
     @Test
     fun `what the library keeps to itself is not there`() = runTest {
-        assertFalse("private" in mistake("Motor.A.power = 3;").message)
-        assertContains(mistake("Motor.A.power = 3;").message, "has no \"power\"")
+        assertFalse("private" in diagnostic("Motor.A.power = 3;").message)
+        assertContains(diagnostic("Motor.A.power = 3;").message, "has no \"power\"")
     }
 
     @Test
     fun `the length of a text has brackets and that of an array has none`() = runTest {
-        assertContains(assertNotNull(mistake("String s = null; int n = s.length;").hint), "word.length()")
+        assertContains(assertNotNull(diagnostic("String s = null; int n = s.length;").hint), "word.length()")
         assertEquals("int n = args.length;", mendedStatements("int n = args.length();"))
     }
 
     @Test
     fun `single values have no methods and texts no places`() = runTest {
-        assertContains(mistake("int q = 1; q.go();").message, "no methods")
-        assertContains(assertNotNull(mistake("String s = \"a\"; char c = s[0];").hint), "charAt(0)")
+        assertContains(diagnostic("int q = 1; q.go();").message, "no methods")
+        assertContains(assertNotNull(diagnostic("String s = \"a\"; char c = s[0];").hint), "charAt(0)")
     }
 
     @Test
     fun `one mistake is told once where it is imported and once where it is used`() = runTest {
         assertEquals(
             listOf(1, 3),
-            mistakes("import java.util.ArrayList;\nclass Robot {\nArrayList a;\nArrayList b;\n}").map {
+            diagnostics("import java.util.ArrayList;\nclass Robot {\nArrayList a;\nArrayList b;\n}").map {
                 it.range.line
             },
         )
-        assertEquals(1, mistakes(program("int x = 1\nMotor.A.foo();")).size)
+        assertEquals(1, diagnostics(program("int x = 1\nMotor.A.foo();")).size)
     }
 }

@@ -15,7 +15,7 @@ class ProgramsTest {
         val expected = testPrograms.mapValues { (_, text) -> linesWithMistakes(text) }.filterValues { it.isNotEmpty() }
         val found = testPrograms.mapValues { (path, text) ->
             when (val result = compileProgram(path, text)) {
-                is CompilationResult.Refused -> result.diagnostics.map { it.range.line }
+                is CompilationResult.Rejected -> result.diagnostics.map { it.range.line }
                 is CompilationResult.Compiled -> emptyList()
             }
         }.filterValues { it.isNotEmpty() }
@@ -25,7 +25,7 @@ class ProgramsTest {
     @Test
     fun `each mistake of the test programs is told in words of our own`() = runTest {
         val told = testPrograms.filterKeys { it.startsWith("mistakes/") }.flatMap { (path, text) ->
-            assertIs<CompilationResult.Refused>(compileProgram(path, text)).diagnostics.map { it.message }
+            assertIs<CompilationResult.Rejected>(compileProgram(path, text)).diagnostics.map { it.message }
         }
         assertTrue(told.none { message -> ECJ_WORDS.any { it in message } }, told.joinToString("\n"))
     }

@@ -7,7 +7,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 
 class RangeTest {
-    private suspend fun place(text: String) = mistakes(text).first().let { it.range to it.text }
+    private suspend fun place(text: String) = diagnostics(text).first().let { it.range to it.text }
 
     @Test
     fun `a tab is one column`() = runTest {
@@ -29,7 +29,7 @@ class RangeTest {
     @Test
     fun `mistakes come in the order of the sources`() = runTest {
         val other = JavaSource("Other.java", "class Other {\nA a;\n}")
-        val found = mistakes("class Robot {\nC c;\nB b;\n}", other)
+        val found = diagnostics("class Robot {\nC c;\nB b;\n}", other)
         assertEquals(listOf("Robot.java" to 2, "Robot.java" to 3, "Other.java" to 2), found.map { it.path to it.range.line })
     }
 }

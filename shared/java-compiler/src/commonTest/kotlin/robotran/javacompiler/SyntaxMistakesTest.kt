@@ -10,9 +10,9 @@ import kotlin.test.assertNotNull
 class SyntaxMistakesTest {
     @Test
     fun `a missing semicolon is put in where it belongs`() = runTest {
-        val mistake = mistake("int x = 1\nint y = 2;")
-        assertEquals("Put a \";\" at the end of this statement.", mistake.message)
-        assertEquals(JavaRange(4, 10, 10), mistake.range)
+        val diagnostic = diagnostic("int x = 1\nint y = 2;")
+        assertEquals("Put a \";\" at the end of this statement.", diagnostic.message)
+        assertEquals(JavaRange(4, 10, 10), diagnostic.range)
         assertEquals("int x = 1;\nint y = 2;", mendedStatements("int x = 1\nint y = 2;"))
         assertEquals("do { } while (true);", mendedStatements("do { } while (true)"))
     }
@@ -21,9 +21,9 @@ class SyntaxMistakesTest {
     fun `a semicolon that is missing behind a name is put in, too`() = runTest {
         val statements = "int rounds = 0;\nint i = 1;\nrounds = rounds + i"
         for (rest in listOf("", "\nrounds = 2;", "\nint k = 2;", "\nMotor.A.stop();", " // add")) {
-            val mistake = mistake(statements + rest)
-            assertEquals("Put a \";\" at the end of this statement.", mistake.message)
-            assertEquals(JavaRange(6, 20, 20), mistake.range)
+            val diagnostic = diagnostic(statements + rest)
+            assertEquals("Put a \";\" at the end of this statement.", diagnostic.message)
+            assertEquals(JavaRange(6, 20, 20), diagnostic.range)
             assertEquals("$statements;$rest", mendedStatements(statements + rest))
         }
         assertEquals("for (;;) {\nint a = 1, b = 2;\na = a - b;\n}", mendedStatements("for (;;) {\nint a = 1, b = 2;\na = a - b\n}"))
@@ -38,25 +38,25 @@ class SyntaxMistakesTest {
     @Test
     fun `a missing brace is told where the next one should have been`() = runTest {
         val text = "class Robot {\nvoid go() {\nint x = 3;\nvoid stop() {\n}\n}"
-        val mistake = mistakes(text).single()
-        assertEquals(3, mistake.range.line)
-        assertContains(mistake.message, "without its \"}\"")
-        compiled(mended(text, assertNotNull(mistake.fix)))
+        val diagnostic = diagnostics(text).single()
+        assertEquals(3, diagnostic.range.line)
+        assertContains(diagnostic.message, "without its \"}\"")
+        compiled(mended(text, assertNotNull(diagnostic.fix)))
         val endless = "class Robot {\nvoid go() {\n}\n"
-        compiled(mended(endless, assertNotNull(mistakes(endless).single().fix)))
+        compiled(mended(endless, assertNotNull(diagnostics(endless).single().fix)))
     }
 
     @Test
     fun `a brace too many is told`() = runTest {
-        assertContains(mistakes("class Robot {\n}\n}").single().message, "one too many")
+        assertContains(diagnostics("class Robot {\n}\n}").single().message, "one too many")
     }
 
     @Test
     fun `a text that does not end is told and nothing that follows from it`() = runTest {
-        val mistake = mistakes(program("int y = 0;\nString t = \"abc;\nif (y > 1) { y = 2; }")).single()
-        assertEquals(JavaRange(5, 12, 13), mistake.range)
-        assertContains(mistake.message, "quotation mark")
-        assertContains(mistakes(program("String t = \"a // \\\" b;")).single().message, "quotation mark")
+        val diagnostic = diagnostics(program("int y = 0;\nString t = \"abc;\nif (y > 1) { y = 2; }")).single()
+        assertEquals(JavaRange(5, 12, 13), diagnostic.range)
+        assertContains(diagnostic.message, "quotation mark")
+        assertContains(diagnostics(program("String t = \"a // \\\" b;")).single().message, "quotation mark")
     }
 
     @Test
@@ -78,37 +78,37 @@ class SyntaxMistakesTest {
     @Test
     fun `capital letters in a word of Java are made small`() = runTest {
         val text = "Public class Robot { }"
-        assertEquals("public class Robot { }", mended(text, assertNotNull(mistakes(text).first().fix)))
+        assertEquals("public class Robot { }", mended(text, assertNotNull(diagnostics(text).first().fix)))
         assertEquals("while (true) { }", mendedStatements("While (true) { }"))
     }
 
     @Test
     fun `a condition without brackets is told with an example`() = runTest {
-        assertContains(mistake("int i = 3; if i > 2 { }").message, "if (light < 40)")
-        assertContains(mistake("int i = 3; while i > 2 { }").message, "brackets")
+        assertContains(diagnostic("int i = 3; if i > 2 { }").message, "if (light < 40)")
+        assertContains(diagnostic("int i = 3; while i > 2 { }").message, "brackets")
     }
 
     @Test
     fun `the parts of a loop have semicolons between them`() = runTest {
-        assertContains(mistake("for (int i = 0, i < 3, i++) { }").message, "for (int i = 0; i < 4; i++)")
+        assertContains(diagnostic("for (int i = 0, i < 3, i++) { }").message, "for (int i = 0; i < 4; i++)")
     }
 
     @Test
     fun `an else without if is told`() = runTest {
-        assertContains(mistake("int i = 1;\nelse { }").message, "no \"if\"")
+        assertContains(diagnostic("int i = 1;\nelse { }").message, "no \"if\"")
     }
 
     @Test
     fun `a statement outside of any method is told`() = runTest {
         val message = "in none of its methods"
-        assertContains(mistakes("import josx.platform.rcx.*;\nclass Robot {\nMotor.A.forward();\n}").first().message, message)
+        assertContains(diagnostics("import josx.platform.rcx.*;\nclass Robot {\nMotor.A.forward();\n}").first().message, message)
         assertContains(memberMistake("int x; x = 3;").message, message)
     }
 
     @Test
     fun `a program without a class is shown one with the name of its file`() = runTest {
-        assertContains(assertNotNull(mistakes("Motor.A.forward();").first().hint), "public class Robot {")
-        assertContains(assertNotNull(mistakes("void main() { }").first().hint), "public class Robot {")
+        assertContains(assertNotNull(diagnostics("Motor.A.forward();").first().hint), "public class Robot {")
+        assertContains(assertNotNull(diagnostics("void main() { }").first().hint), "public class Robot {")
     }
 
     @Test
@@ -118,20 +118,20 @@ class SyntaxMistakesTest {
 
     @Test
     fun `a value that nothing is done with is no statement`() = runTest {
-        assertContains(mistake("int x = 1; x + 3;").message, "nothing happens")
+        assertContains(diagnostic("int x = 1; x + 3;").message, "nothing happens")
         assertEquals("int x = 1; x = 3;", mendedStatements("int x = 1; x == 3;"))
     }
 
     @Test
     fun `names are not words of Java nor begin with a digit`() = runTest {
-        assertContains(mistake("int if = 3;").message, "word of Java's own")
-        assertContains(mistake("int 3x = 4;").message, "begins with a letter")
+        assertContains(diagnostic("int if = 3;").message, "word of Java's own")
+        assertContains(diagnostic("int 3x = 4;").message, "begins with a letter")
     }
 
     @Test
     fun `arrays get their length where they are made`() = runTest {
-        assertContains(mistake("int y[3];").message, "new int[3]")
-        assertContains(assertNotNull(mistake("int[] x; x = {1, 2};").hint), "new int[] {")
+        assertContains(diagnostic("int y[3];").message, "new int[3]")
+        assertContains(assertNotNull(diagnostic("int[] x; x = {1, 2};").hint), "new int[] {")
     }
 
     @Test
@@ -141,6 +141,6 @@ class SyntaxMistakesTest {
 
     @Test
     fun `a try needs a catch`() = runTest {
-        assertContains(assertNotNull(mistake("try { Thread.sleep(3); }").hint), "catch (")
+        assertContains(assertNotNull(diagnostic("try { Thread.sleep(3); }").hint), "catch (")
     }
 }

@@ -3,7 +3,7 @@ package robotran.json
 import robotran.language.Language
 
 /** A file is not even to be taken apart. */
-internal class BoundExceeded(val sentence: (Language) -> String, val line: Int?) : Exception(sentence(Language.ENGLISH))
+internal class LimitExceeded(val sentence: (Language) -> String, val line: Int?) : Exception(sentence(Language.ENGLISH))
 
 /**
  * Refuses what is too long, nests too deep or has a text in quotes that goes beyond its line, which is nearly always a forgotten quote: the
@@ -11,7 +11,7 @@ internal class BoundExceeded(val sentence: (Language) -> String, val line: Int?)
  */
 internal fun boundJson(text: String) {
     if (text.length > JsonLimits.MAXIMUM_CHARACTERS) {
-        throw BoundExceeded(told { fileTooLong(JsonLimits.MAXIMUM_CHARACTERS) }, null)
+        throw LimitExceeded(told { fileTooLong(JsonLimits.MAXIMUM_CHARACTERS) }, null)
     }
     var depth = 0
     var line = 1
@@ -35,9 +35,9 @@ internal fun boundJson(text: String) {
     if (inString) throw unclosedIn(line)
 }
 
-private fun unclosedIn(line: Int) = BoundExceeded(told { textNotClosed(line) }, line)
+private fun unclosedIn(line: Int) = LimitExceeded(told { textNotClosed(line) }, line)
 
-private fun tooDeepIn(line: Int) = BoundExceeded(told { bracketsTooDeep(line) }, line)
+private fun tooDeepIn(line: Int) = LimitExceeded(told { bracketsTooDeep(line) }, line)
 
 /** The line, from 1, that the character at [offset] is in. */
 internal fun lineAt(text: String, offset: Int): Int = 1 + (0..<minOf(offset, text.length)).count { text[it] == '\n' }

@@ -22,8 +22,8 @@ internal object EnglishJsonMessages : JsonMessages {
 
     override fun tooManyEntries(count: Int, limit: Int) = "has $count entries, but at most $limit are allowed"
 
-    override fun tooFewEntries(count: Int, least: Int) =
-        "has ${if (count == 1) "1 entry" else "$count entries"}, but at least $least must be there"
+    override fun tooFewEntries(count: Int, min: Int) =
+        "has ${if (count == 1) "1 entry" else "$count entries"}, but at least $min must be there"
 
     override fun mustBeText() = "must be a text in quotes"
 
@@ -37,9 +37,9 @@ internal object EnglishJsonMessages : JsonMessages {
 
     override fun mustBeNumber() = "must be a number"
 
-    override fun mustBeFrom(least: String, most: String) = "must be from $least to $most"
+    override fun mustBeFrom(min: String, max: String) = "must be from $min to $max"
 
-    override fun mustBeWholeFrom(least: Long, most: Long) = "must be a whole number from $least to $most"
+    override fun mustBeWholeFrom(min: Long, max: Long) = "must be a whole number from $min to $max"
 
     override fun mustBeTrueOrFalse() = "must be true or false"
 

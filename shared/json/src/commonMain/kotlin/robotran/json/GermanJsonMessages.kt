@@ -22,8 +22,8 @@ internal object GermanJsonMessages : JsonMessages {
 
     override fun tooManyEntries(count: Int, limit: Int) = "hat $count Einträge, aber höchstens $limit sind erlaubt"
 
-    override fun tooFewEntries(count: Int, least: Int) =
-        "hat ${if (count == 1) "1 Eintrag" else "$count Einträge"}, aber mindestens $least müssen da sein"
+    override fun tooFewEntries(count: Int, min: Int) =
+        "hat ${if (count == 1) "1 Eintrag" else "$count Einträge"}, aber mindestens $min müssen da sein"
 
     override fun mustBeText() = "muss ein Text in Anführungszeichen sein"
 
@@ -37,9 +37,9 @@ internal object GermanJsonMessages : JsonMessages {
 
     override fun mustBeNumber() = "muss eine Zahl sein"
 
-    override fun mustBeFrom(least: String, most: String) = "muss zwischen $least und $most liegen"
+    override fun mustBeFrom(min: String, max: String) = "muss zwischen $min und $max liegen"
 
-    override fun mustBeWholeFrom(least: Long, most: Long) = "muss eine ganze Zahl von $least bis $most sein"
+    override fun mustBeWholeFrom(min: Long, max: Long) = "muss eine ganze Zahl von $min bis $max sein"
 
     override fun mustBeTrueOrFalse() = "muss true oder false sein"
 

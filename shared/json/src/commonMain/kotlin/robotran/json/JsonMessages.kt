@@ -36,7 +36,7 @@ interface JsonMessages {
 
     fun tooManyEntries(count: Int, limit: Int): String
 
-    fun tooFewEntries(count: Int, least: Int): String
+    fun tooFewEntries(count: Int, min: Int): String
 
     fun mustBeText(): String
 
@@ -50,9 +50,9 @@ interface JsonMessages {
 
     fun mustBeNumber(): String
 
-    fun mustBeFrom(least: String, most: String): String
+    fun mustBeFrom(min: String, max: String): String
 
-    fun mustBeWholeFrom(least: Long, most: Long): String
+    fun mustBeWholeFrom(min: Long, max: Long): String
 
     fun mustBeTrueOrFalse(): String
 

@@ -15,7 +15,7 @@ sealed interface JsonReading<out T> {
      * @property line the line it is about, from 1; null if it is about the file as a whole.
      * @property path the value it is about, such as `walls[2].from`; empty if it is about none.
      */
-    data class Refused(val message: String, val line: Int?, val path: String) : JsonReading<Nothing>
+    data class Rejected(val message: String, val line: Int?, val path: String) : JsonReading<Nothing>
 }
 
 /**
@@ -33,37 +33,37 @@ fun <T> readJson(text: String, language: Language = Language.ENGLISH, read: (Jso
         JsonReading.Read(read(file))
     } catch (refusal: JsonValidationException) {
         refusedBecause(refusal, json, language)
-    } catch (mistake: SerializationException) {
-        val line = lineAt(json, offsetOf(mistake) ?: json.length)
-        JsonReading.Refused(JsonMessages.of(language).notReadable(line), line, "")
-    } catch (excess: BoundExceeded) {
-        JsonReading.Refused(excess.sentence(language), excess.line, "")
+    } catch (diagnostic: SerializationException) {
+        val line = lineAt(json, offsetOf(diagnostic) ?: json.length)
+        JsonReading.Rejected(JsonMessages.of(language).notReadable(line), line, "")
+    } catch (excess: LimitExceeded) {
+        JsonReading.Rejected(excess.sentence(language), excess.line, "")
     }
 }
 
 /** The same for a file as it lies on a disk: text in UTF-8, with or without a byte order mark. */
 fun <T> readJson(bytes: ByteArray, language: Language = Language.ENGLISH, read: (JsonCursor) -> T): JsonReading<T> {
     val text = if (bytes.size > JsonLimits.MAXIMUM_BYTES) {
-        return JsonReading.Refused(JsonMessages.of(language).fileTooLong(JsonLimits.MAXIMUM_CHARACTERS), null, "")
+        return JsonReading.Rejected(JsonMessages.of(language).fileTooLong(JsonLimits.MAXIMUM_CHARACTERS), null, "")
     } else {
         try {
             bytes.decodeToString(throwOnInvalidSequence = true)
         } catch (_: CharacterCodingException) {
-            return JsonReading.Refused(JsonMessages.of(language).notUtf8(), null, "")
+            return JsonReading.Rejected(JsonMessages.of(language).notUtf8(), null, "")
         }
     }
     return readJson(text, language, read)
 }
 
-private fun refusedBecause(refusal: JsonValidationException, text: String, language: Language): JsonReading.Refused {
-    val path = refusal.path ?: return JsonReading.Refused(refusal.reason(language), null, "")
+private fun refusedBecause(refusal: JsonValidationException, text: String, language: Language): JsonReading.Rejected {
+    val path = refusal.path ?: return JsonReading.Rejected(refusal.reason(language), null, "")
     val line = lineOf(path, text)
     val sentence = JsonMessages.of(language).refused(line, path.toString(), refusal.reason(language))
-    return JsonReading.Refused(sentence, line, path.toString())
+    return JsonReading.Rejected(sentence, line, path.toString())
 }
 
 /** The parser tells the place of a mistake only in its message, and not at all if the file ends too early. */
-private fun offsetOf(mistake: SerializationException): Int? =
-    Regex("offset (\\d+)").find(mistake.message.orEmpty())?.groupValues?.get(1)?.toIntOrNull()
+private fun offsetOf(diagnostic: SerializationException): Int? =
+    Regex("offset (\\d+)").find(diagnostic.message.orEmpty())?.groupValues?.get(1)?.toIntOrNull()
 
 private const val BYTE_ORDER_MARK = "\uFEFF"

@@ -13,22 +13,22 @@ fun jsonObject(rest: Map<String, JsonElement> = emptyMap(), build: ObjectBuilder
 class ObjectBuilder internal constructor() {
     internal val members = linkedMapOf<String, JsonElement>()
 
-    fun text(name: String, value: String?, usual: String? = null) {
-        if (value != null && value != usual) members[name] = JsonPrimitive(value)
+    fun text(name: String, value: String?, default: String? = null) {
+        if (value != null && value != default) members[name] = JsonPrimitive(value)
     }
 
-    fun number(name: String, value: Double, usual: Double? = null) {
-        if (value != usual) members[name] = decimal(value)
+    fun number(name: String, value: Double, default: Double? = null) {
+        if (value != default) members[name] = decimal(value)
     }
 
-    fun number(name: String, value: Long?, usual: Long? = null) {
-        if (value != null && value != usual) members[name] = JsonPrimitive(value)
+    fun number(name: String, value: Long?, default: Long? = null) {
+        if (value != null && value != default) members[name] = JsonPrimitive(value)
     }
 
-    fun number(name: String, value: Int?, usual: Int? = null) = number(name, value?.toLong(), usual?.toLong())
+    fun number(name: String, value: Int?, default: Int? = null) = number(name, value?.toLong(), default?.toLong())
 
-    fun flag(name: String, value: Boolean, usual: Boolean?) {
-        if (value != usual) members[name] = JsonPrimitive(value)
+    fun flag(name: String, value: Boolean, default: Boolean?) {
+        if (value != default) members[name] = JsonPrimitive(value)
     }
 
     fun put(name: String, value: JsonElement?) {

@@ -22,8 +22,8 @@ internal object SpanishJsonMessages : JsonMessages {
 
     override fun tooManyEntries(count: Int, limit: Int) = "tiene $count entradas, pero solo puede haber $limit"
 
-    override fun tooFewEntries(count: Int, least: Int) =
-        "tiene ${if (count == 1) "1 entrada" else "$count entradas"}, pero tiene que haber al menos $least"
+    override fun tooFewEntries(count: Int, min: Int) =
+        "tiene ${if (count == 1) "1 entrada" else "$count entradas"}, pero tiene que haber al menos $min"
 
     override fun mustBeText() = "tiene que ser un texto entre comillas"
 
@@ -37,9 +37,9 @@ internal object SpanishJsonMessages : JsonMessages {
 
     override fun mustBeNumber() = "tiene que ser un número"
 
-    override fun mustBeFrom(least: String, most: String) = "tiene que estar entre $least y $most"
+    override fun mustBeFrom(min: String, max: String) = "tiene que estar entre $min y $max"
 
-    override fun mustBeWholeFrom(least: Long, most: Long) = "tiene que ser un número entero de $least a $most"
+    override fun mustBeWholeFrom(min: Long, max: Long) = "tiene que ser un número entero de $min a $max"
 
     override fun mustBeTrueOrFalse() = "tiene que ser true o false"
 

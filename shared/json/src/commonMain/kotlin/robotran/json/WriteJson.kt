@@ -99,18 +99,18 @@ private class JsonWriter(private val out: StringBuilder, private val tall: Set<S
     }
 
     /** Looks no further than it must, so that nothing long is written once for every bracket around it. */
-    private fun isShort(element: JsonElement, room: Int): Boolean = leastLength(element, room) <= room
+    private fun isShort(element: JsonElement, room: Int): Boolean = minLength(element, room) <= room
 
-    private fun leastLength(element: JsonElement, room: Int): Int = when (element) {
+    private fun minLength(element: JsonElement, room: Int): Int = when (element) {
         is JsonPrimitive -> element.content.length
-        is JsonArray -> leastLengthOf(element, room)
-        is JsonObject -> leastLengthOf(element.values, room)
+        is JsonArray -> minLengthOf(element, room)
+        is JsonObject -> minLengthOf(element.values, room)
     }
 
-    private fun leastLengthOf(items: Collection<JsonElement>, room: Int): Int {
+    private fun minLengthOf(items: Collection<JsonElement>, room: Int): Int {
         var length = 2
         for (item in items) {
-            length += 1 + leastLength(item, room - length)
+            length += 1 + minLength(item, room - length)
             if (length > room) return length
         }
         return length

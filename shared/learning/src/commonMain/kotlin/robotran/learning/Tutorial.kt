@@ -52,5 +52,5 @@ object Tutorial {
 /** A world that comes with the app, so that it cannot be refused. */
 internal fun worldOf(text: String): World = when (val result = readWorld(text)) {
     is WorldFileResult.Loaded -> result.world
-    is WorldFileResult.Refused -> error(result.message)
+    is WorldFileResult.Rejected -> error(result.message)
 }

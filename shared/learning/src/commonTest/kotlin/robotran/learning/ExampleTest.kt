@@ -3,8 +3,8 @@ package robotran.learning
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.Mistake
 import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -42,8 +42,8 @@ class ExampleTest {
 
     private suspend fun runs(word: String, source: ProgramSource) {
         val result = reader.read(source)
-        val ready = assertIs<ProgramResult.Ready>(result, "$word: ${(result as? ProgramResult.Mistaken)?.mistakes}")
-        assertEquals(emptyList<Mistake>(), ready.warnings, word)
+        val ready = assertIs<ProgramResult.Ready>(result, "$word: ${(result as? ProgramResult.HasErrors)?.diagnostics}")
+        assertEquals(emptyList<ProgramDiagnostic>(), ready.warnings, word)
         val session = Session(BuiltInWorlds.plain, listOf<RcxProgram?>(ready.program), loadPhysicsEngine())
         session.pressRun()
         session.advance(LONG_ENOUGH)

@@ -9,7 +9,7 @@ import kotlin.io.path.createTempDirectory
 /** Compiles programs as the product does: by ECJ, with nothing but the library on the class path. */
 internal object BrickCompiler {
     /** The class files, by name, and the lines of all mistakes, by the program's path. */
-    class Compilation(val classes: Map<String, ByteArray>, val mistakes: Map<String, Set<Int>>)
+    class Compilation(val classes: Map<String, ByteArray>, val diagnostics: Map<String, Set<Int>>)
 
     fun compile(programs: Map<String, String>): Compilation {
         val folder = createTempDirectory("brick").toFile()
@@ -39,7 +39,7 @@ internal object BrickCompiler {
             ).toTypedArray(),
             PrintWriter(problems), PrintWriter(problems), null,
         )
-        return Compilation(classesIn(output), mistakes(problems.toString(), folder.resolve("sources")))
+        return Compilation(classesIn(output), diagnostics(problems.toString(), folder.resolve("sources")))
     }
 
     private fun classesIn(output: File): Map<String, ByteArray> =
@@ -47,7 +47,7 @@ internal object BrickCompiler {
             file.relativeTo(output).invariantSeparatorsPath.removeSuffix(".class") to file.readBytes()
         }
 
-    private fun mistakes(problems: String, sources: File): Map<String, Set<Int>> =
+    private fun diagnostics(problems: String, sources: File): Map<String, Set<Int>> =
         MISTAKE.findAll(problems).groupBy(
             { File(it.groupValues[1]).relativeTo(sources).invariantSeparatorsPath },
             { it.groupValues[2].toInt() },

@@ -22,7 +22,7 @@ class LejosDocumentTest {
     fun `the documented programs compile`() {
         val programs = documentedPrograms.map { (place, text) -> fileOf(place, text) to text }.toMap()
         assertTrue(programs.size >= 8, "only ${programs.size} programs were found")
-        assertEquals(emptyMap(), BrickCompiler.compile(programs).mistakes)
+        assertEquals(emptyMap(), BrickCompiler.compile(programs).diagnostics)
     }
 
     private fun isThrowable(name: String): Boolean =
@@ -32,7 +32,7 @@ class LejosDocumentTest {
 
     private fun rowOfClass(name: String): String {
         val help = libraryHelp.getValue(name)
-        val uses = if (help.uses.size > MOST_USES) listOf(help.uses.first(), "...", help.uses.last()) else help.uses
+        val uses = if (help.uses.size > MAX_USES) listOf(help.uses.first(), "...", help.uses.last()) else help.uses
         return "| `${name.substringAfterLast('/')}` | ${help.ofClass} | ${uses.joinToString { if (it == "...") it else "`$it`" }} |"
     }
 
@@ -42,6 +42,6 @@ class LejosDocumentTest {
 
     private companion object {
         /** The list of the constants of LEGO's protocol would fill a page. */
-        const val MOST_USES = 60
+        const val MAX_USES = 60
     }
 }

@@ -11,7 +11,7 @@ class ProgramsCompileTest {
     @Test
     fun `the compiler finds the mistakes that the programs name and no others`() {
         val expected = programs.mapValues { linesAfter("// error ", it.value) }.filterValues { it.isNotEmpty() }
-        assertEquals(expected, compilation.mistakes)
+        assertEquals(expected, compilation.diagnostics)
     }
 
     @Test

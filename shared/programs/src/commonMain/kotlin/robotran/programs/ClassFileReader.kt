@@ -2,7 +2,7 @@ package robotran.programs
 
 import robotran.robolang.diagnostic.SourceRange
 import robotran.tinyvm.TinyVmResult
-import robotran.tinyvm.diagnostic.Refusal
+import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.TinyVmMessages
 
@@ -11,21 +11,23 @@ internal class ClassFileReader(
     private val settings: JavaSettings,
     private val messages: TinyVmMessages,
 ) {
-    fun read(source: ProgramSource.ClassFiles): ProgramResult = link(source.name, source.classFiles, source.mainClass) { it.sourceFile }
+    fun read(
+        source: ProgramSource.CompiledClasses,
+    ): ProgramResult = link(source.name, source.classFiles, source.mainClass) { it.sourceFile }
 
     /** @param fileOf the source that a refused class is in, null if that is not known. */
-    fun link(name: String, classFiles: Map<String, ByteArray>, mainClass: String?, fileOf: (Refusal) -> String?): ProgramResult {
+    fun link(name: String, classFiles: Map<String, ByteArray>, mainClass: String?, fileOf: (LinkError) -> String?): ProgramResult {
         val result = linkTinyVm(name, classFiles, BrickLibrary.classFiles, mainClass, settings.mode, messages, settings.speed)
         return when (result) {
             is TinyVmResult.Ready -> ProgramResult.Ready(result.program)
-            is TinyVmResult.Refused -> ProgramResult.Mistaken(listOf(mistakeOf(result.refusal, fileOf(result.refusal))))
+            is TinyVmResult.Rejected -> ProgramResult.HasErrors(listOf(mistakeOf(result.refusal, fileOf(result.refusal))))
         }
     }
 
-    private fun mistakeOf(refusal: Refusal, file: String?): Mistake {
+    private fun mistakeOf(refusal: LinkError, file: String?): ProgramDiagnostic {
         val place = listOfNotNull(refusal.className.ifEmpty { null }, refusal.methodName).joinToString(".")
         val line = refusal.sourceLine.takeIf { it > 0 }
-        return Mistake(
+        return ProgramDiagnostic(
             file = file ?: place,
             range = line?.let { SourceRange(it, FIRST_COLUMN, FIRST_COLUMN) },
             message = if (file == null || place.isEmpty()) refusal.message else "$place: ${refusal.message}",

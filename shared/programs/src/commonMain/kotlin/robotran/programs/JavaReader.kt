@@ -7,7 +7,7 @@ import robotran.javacompiler.diagnose.JavaRange
 import robotran.javacompiler.ecj.JavaSource
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
-import robotran.tinyvm.diagnostic.Refusal
+import robotran.tinyvm.diagnostic.LinkError
 
 /** Compiles and links leJOS programs. */
 internal class JavaReader(
@@ -17,7 +17,7 @@ internal class JavaReader(
     fun read(source: ProgramSource.Java): ProgramResult {
         val files = source.files.map { JavaSource(it.name, it.text) }
         return when (val result = compiler.compile(files, BrickLibrary.classFiles)) {
-            is CompilationResult.Refused -> ProgramResult.Mistaken(result.diagnostics.map(::mistakeOf))
+            is CompilationResult.Rejected -> ProgramResult.HasErrors(result.diagnostics.map(::mistakeOf))
             is CompilationResult.Compiled -> link(source, result)
         }
     }
@@ -25,11 +25,12 @@ internal class JavaReader(
     private fun link(source: ProgramSource.Java, compiled: CompilationResult.Compiled): ProgramResult {
         val first = source.files.firstOrNull()?.name.orEmpty()
         val mainClass =
-            mainClassOf(first, compiled.mainClasses) ?: return ProgramResult.Mistaken(listOfNotNull(compiled.missingMain?.let(::mistakeOf)))
+            mainClassOf(first, compiled.mainClasses)
+                ?: return ProgramResult.HasErrors(listOfNotNull(compiled.missingMain?.let(::mistakeOf)))
         val linked = classFiles.link(source.name, compiled.classes, mainClass) { refusal -> fileOf(source.files, refusal) }
         return when (linked) {
             is ProgramResult.Ready -> linked.copy(warnings = compiled.warnings.map(::mistakeOf), mainClass = mainClass)
-            is ProgramResult.Mistaken -> linked
+            is ProgramResult.HasErrors -> linked
         }
     }
 
@@ -39,12 +40,12 @@ internal class JavaReader(
     }
 
     /** The file that [refusal] is about; the first if that is not known. */
-    private fun fileOf(files: List<SourceFile>, refusal: Refusal): String? =
+    private fun fileOf(files: List<SourceFile>, refusal: LinkError): String? =
         (files.firstOrNull { simpleName(it.name) == refusal.sourceFile } ?: files.firstOrNull())?.name
 
     private fun simpleName(path: String): String = path.substringAfterLast('/').substringAfterLast('\\')
 
-    private fun mistakeOf(diagnostic: JavaDiagnostic) = Mistake(
+    private fun mistakeOf(diagnostic: JavaDiagnostic) = ProgramDiagnostic(
         diagnostic.path,
         rangeOf(diagnostic.range),
         listOfNotNull(diagnostic.message, diagnostic.hint).joinToString(" "),

@@ -53,7 +53,7 @@ class ProgramCompiler(
     fun readNow(source: ProgramSource): ProgramResult = when (source) {
         is ProgramSource.Robolang -> robolang.read(source)
         is ProgramSource.Java -> JavaReader(checkNotNull(compiler) { "The compiler for Java is not loaded." }, classFiles).read(source)
-        is ProgramSource.ClassFiles -> classFiles.read(source)
+        is ProgramSource.CompiledClasses -> classFiles.read(source)
     }
 
     /**

@@ -9,8 +9,12 @@ sealed interface ProgramResult {
      *
      * @property mainClass the class that a program in Java begins with, with slashes; null of others.
      */
-    data class Ready(val program: RcxProgram, val warnings: List<Mistake> = emptyList(), val mainClass: String? = null) : ProgramResult
+    data class Ready(
+        val program: RcxProgram,
+        val warnings: List<ProgramDiagnostic> = emptyList(),
+        val mainClass: String? = null,
+    ) : ProgramResult
 
-    /** It cannot run; [mistakes] are all there are, in the order of the sources, never empty. */
-    data class Mistaken(val mistakes: List<Mistake>) : ProgramResult
+    /** It cannot run; [diagnostics] are all there are, in the order of the sources, never empty. */
+    data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ProgramResult
 }

@@ -22,7 +22,7 @@ sealed interface ProgramSource {
      * @property classFiles what is in its class files, by the names they go by.
      * @property mainClass the class to begin with, with slashes; null for the first that has a main method.
      */
-    class ClassFiles(
+    class CompiledClasses(
         override val name: String,
         val classFiles: Map<String, ByteArray>,
         val mainClass: String? = null,

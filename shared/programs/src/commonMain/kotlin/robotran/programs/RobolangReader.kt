@@ -14,10 +14,10 @@ internal class RobolangReader(
     fun read(source: ProgramSource.Robolang): ProgramResult =
         when (val result = compileRobolang(source.name, source.text, calibration, messages)) {
             is RobolangResult.Ready -> ProgramResult.Ready(result.program, result.warnings.map { mistakeOf(source.name, it) })
-            is RobolangResult.Mistaken -> ProgramResult.Mistaken(result.diagnostics.map { mistakeOf(source.name, it) })
+            is RobolangResult.HasErrors -> ProgramResult.HasErrors(result.diagnostics.map { mistakeOf(source.name, it) })
         }
 
-    private fun mistakeOf(file: String, diagnostic: Diagnostic) = Mistake(
+    private fun mistakeOf(file: String, diagnostic: Diagnostic) = ProgramDiagnostic(
         file,
         diagnostic.range,
         diagnostic.message,

@@ -35,13 +35,13 @@ class TranslatedPoseTest {
             val interpreted = drive(program, physics)
             if (!interpreted.ended) continue
             compared++
-            differenceOf(interpreted.pose, drive(java, physics).pose, TURNING_LONG[path] ?: MOST_CENTIMETRES)?.let {
+            differenceOf(interpreted.pose, drive(java, physics).pose, TURNING_LONG[path] ?: MAX_CENTIMETRES)?.let {
                 differences +=
                     "$path: $it"
             }
         }
         assertEquals("", differences.joinToString("\n"))
-        assertTrue(compared >= LEAST_COMPARED, "only $compared programs were compared")
+        assertTrue(compared >= MIN_COMPARED, "only $compared programs were compared")
     }
 
     private fun drive(program: RcxProgram, physics: PhysicsEngine): Drive {
@@ -51,10 +51,10 @@ class TranslatedPoseTest {
         return Drive(session.state.robot.pose, ended = session.state.brick.run is RunState.Ended)
     }
 
-    private fun differenceOf(interpreted: Pose, translated: Pose, mostCentimetres: Double): String? {
+    private fun differenceOf(interpreted: Pose, translated: Pose, maxCentimetres: Double): String? {
         val distance = hypot(interpreted.x - translated.x, interpreted.y - translated.y)
         val turned = abs(interpreted.heading - translated.heading).let { minOf(it, FULL_TURN - it) }
-        return if (distance <= mostCentimetres && turned <= MOST_DEGREES) null else "$interpreted, translated $translated"
+        return if (distance <= maxCentimetres && turned <= MAX_DEGREES) null else "$interpreted, translated $translated"
     }
 
     private class Drive(val pose: Pose, val ended: Boolean)
@@ -62,12 +62,12 @@ class TranslatedPoseTest {
     private companion object {
         /** Longer than any of the programs that end by themselves. */
         const val MILLISECONDS = 300_000
-        const val MOST_CENTIMETRES = 0.2
-        const val MOST_DEGREES = 2.0
+        const val MAX_CENTIMETRES = 0.2
+        const val MAX_DEGREES = 2.0
 
         /** Turns 138 times: how its wheels slip each time depends on the millisecond at which they begin. */
         val TURNING_LONG = mapOf("flower.robo" to 1.0)
         const val FULL_TURN = 360.0
-        const val LEAST_COMPARED = 150
+        const val MIN_COMPARED = 150
     }
 }

@@ -38,12 +38,12 @@ internal sealed interface Outcome {
     data object Stuck : Outcome
 }
 
-/** Runs [program] on [rom] until its end, [mostCalls] or [lastMillisecond]; the clock jumps over every wait. */
-internal fun run(program: RcxProgram, rom: StandingClockRom, mostCalls: Int, lastMillisecond: Long): Outcome {
+/** Runs [program] on [rom] until its end, [maxCalls] or [lastMillisecond]; the clock jumps over every wait. */
+internal fun run(program: RcxProgram, rom: StandingClockRom, maxCalls: Int, lastMillisecond: Long): Outcome {
     val run = program.start(rom)
     var still = 0
-    while (rom.calls.size < mostCalls && rom.milliseconds <= lastMillisecond) {
-        if (still++ == MOST_STILL_STEPS) return Outcome.Stuck
+    while (rom.calls.size < maxCalls && rom.milliseconds <= lastMillisecond) {
+        if (still++ == MAX_STILL_STEPS) return Outcome.Stuck
         when (val status = run.resume(1)) {
             ProgramStatus.Running, is ProgramStatus.Paused -> continue
 
@@ -61,7 +61,7 @@ internal fun run(program: RcxProgram, rom: StandingClockRom, mostCalls: Int, las
     return Outcome.Done
 }
 
-private const val MOST_STILL_STEPS = 400_000
+private const val MAX_STILL_STEPS = 400_000
 
 /** What a program has called on a true brick, and whether it came to its end. */
 internal class BrickRun(val calls: List<TimedCall>, val isOver: Boolean)

@@ -16,11 +16,11 @@ class TranslationDifferenceTest {
 
     @Test
     fun everyProgramAndItsTranslationMakeTheSameCallsAtTheSameTimes() = runTest(timeout = 10.minutes) {
-        compareAll(robolangs.filterNot { it.hasBehaviours }, LEAST_COMPARED) { program, java ->
+        compareAll(robolangs.filterNot { it.hasBehaviours }, MIN_COMPARED) { program, java ->
             val interpreted = StandingClockRom(program.sensors)
             val translated = StandingClockRom(program.sensors)
-            if (run(program.robolang, interpreted, MOST_CALLS, LAST_MILLISECOND) != Outcome.Done) return@compareAll null
-            val outcome = run(java, translated, MOST_CALLS, LAST_MILLISECOND)
+            if (run(program.robolang, interpreted, MAX_CALLS, LAST_MILLISECOND) != Outcome.Done) return@compareAll null
+            val outcome = run(java, translated, MAX_CALLS, LAST_MILLISECOND)
             if (outcome != Outcome.Done) "ends with $outcome" else differenceOf(callsOf(interpreted), callsOf(translated))
         }
     }
@@ -28,33 +28,33 @@ class TranslationDifferenceTest {
     /** Behaviours need a brick whose time goes on while it computes; threads take turns there, so a call may come a little later. */
     @Test
     fun everyProgramWithBehavioursAndItsTranslationMakeTheSameCallsOneAfterTheOther() = runTest(timeout = 10.minutes) {
-        compareAll(robolangs.filter { it.hasBehaviours && it.path !in UNCERTAIN }, LEAST_REACTING) { program, java ->
+        compareAll(robolangs.filter { it.hasBehaviours && it.path !in UNCERTAIN }, MIN_REACTING) { program, java ->
             val interpreted = runOnBrick(program.robolang, program.sensors, BEHAVIOUR_MILLISECONDS)
             val translated = runOnBrick(java, program.sensors, BEHAVIOUR_MILLISECONDS)
             // One that never ends is a little further on after so many milliseconds than the other.
-            val most = if (interpreted.isOver || translated.isOver) Int.MAX_VALUE else minOf(interpreted.calls.size, translated.calls.size)
-            differenceOf(ordered(interpreted.calls).take(most), ordered(translated.calls).take(most))
+            val max = if (interpreted.isOver || translated.isOver) Int.MAX_VALUE else minOf(interpreted.calls.size, translated.calls.size)
+            differenceOf(ordered(interpreted.calls).take(max), ordered(translated.calls).take(max))
         }
     }
 
     /** @param difference what is different about a translation, an empty text for nothing, null if there is nothing to compare with. */
-    private suspend fun compareAll(programs: List<Robolang>, least: Int, difference: (Robolang, RcxProgram) -> String?) {
+    private suspend fun compareAll(programs: List<Robolang>, min: Int, difference: (Robolang, RcxProgram) -> String?) {
         val differences = mutableListOf<String>()
         var compared = 0
         for (program in programs) {
             val reader = if (program.path in LARGE_DIVISORS) forgivingReader else brickReader
             val words = when (val result = reader.translated(program.robolang)) {
                 is ProgramResult.Ready -> difference(program, result.program) ?: continue
-                is ProgramResult.Mistaken -> result.mistakes.joinToString()
+                is ProgramResult.HasErrors -> result.diagnostics.joinToString()
             }
             compared++
             if (words.isNotEmpty()) differences += "${program.path}: $words"
         }
         assertEquals("", differences.joinToString("\n"))
-        assertTrue(compared >= least, "only $compared programs were compared")
+        assertTrue(compared >= min, "only $compared programs were compared")
     }
 
-    private fun callsOf(rom: StandingClockRom) = rom.calls.filter { it.milliseconds <= LAST_MILLISECOND }.take(MOST_CALLS)
+    private fun callsOf(rom: StandingClockRom) = rom.calls.filter { it.milliseconds <= LAST_MILLISECOND }.take(MAX_CALLS)
 
     private fun ordered(calls: List<TimedCall>) = calls.map { TimedCall(0, it.call.withoutPlaces()) }
 
@@ -70,11 +70,11 @@ class TranslationDifferenceTest {
     }
 
     private companion object {
-        const val MOST_CALLS = 2_000
+        const val MAX_CALLS = 2_000
         const val LAST_MILLISECOND = 20_000_000L
         const val BEHAVIOUR_MILLISECONDS = 20_000L
-        const val LEAST_COMPARED = 200
-        const val LEAST_REACTING = 20
+        const val MIN_COMPARED = 200
+        const val MIN_REACTING = 20
 
         /** A brick divides by the lowest 16 bits of a number, which Robolang warns of. */
         val LARGE_DIVISORS = setOf("warnings/divisor-too-large.robo", "warnings/divisor-of-no-lower-bits.robo")

@@ -26,7 +26,7 @@ sealed interface LinkResult {
     data class OfProject(val project: Project) : LinkResult
 
     /** The link cannot be used; [message] is one sentence that says why. */
-    data class Refused(val message: String) : LinkResult
+    data class Rejected(val message: String) : LinkResult
 }
 
 /**
@@ -53,19 +53,19 @@ suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkR
     val messages = ProjectMessages.of(language)
     val fragment = link.trim().substringAfter('#')
     val kind = LinkKind.entries.firstOrNull { fragment.startsWith(it.start) }
-        ?: return LinkResult.Refused(messages.notALink())
+        ?: return LinkResult.Rejected(messages.notALink())
     if (link.length > ProjectLimits.MAXIMUM_LINK_CHARACTERS) {
-        return LinkResult.Refused(messages.linkTooLong(ProjectLimits.MAXIMUM_LINK_CHARACTERS))
+        return LinkResult.Rejected(messages.linkTooLong(ProjectLimits.MAXIMUM_LINK_CHARACTERS))
     }
     val data = fragment.removePrefix(kind.start)
     if (data.isNotEmpty() && !data.startsWith(SCHEME) &&
         data[0] in 'b'..'z'
     ) {
-        return LinkResult.Refused(messages.newerLink())
+        return LinkResult.Rejected(messages.newerLink())
     }
     val bytes = if (data.startsWith(SCHEME)) unpack(data.removePrefix(SCHEME)) else null
     return when {
-        bytes == null -> LinkResult.Refused(messages.linkBroken())
+        bytes == null -> LinkResult.Rejected(messages.linkBroken())
         kind == LinkKind.WORLD -> resultOf(readWorld(bytes, language), messages)
         else -> resultOf(readProject(bytes, language), messages)
     }
@@ -94,12 +94,12 @@ private suspend fun unpack(data: String): ByteArray? {
 
 private fun resultOf(result: WorldFileResult, messages: LinkMessages): LinkResult = when (result) {
     is WorldFileResult.Loaded -> LinkResult.OfWorld(result.world)
-    is WorldFileResult.Refused -> LinkResult.Refused(messages.linkUnusable(result.message))
+    is WorldFileResult.Rejected -> LinkResult.Rejected(messages.linkUnusable(result.message))
 }
 
 private fun resultOf(result: ProjectFileResult, messages: LinkMessages): LinkResult = when (result) {
     is ProjectFileResult.Loaded -> LinkResult.OfProject(result.project)
-    is ProjectFileResult.Refused -> LinkResult.Refused(messages.linkUnusable(result.message))
+    is ProjectFileResult.Rejected -> LinkResult.Rejected(messages.linkUnusable(result.message))
 }
 
 /** Says how a link is packed: the file's shortest JSON, raw deflate, Base64 with `-` and `_` and without `=`. Another way will have another letter. */

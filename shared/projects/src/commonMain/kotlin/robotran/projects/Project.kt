@@ -72,7 +72,7 @@ data class ProjectProgram(
         fun of(source: ProgramSource): ProjectProgram? = when (source) {
             is ProgramSource.Robolang -> ProjectProgram(source.name, ProgramLanguage.ROBOLANG, listOf(SourceFile(source.name, source.text)))
             is ProgramSource.Java -> ProjectProgram(source.name, ProgramLanguage.JAVA, source.files)
-            is ProgramSource.ClassFiles -> null
+            is ProgramSource.CompiledClasses -> null
         }
     }
 }

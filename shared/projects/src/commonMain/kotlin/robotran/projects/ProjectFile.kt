@@ -17,7 +17,7 @@ sealed interface ProjectFileResult {
      * @property line the line it is about, from 1; null if it is about the file as a whole.
      * @property path the field it is about, such as `world.walls[2].thickness`; empty if it is about none.
      */
-    data class Refused(val message: String, val line: Int? = null, val path: String = "") : ProjectFileResult
+    data class Rejected(val message: String, val line: Int? = null, val path: String = "") : ProjectFileResult
 }
 
 /**
@@ -40,7 +40,7 @@ fun writeProject(project: Project): String = writeJson(elementOf(project), TALL_
 
 private fun resultOf(reading: JsonReading<Project>): ProjectFileResult = when (reading) {
     is JsonReading.Read -> ProjectFileResult.Loaded(reading.value)
-    is JsonReading.Refused -> ProjectFileResult.Refused(reading.message, reading.line, reading.path)
+    is JsonReading.Rejected -> ProjectFileResult.Rejected(reading.message, reading.line, reading.path)
 }
 
 internal const val PROJECT_FORMAT = "robotran-project"

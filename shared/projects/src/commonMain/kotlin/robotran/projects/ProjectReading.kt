@@ -47,7 +47,7 @@ private fun robotsIn(file: JsonCursor, world: World): List<ProjectRobot> {
 private fun robotIn(place: JsonCursor, world: World): ProjectRobot {
     val name = place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
     if (world.robots.none { it.name == name }) place.member("name").refuse(told { mustNameRobotOfWorld() })
-    val programs = place.optional("programs")?.items(0..Brick.MOST_PROGRAMS).orEmpty().map(::programIn)
+    val programs = place.optional("programs")?.items(0..Brick.MAX_PROGRAMS).orEmpty().map(::programIn)
     val first = place.optional("firstProgram")?.wholeNumber(1..maxOf(1, programs.size)) ?: 1
     val facing = place.optional("lightSensor")?.choice(FACINGS)
     return ProjectRobot(name, programs, first - 1, facing, unknownOf(place))
@@ -84,8 +84,8 @@ private fun settingsIn(place: JsonCursor) = ProjectSettings(
 )
 
 private fun javaSettingsIn(place: JsonCursor): JavaSettings {
-    val usual = JavaSettings()
-    return JavaSettings(place.optional("mode")?.choice(MODES) ?: usual.mode, place.optional("speed")?.choice(SPEEDS) ?: usual.speed)
+    val default = JavaSettings()
+    return JavaSettings(place.optional("mode")?.choice(MODES) ?: default.mode, place.optional("speed")?.choice(SPEEDS) ?: default.speed)
 }
 
 private val FILE_FIELDS = setOf("name", TEXT)

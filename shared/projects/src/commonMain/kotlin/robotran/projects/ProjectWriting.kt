@@ -29,7 +29,7 @@ internal fun elementOf(project: Project): JsonObject = jsonObject(project.unknow
 private fun elementOf(robot: ProjectRobot) = jsonObject(robot.unknown.members) {
     text("name", robot.name)
     list("programs", robot.programs, ::elementOf)
-    number("firstProgram", robot.firstProgram + 1, usual = 1)
+    number("firstProgram", robot.firstProgram + 1, default = 1)
     text("lightSensor", robot.lightFacing?.let(::wordFor))
 }
 
@@ -57,8 +57,8 @@ private fun elementOf(settings: ProjectSettings) = jsonObject(settings.unknown.m
 }
 
 private fun elementOf(java: JavaSettings) = jsonObject {
-    text("mode", wordFor(java.mode), usual = wordFor(JavaSettings().mode))
-    text("speed", wordFor(java.speed), usual = wordFor(JavaSettings().speed))
+    text("mode", wordFor(java.mode), default = wordFor(JavaSettings().mode))
+    text("speed", wordFor(java.speed), default = wordFor(JavaSettings().speed))
 }
 
 private fun isPossible(input: SessionInput, world: World): Boolean = when (input) {
@@ -74,7 +74,7 @@ private fun isPossible(input: SessionInput, world: World): Boolean = when (input
 
 /** An input as project files tell it; one of something that [world] does not have cannot be told. */
 fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
-    fun robot(number: Int) = text("robot", world.robots[number].name, usual = world.robots.first().name)
+    fun robot(number: Int) = text("robot", world.robots[number].name, default = world.robots.first().name)
 
     fun pose(pose: Pose) {
         number("x", pose.x)
@@ -124,7 +124,7 @@ fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
         is SessionInput.SwitchLamp -> {
             text("kind", InputKind.SWITCH_LAMP)
             number("lamp", input.lamp + 1)
-            flag("on", input.on, usual = null)
+            flag("on", input.on, default = null)
         }
 
         is SessionInput.ChangeAmbientLight -> {
@@ -141,7 +141,7 @@ fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
             text("kind", InputKind.TOUCH)
             robot(input.robot)
             number("port", input.port + 1)
-            flag("pressed", input.pressed, usual = null)
+            flag("pressed", input.pressed, default = null)
         }
     }
 }

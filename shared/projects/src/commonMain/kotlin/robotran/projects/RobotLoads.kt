@@ -1,7 +1,7 @@
 package robotran.projects
 
-import robotran.programs.Mistake
 import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.rcxrom.Brick
@@ -10,7 +10,7 @@ import robotran.robolang.LightSensorFacing
 import robotran.robolang.RobolangProgram
 import robotran.simulation.RobotLoad
 import robotran.world.LightFacing
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.World
 
 /** What came of reading the programs of all robots of a world. */
@@ -19,15 +19,15 @@ sealed interface RobotLoads {
      * @property loads one for each robot, in the world's order; with the light sensor turned as the first program's header says.
      * @property warnings what is doubtful in the programs that were given; in a world's own there is nothing a pupil could mend.
      */
-    data class Ready(val loads: List<RobotLoad>, val warnings: List<Mistake>) : RobotLoads
+    data class Ready(val loads: List<RobotLoad>, val warnings: List<ProgramDiagnostic>) : RobotLoads
 
     /**
      * They cannot run.
      *
      * @property robot the name of the robot whose programs they are.
-     * @property mistakes all there are in its programs, never empty.
+     * @property diagnostics all there are in its programs, never empty.
      */
-    data class Mistaken(val robot: String, val mistakes: List<Mistake>) : RobotLoads
+    data class HasErrors(val robot: String, val diagnostics: List<ProgramDiagnostic>) : RobotLoads
 }
 
 /**
@@ -40,12 +40,12 @@ sealed interface RobotLoads {
 suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<String, List<ProgramSource>>): RobotLoads {
     mistakeOfGiving(world, given, ProjectMessages.of(reader.language))?.let { return it }
     val loads = mutableListOf<RobotLoad>()
-    val warnings = mutableListOf<Mistake>()
+    val warnings = mutableListOf<ProgramDiagnostic>()
     for (robot in world.robots) {
         val sources = given[robot.name].orEmpty()
         val results = sources.ifEmpty { listOfNotNull(ownProgram(robot)) }.map { reader.read(it) }
-        val mistakes = results.filterIsInstance<ProgramResult.Mistaken>().flatMap { it.mistakes }
-        if (mistakes.isNotEmpty()) return RobotLoads.Mistaken(robot.name, mistakes)
+        val diagnostics = results.filterIsInstance<ProgramResult.HasErrors>().flatMap { it.diagnostics }
+        if (diagnostics.isNotEmpty()) return RobotLoads.HasErrors(robot.name, diagnostics)
         val ready = results.filterIsInstance<ProgramResult.Ready>()
         val facing = ready.firstOrNull()?.let { lightFacingOf(it.program) }
         loads += RobotLoad(ready.map<ProgramResult.Ready, RcxProgram?> { it.program }, lightFacing = facing)
@@ -57,7 +57,7 @@ suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<Str
 /** The same for [project], in its [Project.worldToRun], with what else its robots have been given. */
 suspend fun readRobotLoads(project: Project, reader: ProgramCompiler): RobotLoads =
     when (val result = readRobotLoads(project.world, reader, project.programs)) {
-        is RobotLoads.Mistaken -> result
+        is RobotLoads.HasErrors -> result
         is RobotLoads.Ready -> result.copy(loads = loadsWith(project.robots, project.world, result.loads))
     }
 
@@ -80,18 +80,18 @@ fun lightFacingOf(program: RcxProgram): LightFacing? = when ((program as? Robola
 /** These programs for the pupil's own robot, to be given to [readRobotLoads]. */
 fun World.forFirstRobot(programs: List<ProgramSource>): Map<String, List<ProgramSource>> = mapOf(robots.first().name to programs)
 
-private fun ownProgram(robot: RobotPlace): ProgramSource? = robot.program?.let { ProgramSource.Robolang("${robot.name}.robo", it) }
+private fun ownProgram(robot: RobotPlacement): ProgramSource? = robot.program?.let { ProgramSource.Robolang("${robot.name}.robo", it) }
 
 private fun mistakeOfGiving(
     world: World,
     given: Map<String, List<ProgramSource>>,
     messages: RobotMessages,
-): RobotLoads.Mistaken? {
+): RobotLoads.HasErrors? {
     val names = world.robots.map { it.name }
     given.keys.firstOrNull { it !in names }?.let { name ->
-        return RobotLoads.Mistaken(name, listOf(Mistake("", null, messages.unknownRobot(name, names))))
+        return RobotLoads.HasErrors(name, listOf(ProgramDiagnostic("", null, messages.unknownRobot(name, names))))
     }
-    return given.entries.firstOrNull { it.value.size > Brick.MOST_PROGRAMS }?.let { (name, programs) ->
-        RobotLoads.Mistaken(name, listOf(Mistake("", null, messages.tooManyPrograms(name, programs.size, Brick.MOST_PROGRAMS))))
+    return given.entries.firstOrNull { it.value.size > Brick.MAX_PROGRAMS }?.let { (name, programs) ->
+        RobotLoads.HasErrors(name, listOf(ProgramDiagnostic("", null, messages.tooManyPrograms(name, programs.size, Brick.MAX_PROGRAMS))))
     }
 }

@@ -36,7 +36,7 @@ class LanguagesTest {
     )
 
     private suspend fun mistakeIn(language: Language, source: ProgramSource): String =
-        assertIs<ProgramResult.Mistaken>(reader.telling(language).read(source)).mistakes.first().message
+        assertIs<ProgramResult.HasErrors>(reader.telling(language).read(source)).diagnostics.first().message
 
     private suspend fun sessionIn(language: Language, text: String): Session {
         val source = ProgramSource.Robolang("a.robo", text)
@@ -95,7 +95,7 @@ class LanguagesTest {
                 "Línea 5: paper.width tiene que ser un número.",
                 "Zeile 5: paper.width muss eine Zahl sein.",
             ),
-            Language.entries.map { assertIs<WorldFileResult.Refused>(readWorld(file, it)).message },
+            Language.entries.map { assertIs<WorldFileResult.Rejected>(readWorld(file, it)).message },
         )
     }
 
@@ -103,11 +103,11 @@ class LanguagesTest {
     fun `a project or a link that cannot be used says so in the pupil's language`() = runTest {
         assertEquals(
             "Esto no es un proyecto de Robotran: un archivo de proyecto dice \"format\": \"robotran-project\".",
-            assertIs<ProjectFileResult.Refused>(readProject("{}", Language.SPANISH)).message,
+            assertIs<ProjectFileResult.Rejected>(readProject("{}", Language.SPANISH)).message,
         )
         assertEquals(
             "Das ist kein Link zu einer Welt oder einem Projekt von Robotran.",
-            assertIs<LinkResult.Refused>(openLink("https://example.org", Language.GERMAN)).message,
+            assertIs<LinkResult.Rejected>(openLink("https://example.org", Language.GERMAN)).message,
         )
     }
 
@@ -121,7 +121,7 @@ class LanguagesTest {
                 "Kein Roboter in dieser Welt heißt anna. Es gibt nur einen, der heißt yellow.",
             ),
             Language.entries.map {
-                assertIs<RobotLoads.Mistaken>(readRobotLoads(world, reader.telling(it), given)).mistakes.single().message
+                assertIs<RobotLoads.HasErrors>(readRobotLoads(world, reader.telling(it), given)).diagnostics.single().message
             },
         )
     }

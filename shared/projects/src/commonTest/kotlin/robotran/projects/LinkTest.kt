@@ -19,7 +19,7 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class LinkTest {
-    private suspend fun refusal(link: String): String = assertIs<LinkResult.Refused>(openLink(link)).message
+    private suspend fun refusal(link: String): String = assertIs<LinkResult.Rejected>(openLink(link)).message
 
     private suspend fun linkTo(project: Project): String = assertIs<LinkMaking.Made>(linkOf(project)).fragment
 
@@ -79,7 +79,7 @@ class LinkTest {
             when (val result = openLink(link.replaceRange(place, place + 1, letter.toString()))) {
                 is LinkResult.OfProject -> assertEquals<LinkResult>(result, openLink(linkTo(result.project)))
                 is LinkResult.OfWorld -> throw AssertionError("a project became a world")
-                is LinkResult.Refused -> assertTrue(result.message.endsWith("."), result.message)
+                is LinkResult.Rejected -> assertTrue(result.message.endsWith("."), result.message)
             }
         }
     }

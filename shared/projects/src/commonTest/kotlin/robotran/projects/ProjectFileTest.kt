@@ -16,8 +16,8 @@ class ProjectFileTest {
     @Test
     fun `a project is read as it was written`() {
         assertEquals(FULL_PROJECT, loaded(writeProject(FULL_PROJECT)))
-        val least = Project(FULL_PROJECT.world)
-        assertEquals(least, loaded(writeProject(least)))
+        val min = Project(FULL_PROJECT.world)
+        assertEquals(min, loaded(writeProject(min)))
     }
 
     @Test
@@ -35,7 +35,7 @@ class ProjectFileTest {
         val b = ProgramSource.Java("B", listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", "")))
         assertEquals(mapOf("bob" to listOf(a, b), "ann" to emptyList()), FULL_PROJECT.programs)
         assertEquals(FULL_PROJECT.robots.first().programs, listOf(a, b).map { ProjectProgram.of(it) })
-        assertNull(ProjectProgram.of(ProgramSource.ClassFiles("C", emptyMap())))
+        assertNull(ProjectProgram.of(ProgramSource.CompiledClasses("C", emptyMap())))
     }
 
     @Test
@@ -69,7 +69,7 @@ class ProjectFileTest {
 
     @Test
     fun `what is no project is refused`() {
-        val refusal = { text: String -> assertIs<ProjectFileResult.Refused>(readProject(text)).message }
+        val refusal = { text: String -> assertIs<ProjectFileResult.Rejected>(readProject(text)).message }
         assertEquals("This is not a Robotran project: a project file says \"format\": \"robotran-project\".", refusal("{}"))
         assertEquals("Line 1: version is missing.", refusal("{\"format\": \"robotran-project\"}"))
         assertEquals(
@@ -78,7 +78,7 @@ class ProjectFileTest {
         )
         assertEquals(
             "The file is not a text in UTF-8; an editor can save it as one.",
-            assertIs<ProjectFileResult.Refused>(
+            assertIs<ProjectFileResult.Rejected>(
                 readProject(
                     ByteArray(9) {
                         -1
@@ -93,7 +93,7 @@ class ProjectFileTest {
         val text = writeProject(FULL_PROJECT).replaceFirst("\"thickness\": 1 ", "\"thickness\": 0 ")
         val line = text.substringBefore("\"thickness\": 0").count { it == '\n' } + 1
         assertEquals(
-            ProjectFileResult.Refused("Line $line: world.walls[0].thickness must be from 0.1 to 100.", line, "world.walls[0].thickness"),
+            ProjectFileResult.Rejected("Line $line: world.walls[0].thickness must be from 0.1 to 100.", line, "world.walls[0].thickness"),
             readProject(text),
         )
     }
@@ -139,13 +139,13 @@ class ProjectFileTest {
             repeat(random.nextInt(1, 4)) { changed[random.nextInt(changed.size)] = random.nextInt(256).toByte() }
             when (val result = readProject(changed)) {
                 is ProjectFileResult.Loaded -> assertEquals<ProjectFileResult>(result, readProject(writeProject(result.project)))
-                is ProjectFileResult.Refused -> assertTrue(result.message.endsWith("."), result.message)
+                is ProjectFileResult.Rejected -> assertTrue(result.message.endsWith("."), result.message)
             }
         }
         for (length in 0..<file.indexOfLast {
             it == '}'.code.toByte()
         }) {
-            assertIs<ProjectFileResult.Refused>(readProject(file.copyOf(length)))
+            assertIs<ProjectFileResult.Rejected>(readProject(file.copyOf(length)))
         }
     }
 }

@@ -12,7 +12,7 @@ import robotran.world.Block
 import robotran.world.Lamp
 import robotran.world.LightFacing
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
@@ -23,7 +23,7 @@ import kotlin.test.assertTrue
 /** A project with something of everything that a file can hold. */
 internal val FULL_PROJECT = Project(
     world = BuiltInWorlds.plain.copy(
-        robots = listOf(RobotPlace(Pose(20.0, 20.0, 0.0), "ann"), RobotPlace(Pose(60.0, 20.0, 0.0), "bob", RobotColour.BLUE)),
+        robots = listOf(RobotPlacement(Pose(20.0, 20.0, 0.0), "ann"), RobotPlacement(Pose(60.0, 20.0, 0.0), "bob", RobotColour.BLUE)),
         blocks = listOf(Block(Shape.Circle(Point(50.0, 50.0), 3.0)), Block(Shape.Rectangle(Point(70.0, 50.0), 4.0, 6.0))),
         lamps = listOf(Lamp(Point(1.0, 2.0)), Lamp(Point(3.0, 4.0))),
     ),
@@ -56,12 +56,12 @@ internal val FULL_PROJECT = Project(
 
 internal fun loaded(text: String): Project = when (val result = readProject(text)) {
     is ProjectFileResult.Loaded -> result.project
-    is ProjectFileResult.Refused -> throw AssertionError(result.message)
+    is ProjectFileResult.Rejected -> throw AssertionError(result.message)
 }
 
 /** What is said about the full project with [new] in place of the first [old]. */
 internal fun refusalWith(old: String, new: String): String {
     val text = writeProject(FULL_PROJECT)
     assertTrue(old in text, "$old is in\n$text")
-    return assertIs<ProjectFileResult.Refused>(readProject(text.replaceFirst(old, new))).message.substringAfter(": ")
+    return assertIs<ProjectFileResult.Rejected>(readProject(text.replaceFirst(old, new))).message.substringAfter(": ")
 }

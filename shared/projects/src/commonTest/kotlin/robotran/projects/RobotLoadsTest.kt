@@ -6,7 +6,7 @@ import robotran.programs.ProgramSource
 import robotran.robolang.robot.Calibration
 import robotran.world.LightFacing
 import robotran.world.Penbot
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Pose
 import kotlin.test.Test
@@ -17,9 +17,9 @@ class RobotLoadsTest {
     private val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     private val world = BuiltInWorlds.plain.copy(
         robots = listOf(
-            RobotPlace(Pose(20.0, 20.0, 0.0), "ann"),
-            RobotPlace(Pose(60.0, 20.0, 0.0), "bob", program = "forward 5"),
-            RobotPlace(Pose(60.0, 60.0, 0.0), "carl"),
+            RobotPlacement(Pose(20.0, 20.0, 0.0), "ann"),
+            RobotPlacement(Pose(60.0, 20.0, 0.0), "bob", program = "forward 5"),
+            RobotPlacement(Pose(60.0, 60.0, 0.0), "carl"),
         ),
     )
 
@@ -56,15 +56,15 @@ class RobotLoadsTest {
     @Test
     fun `mistakes are told with the robot they belong to`() = runTest {
         val result = readRobotLoads(world, reader, mapOf("carl" to listOf(program("c.robo", "forwrd 5"))))
-        val mistaken = assertIs<RobotLoads.Mistaken>(result)
+        val mistaken = assertIs<RobotLoads.HasErrors>(result)
         assertEquals("carl", mistaken.robot)
-        assertEquals(listOf("c.robo"), mistaken.mistakes.map { it.file })
+        assertEquals(listOf("c.robo"), mistaken.diagnostics.map { it.file })
     }
 
     @Test
     fun `a program for a robot that is not there is a mistake`() = runTest {
-        val mistaken = assertIs<RobotLoads.Mistaken>(readRobotLoads(world, reader, mapOf("dora" to emptyList())))
-        assertEquals("No robot in this world is called dora. There are ann, bob and carl.", mistaken.mistakes.single().message)
+        val mistaken = assertIs<RobotLoads.HasErrors>(readRobotLoads(world, reader, mapOf("dora" to emptyList())))
+        assertEquals("No robot in this world is called dora. There are ann, bob and carl.", mistaken.diagnostics.single().message)
     }
 
     @Test
@@ -83,7 +83,7 @@ class RobotLoadsTest {
     @Test
     fun `a brick has room for five programs`() = runTest {
         val given = world.forFirstRobot(List(6) { program("$it.robo", "beep") })
-        val mistaken = assertIs<RobotLoads.Mistaken>(readRobotLoads(world, reader, given))
-        assertEquals("The robot ann has been given 6 programs, but a brick has room for 5.", mistaken.mistakes.single().message)
+        val mistaken = assertIs<RobotLoads.HasErrors>(readRobotLoads(world, reader, given))
+        assertEquals("The robot ann has been given 6 programs, but a brick has room for 5.", mistaken.diagnostics.single().message)
     }
 }

@@ -14,9 +14,9 @@ class QrCode internal constructor(val size: Int, private val dark: BooleanArray)
         const val MARGIN = 4
 
         /** The most bytes of UTF-8 that [of] makes a code of: more would make modules too small for a camera in front of a screen. */
-        val MOST_BYTES: Int get() = QrVersion(QrVersion.LARGEST).room
+        val MAX_BYTES: Int get() = QrVersion(QrVersion.LARGEST).room
 
-        /** The code that says [text]; null if that is longer than [MOST_BYTES]. */
+        /** The code that says [text]; null if that is longer than [MAX_BYTES]. */
         fun of(text: String): QrCode? {
             val bytes = text.encodeToByteArray()
             val version = (1..QrVersion.LARGEST).map(::QrVersion).firstOrNull { bytes.size <= it.room } ?: return null

@@ -102,10 +102,10 @@ internal class QrModules private constructor(
 
     private fun drawFinder(column: Int, row: Int) = drawRings(column, row, 4) { it != 2 && it != 4 }
 
-    /** Square rings around a place, out to [most], dark where [isRingDark]; what is beyond the edge is left out. */
-    private fun drawRings(column: Int, row: Int, most: Int, isRingDark: (Int) -> Boolean) {
-        for (down in -most..most) {
-            for (across in -most..most) {
+    /** Square rings around a place, out to [max], dark where [isRingDark]; what is beyond the edge is left out. */
+    private fun drawRings(column: Int, row: Int, max: Int, isRingDark: (Int) -> Boolean) {
+        for (down in -max..max) {
+            for (across in -max..max) {
                 if (column + across !in 0..<size || row + down !in 0..<size) continue
                 frame(column + across, row + down, isRingDark(maxOf(abs(across), abs(down))))
             }

@@ -14,7 +14,7 @@ import kotlin.test.assertNotNull
 class ReadQrCodeTest {
     @Test
     fun `codes of all sizes are read as what they say`() {
-        val lengths = (1..<300 step 7) + (300..QrCode.MOST_BYTES step 31)
+        val lengths = (1..<300 step 7) + (300..QrCode.MAX_BYTES step 31)
         val codes = lengths.map { assertNotNull(QrCode.of(linkOf(it))) }
         assertEquals(25, codes.distinctBy { it.size }.size)
         val misread = lengths.zip(codes).filter { (length, code) -> read(code, PURE) != linkOf(length) }

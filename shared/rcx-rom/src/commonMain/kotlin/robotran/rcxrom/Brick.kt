@@ -31,7 +31,7 @@ import robotran.rcxrom.state.InfraredState
  *
  * A program that fails is shown as leJOS shows an exception that nobody catches, until On-Off is pressed and let go.
  *
- * @param programs the program slots, [MOST_PROGRAMS] at most; may be empty. A slot with null has no program that could run.
+ * @param programs the program slots, [MAX_PROGRAMS] at most; may be empty. A slot with null has no program that could run.
  * @param firstSlot the program that Run starts as long as Prgm was not pressed, from 0.
  * @param air where its infrared light goes and comes from; in one of its own a brick is alone.
  * @param messages the language of the log and of [BrickState.explanation].
@@ -43,7 +43,7 @@ class Brick(
     firstSlot: Int = 0,
 ) {
     init {
-        require(programs.size <= MOST_PROGRAMS && firstSlot in 0 until maxOf(1, programs.size)) { "There is no slot for each program." }
+        require(programs.size <= MAX_PROGRAMS && firstSlot in 0 until maxOf(1, programs.size)) { "There is no slot for each program." }
     }
 
     /** The parts themselves, for tests that call the ROM as a program does. */
@@ -150,6 +150,6 @@ class Brick(
         const val STEPS_PER_MILLISECOND = 2
 
         /** How many programs the brick can hold at once: as many as a LEGO RCX shows numbers for. */
-        const val MOST_PROGRAMS = 5
+        const val MAX_PROGRAMS = 5
     }
 }

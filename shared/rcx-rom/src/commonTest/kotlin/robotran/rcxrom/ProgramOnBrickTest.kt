@@ -156,8 +156,8 @@ class ProgramOnBrickTest {
 
     @Test
     fun `a brick takes five programs and no more`() {
-        Brick(List(Brick.MOST_PROGRAMS) { endlessProgram() })
-        assertFailsWith<IllegalArgumentException> { Brick(List(Brick.MOST_PROGRAMS + 1) { endlessProgram() }) }
+        Brick(List(Brick.MAX_PROGRAMS) { endlessProgram() })
+        assertFailsWith<IllegalArgumentException> { Brick(List(Brick.MAX_PROGRAMS + 1) { endlessProgram() }) }
     }
 
     @Test

@@ -2,7 +2,7 @@ package robotran.robolang
 
 import robotran.robolang.check.Checker
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.EnglishMessages
 import robotran.robolang.messages.RobolangMessages
@@ -26,17 +26,17 @@ fun compileRobolang(
     calibration: Calibration,
     messages: RobolangMessages = EnglishMessages,
 ): RobolangResult {
-    val mistakes = Mistakes(messages)
+    val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
         val start = SourceRange(line = 1, column = 1, endColumn = 1)
-        mistakes.report(DiagnosticCode.SOURCE_TOO_LONG, start, "", messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS))
-        return RobolangResult.Mistaken(mistakes.mistakesInSourceOrder())
+        diagnostics.report(DiagnosticCode.SOURCE_TOO_LONG, start, "", messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS))
+        return RobolangResult.HasErrors(diagnostics.mistakesInSourceOrder())
     }
-    val parsed = Parser(scan(source, mistakes), mistakes).program()
-    val checked = Checker(calibration, mistakes).check(parsed)
-    return if (mistakes.isEmpty) {
-        RobolangResult.Ready(RobolangProgram(name, checked, calibration, messages), mistakes.warningsInSourceOrder())
+    val parsed = Parser(scan(source, diagnostics), diagnostics).program()
+    val checked = Checker(calibration, diagnostics).check(parsed)
+    return if (diagnostics.isEmpty) {
+        RobolangResult.Ready(RobolangProgram(name, checked, calibration, messages), diagnostics.warningsInSourceOrder())
     } else {
-        RobolangResult.Mistaken(mistakes.mistakesInSourceOrder())
+        RobolangResult.HasErrors(diagnostics.mistakesInSourceOrder())
     }
 }

@@ -11,5 +11,5 @@ sealed interface RobolangResult {
     ) : RobolangResult
 
     /** It cannot run; [diagnostics] are all its mistakes, in the order of the source, never empty. */
-    data class Mistaken(val diagnostics: List<Diagnostic>) : RobolangResult
+    data class HasErrors(val diagnostics: List<Diagnostic>) : RobolangResult
 }

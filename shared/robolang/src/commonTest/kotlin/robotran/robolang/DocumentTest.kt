@@ -74,7 +74,7 @@ class DocumentTest {
     private fun spellings(keywords: List<Keyword>): Set<String> = keywords.flatMap { listOfNotNull(it.text, it.singular) }.toSet()
 
     private fun codesOf(source: String): List<String> = when (val result = read(source)) {
-        is RobolangResult.Mistaken -> result.diagnostics
+        is RobolangResult.HasErrors -> result.diagnostics
         is RobolangResult.Ready -> result.warnings
     }.map { it.code.id }
 }

@@ -58,12 +58,12 @@ class LanguagesTest {
     }
 
     private fun assertTold(language: Language, vararg told: Pair<String, String>) = told.forEach { (source, message) ->
-        assertEquals(message, assertIs<RobolangResult.Mistaken>(read(source, language)).diagnostics.first().message)
+        assertEquals(message, assertIs<RobolangResult.HasErrors>(read(source, language)).diagnostics.first().message)
     }
 
     private fun diagnosticsOf(source: String, language: Language): List<Diagnostic> = when (val result = read(source, language)) {
         is RobolangResult.Ready -> result.warnings
-        is RobolangResult.Mistaken -> result.diagnostics
+        is RobolangResult.HasErrors -> result.diagnostics
     }
 
     private fun read(source: String, language: Language) =

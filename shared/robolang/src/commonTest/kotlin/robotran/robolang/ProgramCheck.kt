@@ -9,7 +9,7 @@ import robotran.robolang.diagnostic.Diagnostic
 internal fun differences(program: TestProgram): List<String> {
     val expected = Expectations(program.text)
     val differences = when (val result = compileRobolang(program.path, program.text, testCalibration)) {
-        is RobolangResult.Mistaken -> differencesOfMistakes(expected, result.diagnostics)
+        is RobolangResult.HasErrors -> differencesOfMistakes(expected, result.diagnostics)
         is RobolangResult.Ready -> differencesOfWarnings(expected, result.warnings) ?: differencesOfReady(expected, result.program)
     }
     return differences.map { "${program.path} $it" }

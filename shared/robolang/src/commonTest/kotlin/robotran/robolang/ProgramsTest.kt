@@ -28,7 +28,7 @@ class ProgramsTest {
         assertTrue(examplePrograms.size >= 20, "only ${examplePrograms.size} examples were found")
         val problems = examplePrograms.flatMap { (path, text) ->
             when (val result = compileRobolang(path, text, testCalibration)) {
-                is RobolangResult.Mistaken -> result.diagnostics.map { "$path:${it.range.line} ${it.message}" }
+                is RobolangResult.HasErrors -> result.diagnostics.map { "$path:${it.range.line} ${it.message}" }
                 is RobolangResult.Ready -> result.warnings.map { "$path:${it.range.line} ${it.message}" } + failureOf(result.program)
             }
         }

@@ -15,13 +15,13 @@ internal fun read(source: String, calibration: Calibration = testCalibration): R
 /** The mistakes of [source], none if it can run. */
 internal fun mistakesOf(source: String): List<Diagnostic> = when (val result = read(source)) {
     is RobolangResult.Ready -> emptyList()
-    is RobolangResult.Mistaken -> result.diagnostics
+    is RobolangResult.HasErrors -> result.diagnostics
 }
 
 internal fun programOf(source: String, calibration: Calibration = testCalibration): RcxProgram =
     when (val result = read(source, calibration)) {
         is RobolangResult.Ready -> result.program
-        is RobolangResult.Mistaken -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
+        is RobolangResult.HasErrors -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
     }
 
 /** Runs [program] to its end, the clock jumping over every wait. */
@@ -34,7 +34,7 @@ internal fun runToEnd(program: RcxProgram): RecordingRom {
 /** Runs [program] on [rom] to its end or its failure, which is returned, [steps] at a time, the clock jumping over every wait. */
 internal fun runOn(rom: RecordingRom, program: RcxProgram, steps: Int = STEPS): ProgramFailure? {
     val run = program.start(rom)
-    repeat(MOST_RESUMES) {
+    repeat(MAX_RESUMES) {
         when (val status = run.resume(steps)) {
             ProgramStatus.Running -> Unit
             is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> throw AssertionError("A pause or a thread: $status")
@@ -48,4 +48,4 @@ internal fun runOn(rom: RecordingRom, program: RcxProgram, steps: Int = STEPS): 
 }
 
 private const val STEPS = 1000
-private const val MOST_RESUMES = 100_000
+private const val MAX_RESUMES = 100_000

@@ -12,7 +12,7 @@ class ChartLine internal constructor(
     val size: Int = track.size
 
     /** The least value within the piece with this number. */
-    fun least(piece: Int): Int = track.least(robot, lane, piece)
+    fun min(piece: Int): Int = track.min(robot, lane, piece)
 
     /** The greatest value within it. */
     fun greatest(piece: Int): Int = track.greatest(robot, lane, piece)

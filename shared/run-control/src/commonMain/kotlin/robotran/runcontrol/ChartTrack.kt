@@ -22,7 +22,7 @@ enum class ChartLane {
 
 /** The least and the greatest value of one [ChartLane] in each of many equal pieces of time, with as many pieces as there is room for. */
 internal class ChartTrack(private val robots: Int) {
-    private val least = IntArray(CAPACITY * robots * LANES)
+    private val min = IntArray(CAPACITY * robots * LANES)
     private val greatest = IntArray(CAPACITY * robots * LANES)
 
     /** Milliseconds that a piece lasts. */
@@ -47,13 +47,13 @@ internal class ChartTrack(private val robots: Int) {
     }
 
     /** The least value of [lane] in [piece]. */
-    fun least(robot: Int, lane: ChartLane, piece: Int): Int = least[place(piece, robot, lane)]
+    fun min(robot: Int, lane: ChartLane, piece: Int): Int = min[place(piece, robot, lane)]
 
     fun greatest(robot: Int, lane: ChartLane, piece: Int): Int = greatest[place(piece, robot, lane)]
 
     private fun add(piece: Int, place: Int, value: Int) {
         val isNew = piece >= size
-        least[place] = if (isNew) value else minOf(least[place], value)
+        min[place] = if (isNew) value else minOf(min[place], value)
         greatest[place] = if (isNew) value else maxOf(greatest[place], value)
     }
 
@@ -66,7 +66,7 @@ internal class ChartTrack(private val robots: Int) {
             for (column in 0..<width) {
                 val from = piece * width + column
                 val to = piece / 2 * width + column
-                least[to] = if (piece % 2 == 0) least[from] else minOf(least[to], least[from])
+                min[to] = if (piece % 2 == 0) min[from] else minOf(min[to], min[from])
                 greatest[to] = if (piece % 2 == 0) greatest[from] else maxOf(greatest[to], greatest[from])
             }
         }

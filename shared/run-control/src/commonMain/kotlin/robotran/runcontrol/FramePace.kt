@@ -11,7 +11,7 @@ internal class FramePace {
 
     /** Virtual nanoseconds that have passed but make no millisecond yet. */
     private var leftOver = 0L
-    private var most = FIRST_MOST
+    private var max = FIRST_MAX
     private var wasFull = false
     private var wasTrial = false
     private var fullFrames = 0
@@ -33,9 +33,9 @@ internal class FramePace {
         val passed = (nanoseconds - last).coerceAtLeast(0)
         adapt(passed)
         val wanted = wanted(passed, speed)
-        wasFull = wanted >= most
+        wasFull = wanted >= max
         wasTrial = wasFull && fullFrames++ % TRIAL_EVERY == 0
-        return if (wasTrial) MOST.first else minOf(wanted, most)
+        return if (wasTrial) MAX.first else minOf(wanted, max)
     }
 
     /** Time stands still until the next frame. */
@@ -47,7 +47,7 @@ internal class FramePace {
     }
 
     private fun wanted(passed: Long, speed: RunSpeed): Int {
-        if (speed == RunSpeed.FASTEST) return most
+        if (speed == RunSpeed.FASTEST) return max
         val virtual = leftOver + minOf(passed, LONGEST_FRAME * NANOSECONDS) * speed.virtual / speed.real
         leftOver = virtual % NANOSECONDS
         return (virtual / NANOSECONDS).toInt()
@@ -55,13 +55,13 @@ internal class FramePace {
 
     private fun adapt(passed: Long) {
         if (wasTrial) {
-            drawing = minOf(passed, MOST_DRAWING * NANOSECONDS)
+            drawing = minOf(passed, MAX_DRAWING * NANOSECONDS)
         } else if (wasFull) {
-            most = when {
-                passed > maxOf(SLOW_FRAME * NANOSECONDS, drawing * 3 / 2) -> most * 2 / 3
-                passed < maxOf(GOOD_FRAME * NANOSECONDS, drawing * 5 / 4) -> most * 3 / 2
-                else -> most
-            }.coerceIn(MOST)
+            max = when {
+                passed > maxOf(SLOW_FRAME * NANOSECONDS, drawing * 3 / 2) -> max * 2 / 3
+                passed < maxOf(GOOD_FRAME * NANOSECONDS, drawing * 5 / 4) -> max * 3 / 2
+                else -> max
+            }.coerceIn(MAX)
         }
     }
 
@@ -76,13 +76,13 @@ internal class FramePace {
         const val GOOD_FRAME = 20L
 
         /** Real milliseconds: frames do not come later than one and a half times this because of what is computed for them. */
-        const val MOST_DRAWING = 70L
+        const val MAX_DRAWING = 70L
 
         /** One in so many frames that ask for all that can be computed. */
         const val TRIAL_EVERY = 32
 
         /** Virtual milliseconds in one frame: at least what real time needs on a screen with ten frames a second, and what nobody could follow. */
-        val MOST = 100..5_000
-        const val FIRST_MOST = 100
+        val MAX = 100..5_000
+        const val FIRST_MAX = 100
     }
 }

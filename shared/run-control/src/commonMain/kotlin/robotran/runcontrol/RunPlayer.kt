@@ -36,7 +36,7 @@ class RunPlayer(
     private var isStepBegun = false
 
     /** What it is doing. */
-    var motion: Motion = Motion.Playing()
+    var playback: PlaybackState = PlaybackState.Playing()
         private set
 
     /** How fast virtual time passes while it plays or steps. */
@@ -66,20 +66,20 @@ class RunPlayer(
 
     /** The run at [time]; while it seeks, at a moment shortly before it. */
     val state: SessionState
-        get() = (motion as? Motion.Seeking)?.let { shown.at(retelling?.time ?: it.target) } ?: session.state
+        get() = (playback as? PlaybackState.Seeking)?.let { shown.at(retelling?.time ?: it.target) } ?: session.state
 
     /** The run as it is best drawn: [state], but in slow motion with what moves between the steps of the physics. */
     val drawn: SessionState get() = if (isSmooth) smooth.at(session.state, pace.fraction) else state
 
     /** Where in the run it is, in milliseconds. */
-    val time: Long get() = retelling?.time ?: (motion as? Motion.Seeking)?.target ?: take.milliseconds
+    val time: Long get() = retelling?.time ?: (playback as? PlaybackState.Seeking)?.target ?: take.milliseconds
 
     /** How much of the run is known, in milliseconds. */
     val length: Long get() = maxOf(shown.end, take.milliseconds, whole.lastOrNull()?.milliseconds ?: 0)
 
     /** How far the way to another time has been gone, 0..1; 1 if it is not on one. */
     val progress: Double
-        get() = (motion as? Motion.Seeking)?.let { if (it.target == 0L) 1.0 else take.milliseconds.toDouble() / it.target } ?: 1.0
+        get() = (playback as? PlaybackState.Seeking)?.let { if (it.target == 0L) 1.0 else take.milliseconds.toDouble() / it.target } ?: 1.0
 
     /** Whether the run had gone on from here before. */
     val isInPast: Boolean get() = time < length
@@ -104,8 +104,8 @@ class RunPlayer(
 
     /** A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards. */
     fun frame(nanoseconds: Long) {
-        if (motion == Motion.Still) return pace.rest()
-        pass(pace.millisecondsTo(nanoseconds, if (motion is Motion.Seeking) RunSpeed.FASTEST else speed))
+        if (playback == PlaybackState.Paused) return pace.rest()
+        pass(pace.millisecondsTo(nanoseconds, if (playback is PlaybackState.Seeking) RunSpeed.FASTEST else speed))
     }
 
     /** Nothing is to be seen for a while: no time passes until the frame after the next. */
@@ -113,24 +113,24 @@ class RunPlayer(
 
     /** Lets [milliseconds] pass, or less if it stops before; nothing if it stands still. */
     fun pass(milliseconds: Int) {
-        when (val now = motion) {
-            Motion.Still -> Unit
-            is Motion.Playing -> play(now, milliseconds)
-            is Motion.Stepping -> step(now, milliseconds)
-            is Motion.Seeking -> seekOn(now, milliseconds)
+        when (val now = playback) {
+            PlaybackState.Paused -> Unit
+            is PlaybackState.Playing -> play(now, milliseconds)
+            is PlaybackState.Stepping -> step(now, milliseconds)
+            is PlaybackState.Seeking -> seekOn(now, milliseconds)
         }
     }
 
     /** Time passes, up to [until] if a line is given. */
-    fun play(until: Breakpoint? = null) = move(Motion.Playing(until))
+    fun play(until: Breakpoint? = null) = move(PlaybackState.Playing(until))
 
     /** Time stands still. */
-    fun pause() = move(Motion.Still)
+    fun pause() = move(PlaybackState.Paused)
 
     /** The program makes one step, at [speed]; with no program, time stands still. */
     fun step(kind: StepKind) {
         isStepBegun = false
-        move(Motion.Stepping(kind))
+        move(PlaybackState.Stepping(kind))
     }
 
     /** Goes to another [time], 0..[length], and stands still there; what is beyond counts as the nearest. */
@@ -140,17 +140,17 @@ class RunPlayer(
         waiting.clear()
         retelling?.let {
             retelling = it.copy(time = target)
-            motion = Motion.Seeking(shown.end, Motion.Still)
+            playback = PlaybackState.Seeking(shown.end, PlaybackState.Paused)
             return
         }
         chooseTake(target)
-        motion = Motion.Seeking(target, Motion.Still)
-        seekOn(Motion.Seeking(target, Motion.Still), 0)
+        playback = PlaybackState.Seeking(target, PlaybackState.Paused)
+        seekOn(PlaybackState.Seeking(target, PlaybackState.Paused), 0)
     }
 
     /** Comes to the end of a way to another time at once, however long that takes. */
     fun arriveNow() {
-        while (motion is Motion.Seeking) pass(ARRIVING_MILLISECONDS)
+        while (playback is PlaybackState.Seeking) pass(ARRIVING_MILLISECONDS)
     }
 
     /**
@@ -162,7 +162,7 @@ class RunPlayer(
     fun speak(language: Language, loads: List<RobotLoad> = setup.loads) {
         if (language == setup.language) return
         setup = setup.telling(language, loads)
-        val then = (motion as? Motion.Seeking)?.then ?: motion
+        val then = (playback as? PlaybackState.Seeking)?.then ?: playback
         retelling = Retelling(shown, time)
         record = RunRecord(setup.world)
         parked.closeAll()
@@ -171,13 +171,13 @@ class RunPlayer(
         // As it was before anything was done to it.
         see()
         arrive()
-        motion = Motion.Seeking(length, then)
-        seekOn(Motion.Seeking(length, then), 0)
+        playback = PlaybackState.Seeking(length, then)
+        seekOn(PlaybackState.Seeking(length, then), 0)
     }
 
     /** Does something to the run from outside; on the way to another time, once it is reached. */
     fun apply(input: SessionInput) {
-        if (motion is Motion.Seeking) {
+        if (playback is PlaybackState.Seeking) {
             waiting += input
             return
         }
@@ -203,36 +203,36 @@ class RunPlayer(
     private val shown: RunRecord get() = retelling?.record ?: record
 
     private val isSmooth: Boolean
-        get() = speed.isSlow && (motion is Motion.Playing || motion is Motion.Stepping)
+        get() = speed.isSlow && (playback is PlaybackState.Playing || playback is PlaybackState.Stepping)
 
     /** The take that has come furthest. */
     private val front: SessionCursor get() = parked.furthest?.takeIf { it.milliseconds > take.milliseconds } ?: take
 
-    private fun move(next: Motion) {
+    private fun move(next: PlaybackState) {
         stop = null
-        val now = motion
-        if (now == Motion.Still) pace.rest()
-        motion = if (now is Motion.Seeking) now.copy(then = next) else next
+        val now = playback
+        if (now == PlaybackState.Paused) pace.rest()
+        playback = if (now is PlaybackState.Seeking) now.copy(then = next) else next
         smooth.jump()
     }
 
-    private fun play(now: Motion.Playing, milliseconds: Int) =
+    private fun play(now: PlaybackState.Playing, milliseconds: Int) =
         go(milliseconds) { part -> take.run(part, breakpoints + listOfNotNull(now.until)) }
 
-    private fun step(now: Motion.Stepping, milliseconds: Int) {
+    private fun step(now: PlaybackState.Stepping, milliseconds: Int) {
         go(milliseconds) { part -> take.step(now.kind, isStepBegun, part, breakpoints).also { isStepBegun = true } }
     }
 
-    private fun seekOn(now: Motion.Seeking, milliseconds: Int) {
+    private fun seekOn(now: PlaybackState.Seeking, milliseconds: Int) {
         go(minOf(milliseconds.toLong(), now.target - take.milliseconds).toInt()) { part -> take.run(part, emptySet()) }
         if (take.milliseconds < now.target) return
         retelling?.let {
             retelling = null
             chooseTake(it.time)
-            motion = now.copy(target = it.time)
+            playback = now.copy(target = it.time)
             return seekOn(now.copy(target = it.time), 0)
         }
-        motion = now.then
+        playback = now.then
         pace.rest()
         val come = waiting.toList()
         waiting.clear()
@@ -253,7 +253,7 @@ class RunPlayer(
 
     private fun stand(reason: StopReason) {
         arrive()
-        motion = Motion.Still
+        playback = PlaybackState.Paused
         stop = reason
     }
 
@@ -290,7 +290,7 @@ class RunPlayer(
         val next =
             parked.take(target, after = if (isBest) take.milliseconds else -1) ?: if (isBest) return else SessionCursor(setup, watched)
         // One that was only on its way somewhere is of no use to come back to.
-        if (motion is Motion.Seeking && front !== take) take.close() else parked.park(take)
+        if (playback is PlaybackState.Seeking && front !== take) take.close() else parked.park(take)
         take = next
     }
 

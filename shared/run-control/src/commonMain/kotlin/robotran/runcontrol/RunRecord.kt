@@ -7,7 +7,7 @@ import robotran.world.World
 internal class RunRecord(world: World) {
     private val states = StateTrack()
     private val marks = MarkTrack()
-    private val ending = RunEnding(world)
+    private val ending = RunEndDetector(world)
     val chart = ChartTrack(world.robots.size)
     val calls = RomCallTrack(world.robots.size)
     val timeline: List<TimelineMark> get() = marks.marks

@@ -16,7 +16,7 @@ internal class SessionCheckpoints {
     fun park(take: SessionCursor) {
         takes += take
         takes.sortBy { it.milliseconds }
-        if (takes.size <= MOST) return
+        if (takes.size <= MAX) return
         val spare = takes.indices.toList().dropLast(1).minBy { takes[it].milliseconds - (takes.getOrNull(it - 1)?.milliseconds ?: 0) }
         takes.removeAt(spare).close()
     }
@@ -38,6 +38,6 @@ internal class SessionCheckpoints {
 
     private companion object {
         /** Each may hold a ROM log of 40 MB. */
-        const val MOST = 3
+        const val MAX = 3
     }
 }

@@ -48,7 +48,7 @@ class RetellingTest {
         player.play()
         player.speak(Language.SPANISH)
         var looks = 0
-        while (player.motion is Motion.Seeking) {
+        while (player.playback is PlaybackState.Seeking) {
             assertEquals(2_000, player.time)
             assertEquals(6_000, player.length)
             assertEquals(marks.size, player.marks.size)
@@ -59,7 +59,7 @@ class RetellingTest {
         assertTrue(looks > 10, "$looks")
         assertEquals(2_000, player.session.milliseconds)
         assertEquals(hash, player.session.traceHash)
-        assertIs<Motion.Playing>(player.motion)
+        assertIs<PlaybackState.Playing>(player.playback)
         assertEquals(marks.map { it.milliseconds to it.kind }, player.marks.map { it.milliseconds to it.kind })
         assertTrue(player.isInPast)
     }
@@ -73,7 +73,7 @@ class RetellingTest {
         player.pause()
         player.apply(SessionInput.PlaceRobot(0, Pose(60.0, 40.0, 45.0)))
         player.arriveNow()
-        assertEquals(Motion.Still, player.motion)
+        assertEquals(PlaybackState.Paused, player.playback)
         assertEquals(3, player.inputs.size)
         assertEquals(60.0, player.state.robots.first().robot.pose.x, 1e-9)
         player.speak(Language.ENGLISH)
@@ -88,7 +88,7 @@ class RetellingTest {
     fun `a run that has not begun is told at once`() = runTest {
         val player = RunPlayer(setupOf("beep", BuiltInWorlds.plain))
         player.speak(Language.GERMAN)
-        assertFalse(player.motion is Motion.Seeking)
+        assertFalse(player.playback is PlaybackState.Seeking)
         assertEquals(Language.GERMAN, player.session.language)
     }
 }

@@ -45,7 +45,7 @@ internal val RunPlayer.line: Int get() = (session.state.brick.run as? RunState.R
 
 /** Lets time pass until it stands still, a minute at most. */
 internal fun RunPlayer.untilStill() {
-    repeat(6_000) { if (motion != Motion.Still) pass(10) }
+    repeat(6_000) { if (playback != PlaybackState.Paused) pass(10) }
 }
 
 /** Draws [count] frames that are [milliseconds] apart, the first at [from]; gives back when the next one would be. */

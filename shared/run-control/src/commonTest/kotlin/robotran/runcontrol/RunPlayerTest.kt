@@ -27,7 +27,7 @@ class RunPlayerTest {
         assertEquals(3_000, player.time)
         assertEquals(hash, player.session.traceHash)
         assertEquals(state.robots, player.state.robots)
-        assertEquals(Motion.Still, player.motion)
+        assertEquals(PlaybackState.Paused, player.playback)
     }
 
     @Test
@@ -74,7 +74,7 @@ class RunPlayerTest {
         player.pass(6_000)
         player.seek(2_000)
         player.apply(SessionInput.Stop)
-        assertIs<Motion.Seeking>(player.motion)
+        assertIs<PlaybackState.Seeking>(player.playback)
         player.arriveNow()
         assertEquals(2_000, player.inputs.last().milliseconds)
         assertEquals(SessionInput.Stop, player.inputs.last().input)
@@ -85,7 +85,7 @@ class RunPlayerTest {
         val player = started(BUSY)
         player.pass(6_000)
         player.seek(1_005)
-        assertIs<Motion.Seeking>(player.motion)
+        assertIs<PlaybackState.Seeking>(player.playback)
         assertEquals(1_000, player.state.milliseconds)
         assertEquals(1_005, player.time)
         assertEquals(player.again(BUSY, 1_000).state.robots, player.state.robots)
@@ -128,7 +128,7 @@ class RunPlayerTest {
         val player = started("forward 20\nbeep")
         player.step(StepKind.OVER)
         player.frames(20)
-        assertIs<Motion.Stepping>(player.motion)
+        assertIs<PlaybackState.Stepping>(player.playback)
         assertTrue(player.time in 290..320, "it is ${player.time}")
         player.untilStill()
         assertEquals(2, player.line)
@@ -217,7 +217,7 @@ class RunPlayerTest {
         val player = RunPlayer(setupOf("beep"))
         player.step(StepKind.INTO)
         player.pass(10)
-        assertEquals(Motion.Still, player.motion)
+        assertEquals(PlaybackState.Paused, player.playback)
         assertEquals(StopReason.Ended, player.stop)
     }
 }

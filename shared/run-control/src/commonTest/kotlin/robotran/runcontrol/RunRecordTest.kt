@@ -68,7 +68,7 @@ class RunRecordTest {
     fun `the chart keeps the shortest press, however coarse it becomes`() = runTest {
         val player = RunPlayer(setupOf("beep"))
         player.pass(1_000)
-        val quiet = player.chart(ChartLane.MOTOR_A).let { line -> (0..<line.size).all { line.least(it) == 0 && line.greatest(it) == 0 } }
+        val quiet = player.chart(ChartLane.MOTOR_A).let { line -> (0..<line.size).all { line.min(it) == 0 && line.greatest(it) == 0 } }
         assertTrue(quiet)
         val driven = started("forward 1")
         driven.pass(100_000)

@@ -11,9 +11,9 @@ import robotran.simulation.explain.DeviationCause
 import robotran.simulation.goal.GoalJudge
 import robotran.simulation.goal.GoalMessages
 import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.state.AmbientConditions
 import robotran.simulation.state.LampState
 import robotran.simulation.state.SessionState
-import robotran.simulation.state.Surroundings
 import robotran.world.World
 import robotran.world.geometry.length
 
@@ -128,7 +128,7 @@ internal class SessionEngine(private val world: World, loads: List<RobotLoad>, p
         lamps = simulation.light.lamps,
         ink = simulation.ink,
         goals = judge.progress,
-        surroundings = Surroundings(simulation.light.ambient, simulation.temperature),
+        surroundings = AmbientConditions(simulation.light.ambient, simulation.temperature),
         trail = simulation.trail,
     )
 

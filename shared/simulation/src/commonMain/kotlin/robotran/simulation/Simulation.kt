@@ -33,7 +33,7 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
     private val pens = InkWriter(world.paper, world.robots.size)
     private val trails = TrailWriter(world.robots.size)
     private val lightSensors: List<LightSensor>
-    private val freePlaces by lazy { FreePlaces(world, trigonometry) }
+    private val freePlaces by lazy { FreeSpaceFinder(world, trigonometry) }
 
     /** In the world's order. */
     val machines: List<SimulatedRobot>

@@ -12,7 +12,7 @@ import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
 import robotran.world.PortSensor
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.Shade
 import robotran.world.Wall
 import robotran.world.World
@@ -57,7 +57,7 @@ internal object HeavyWorlds {
                 Wall(Point(200.0, 150.0), Point(0.0, 150.0), 1.0), Wall(Point(0.0, 150.0), Point(0.0, 0.0), 1.0),
             ),
             robots = STARTS.mapIndexed { robot, start ->
-                RobotPlace(
+                RobotPlacement(
                     start.copy(heading = from(-180.0, 180.0)), name = "robot $robot",
                     ports = listOf(
                         listOf(PortSensor.LEFT_BUMPER, PortSensor.TEMPERATURE), listOf(PortSensor.LIGHT), listOf(PortSensor.RIGHT_ROTATION),

@@ -6,7 +6,7 @@ import robotran.simulation.noise.NoiseStream
 import robotran.world.Paper
 import robotran.world.Penbot
 import robotran.world.PortSensor
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Pose
 import robotran.world.geometry.RADIANS_PER_DEGREE
@@ -73,7 +73,7 @@ class RealismTest {
             val world = world(0.6, 5)
             return runToEnd(metre, world.copy(robots = world.robots.map { it.copy(ports = ports) })).state.robot.pose
         }
-        assertEquals(end(RobotPlace.PENBOT_PORTS), end(List(3) { listOf(PortSensor.TEMPERATURE) }))
+        assertEquals(end(RobotPlacement.PENBOT_PORTS), end(List(3) { listOf(PortSensor.TEMPERATURE) }))
     }
 
     @Test

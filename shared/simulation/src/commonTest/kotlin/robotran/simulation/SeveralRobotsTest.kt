@@ -8,7 +8,7 @@ import robotran.world.LightFacing
 import robotran.world.Paper
 import robotran.world.Penbot
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.TouchKind
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
@@ -23,7 +23,7 @@ import kotlin.test.assertTrue
 class SeveralRobotsTest {
     private fun world(vararg starts: Pose) = BuiltInWorlds.plain.copy(
         walls = emptyList(),
-        robots = starts.mapIndexed { number, start -> RobotPlace(start, name = "robot $number", colour = RobotColour.entries[number]) },
+        robots = starts.mapIndexed { number, start -> RobotPlacement(start, name = "robot $number", colour = RobotColour.entries[number]) },
     )
 
     private val ahead = ScriptedProgram {

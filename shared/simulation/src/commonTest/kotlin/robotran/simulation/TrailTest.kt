@@ -2,7 +2,7 @@ package robotran.simulation
 
 import kotlinx.coroutines.test.runTest
 import robotran.simulation.physics.loadPhysicsEngine
-import robotran.simulation.state.Surroundings
+import robotran.simulation.state.AmbientConditions
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
@@ -53,9 +53,9 @@ class TrailTest {
     fun `light and warmth are told as they are now`() = runTest {
         val world = BuiltInWorlds.plain.copy(ambientLight = 1.5, temperature = 12.0)
         val session = Session(world, emptyList<RobotLoad>(), loadPhysicsEngine())
-        assertEquals(Surroundings(1.5, 12.0), session.state.surroundings)
+        assertEquals(AmbientConditions(1.5, 12.0), session.state.surroundings)
         session.apply(SessionInput.ChangeAmbientLight(0.25))
         session.apply(SessionInput.ChangeTemperature(30.0))
-        assertEquals(Surroundings(0.25, 30.0), session.state.surroundings)
+        assertEquals(AmbientConditions(0.25, 30.0), session.state.surroundings)
     }
 }

@@ -43,7 +43,7 @@ import robotran.world.GoalCondition.StayOut
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.Template
 import robotran.world.TouchKind
 import robotran.world.World
@@ -60,7 +60,7 @@ class GoalProperties : StringSpec({
     val sheet = World(
         "A sheet",
         Paper(80.0, 60.0),
-        listOf(RobotPlace(Pose(40.0, 30.0, 0.0)), RobotPlace(Pose(20.0, 20.0, 90.0), name = "red")),
+        listOf(RobotPlacement(Pose(40.0, 30.0, 0.0)), RobotPlacement(Pose(20.0, 20.0, 90.0), name = "red")),
         blocks = listOf(Block(Shape.Circle(Point(60.0, 40.0), 3.0), name = "ball")),
         marks = listOf(Mark(MarkFigure.Line(points, 2.0, closed = true), name = "loop"), Mark(MarkFigure.Line(points, 2.0), name = "road")),
         template = Template(listOf(points)),

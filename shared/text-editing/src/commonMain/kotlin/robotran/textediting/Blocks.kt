@@ -1,7 +1,7 @@
 package robotran.textediting
 
 import robotran.language.ProgramLanguage
-import robotran.textediting.code.PieceKind
+import robotran.textediting.code.CodeTokenKind
 import robotran.textediting.code.piecesOfJava
 import robotran.textediting.text.isWordCharacter
 
@@ -32,7 +32,7 @@ internal fun blockEffect(line: String, language: ProgramLanguage): BlockEffect =
 
 /** The curly brackets of a line of Java, without those in texts and comments. */
 private fun bracesOf(line: String): String = piecesOfJava(line, startsInComment = false).pieces
-    .filter { it.kind == PieceKind.SIGN }
+    .filter { it.kind == CodeTokenKind.SIGN }
     .joinToString("") { line.substring(it.start, it.end) }
     .filter { it == '{' || it == '}' }
 

@@ -88,15 +88,15 @@ class EditHistory private constructor(
 
     companion object {
         /** How many steps are kept at most. */
-        const val MOST_STEPS = 400
+        const val MAX_STEPS = 400
 
         /** How many characters all steps may hold; the newest step is always kept. */
-        const val MOST_CHARACTERS = 4_000_000
+        const val MAX_CHARACTERS = 4_000_000
 
         private fun withinLimits(steps: List<Step>): List<Step> {
-            var kept = steps.takeLast(MOST_STEPS)
+            var kept = steps.takeLast(MAX_STEPS)
             var size = kept.sumOf { it.size }
-            while (size > MOST_CHARACTERS && kept.size > 1) {
+            while (size > MAX_CHARACTERS && kept.size > 1) {
                 size -= kept.first().size
                 kept = kept.drop(1)
             }

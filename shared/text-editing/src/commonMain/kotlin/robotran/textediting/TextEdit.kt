@@ -34,11 +34,11 @@ data class TextEdit(
 /** What makes [before] into [after], as short as one change can be; null if they are alike. */
 fun editBetween(before: String, after: String): TextEdit? {
     if (before == after) return null
-    val most = minOf(before.length, after.length)
+    val max = minOf(before.length, after.length)
     var head = 0
-    while (head < most && before[head] == after[head]) head++
+    while (head < max && before[head] == after[head]) head++
     var tail = 0
-    while (tail < most - head && before[before.length - 1 - tail] == after[after.length - 1 - tail]) tail++
+    while (tail < max - head && before[before.length - 1 - tail] == after[after.length - 1 - tail]) tail++
     return TextEdit(head, before.substring(head, before.length - tail), after.substring(head, after.length - tail))
 }
 

@@ -55,7 +55,7 @@ private fun blockEnds(language: ProgramLanguage) = when (language) {
 /** How far right the block begins that [line] ends; null if there is none. */
 private fun Draft.indentOfOpener(line: Int, language: ProgramLanguage): String? {
     var open = 0
-    for (above in line - 1 downTo maxOf(0, line - MOST_LINES_OF_A_BLOCK)) {
+    for (above in line - 1 downTo maxOf(0, line - MAX_LINES_OF_A_BLOCK)) {
         val content = lines.line(above)
         val effect = blockEffect(content, language)
         if (effect.opens) {
@@ -94,4 +94,4 @@ fun Draft.wordErasedForwards(): Draft =
     if (selection.isEmpty) replaced(selection.caret, wordEndAfter(text, selection.caret), "") else replaced("")
 
 /** Further up nobody looks for the beginning of a block. */
-private const val MOST_LINES_OF_A_BLOCK = 500
+private const val MAX_LINES_OF_A_BLOCK = 500

@@ -52,7 +52,7 @@ class EditHistoryTest {
     fun `only so much is remembered`() {
         var history = EditHistory()
         var draft = Draft("")
-        repeat(EditHistory.MOST_STEPS + 50) {
+        repeat(EditHistory.MAX_STEPS + 50) {
             val after = draft.replaced("x")
             history = history.recorded(draft, after, EditKind.OTHER)
             draft = after
@@ -64,6 +64,6 @@ class EditHistoryTest {
             history = rest
             steps++
         }
-        assertEquals(EditHistory.MOST_STEPS, steps)
+        assertEquals(EditHistory.MAX_STEPS, steps)
     }
 }

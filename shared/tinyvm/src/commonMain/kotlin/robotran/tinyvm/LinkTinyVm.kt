@@ -3,9 +3,9 @@ package robotran.tinyvm
 import robotran.tinyvm.classfile.DamagedClassFile
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
-import robotran.tinyvm.diagnostic.Refusal
-import robotran.tinyvm.diagnostic.RefusalException
-import robotran.tinyvm.link.ClassFiles
+import robotran.tinyvm.diagnostic.LinkError
+import robotran.tinyvm.diagnostic.LinkException
+import robotran.tinyvm.link.ClassPath
 import robotran.tinyvm.link.Linker
 import robotran.tinyvm.messages.EnglishTinyVmMessages
 import robotran.tinyvm.messages.TinyVmMessages
@@ -30,16 +30,16 @@ fun linkTinyVm(
     messages: TinyVmMessages = EnglishTinyVmMessages,
     speed: TinyVmSpeed = TinyVmSpeed.BRICK,
 ): TinyVmResult = try {
-    val files = ClassFiles(program, library, messages)
+    val files = ClassPath(program, library, messages)
     try {
         val linked = Linker(files, messages) { NativeMethods.find(it) != null }.link(mainClass)
         TinyVmResult.Ready(TinyVmProgram(name, linked, mode, messages, speed))
-    } catch (refused: RefusalException) {
+    } catch (refused: LinkException) {
         val refusal = refused.refusal
-        TinyVmResult.Refused(refusal.copy(sourceFile = files.sourceFileOf(refusal.className.replace('.', '/'))))
+        TinyVmResult.Rejected(refusal.copy(sourceFile = files.sourceFileOf(refusal.className.replace('.', '/'))))
     }
-} catch (refused: RefusalException) {
-    TinyVmResult.Refused(refused.refusal)
+} catch (refused: LinkException) {
+    TinyVmResult.Rejected(refused.refusal)
 } catch (_: DamagedClassFile) {
-    TinyVmResult.Refused(Refusal(messages.classFileDamaged(), mainClass.orEmpty()))
+    TinyVmResult.Rejected(LinkError(messages.classFileDamaged(), mainClass.orEmpty()))
 }

@@ -1,6 +1,6 @@
 package robotran.tinyvm
 
-import robotran.tinyvm.diagnostic.Refusal
+import robotran.tinyvm.diagnostic.LinkError
 
 /** What came of linking classes. */
 sealed interface TinyVmResult {
@@ -8,5 +8,5 @@ sealed interface TinyVmResult {
     data class Ready(val program: TinyVmProgram) : TinyVmResult
 
     /** It cannot run. */
-    data class Refused(val refusal: Refusal) : TinyVmResult
+    data class Rejected(val refusal: LinkError) : TinyVmResult
 }

@@ -18,10 +18,10 @@ import robotran.tinyvm.natives.NativeMethods
 import robotran.tinyvm.run.Calls
 import robotran.tinyvm.run.Failures
 import robotran.tinyvm.run.Interpreter
-import robotran.tinyvm.run.Machine
-import robotran.tinyvm.run.MachineConstants
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.ThreadState
+import robotran.tinyvm.run.VirtualMachine
+import robotran.tinyvm.run.VirtualMachineConstants
 import robotran.tinyvm.run.VmThread
 
 /** One run of a linked program. */
@@ -32,7 +32,7 @@ internal class TinyVmRun(
     messages: RunMessages,
     speed: TinyVmSpeed,
 ) : DebuggableRun {
-    internal val machine = Machine(program, rom, mode, messages)
+    internal val machine = VirtualMachine(program, rom, mode, messages)
     private val failures = Failures(machine, messages)
     private val calls = Calls(machine, nativesOf(program), failures::add)
     private val interpreter = Interpreter(machine, calls)
@@ -106,14 +106,14 @@ internal class TinyVmRun(
         val goesOn = current != null && current.state == ThreadState.READY && !machine.isYielding && rom.milliseconds < sliceEnds
         if (goesOn) return current
         machine.isYielding = false
-        machine.charge(machine.scheduler.threads.size / MachineConstants.WORDS_IN_A_BYTECODE)
-        sliceEnds = rom.milliseconds + MachineConstants.TIME_SLICE_MILLISECONDS
+        machine.charge(machine.scheduler.threads.size / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
+        sliceEnds = rom.milliseconds + VirtualMachineConstants.TIME_SLICE_MILLISECONDS
         return machine.scheduler.choose()?.also { machine.current = it }
     }
 
     private fun rest(): ProgramStatus {
         val now = rom.milliseconds
-        val next = machine.scheduler.nextWake ?: (now + MachineConstants.STANDSTILL_MILLISECONDS)
+        val next = machine.scheduler.nextWake ?: (now + VirtualMachineConstants.STANDSTILL_MILLISECONDS)
         return ProgramStatus.Waiting(if (machine.poller.isActive) minOf(next, now + 1) else next)
     }
 

@@ -67,7 +67,7 @@ internal class ClassAssembler(name: String, superName: String?, private val flag
 internal fun short(value: Int): List<Int> = listOf(value ushr 8 and 0xFF, value and 0xFF)
 
 /** The least class library a program can be linked with. */
-internal val leastLibrary: Map<String, ByteArray> by lazy {
+internal val minLibrary: Map<String, ByteArray> by lazy {
     val exceptions = listOf(
         "NullPointerException", "ArithmeticException", "ArrayIndexOutOfBoundsException", "ClassCastException", "IllegalArgumentException",
         "IllegalStateException", "IllegalMonitorStateException", "InterruptedException",
@@ -91,7 +91,7 @@ internal fun linkMain(code: ClassAssembler.() -> List<Int>): TinyVmResult {
     val assembler = ClassAssembler("Main", "java/lang/Object")
     assembler.addMethod("show", "(I)V", 0x9, showing(assembler))
     assembler.addMethod("main", "([Ljava/lang/String;)V", 0x9, assembler.code())
-    return linkTinyVm("Main", mapOf("Main" to assembler.assemble()), leastLibrary)
+    return linkTinyVm("Main", mapOf("Main" to assembler.assemble()), minLibrary)
 }
 
 private fun showing(assembler: ClassAssembler): List<Int> = with(assembler) {

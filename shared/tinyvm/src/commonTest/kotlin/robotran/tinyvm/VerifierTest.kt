@@ -1,9 +1,9 @@
 package robotran.tinyvm
 
 import robotran.rcxrom.program.ProgramStatus
-import robotran.tinyvm.diagnostic.Refusal
+import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.messages.EnglishTinyVmMessages
-import robotran.tinyvm.messages.LackedFeature
+import robotran.tinyvm.messages.UnsupportedFeature
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -19,7 +19,7 @@ class VerifierTest {
     }
 
     private fun assertUnsound(code: ClassAssembler.() -> List<Int>) {
-        val refused = assertIs<TinyVmResult.Refused>(linkMain(code))
+        val refused = assertIs<TinyVmResult.Rejected>(linkMain(code))
         assertEquals(EnglishTinyVmMessages.codeUnsound(), refused.refusal.message)
         assertEquals("main", refused.refusal.methodName)
     }
@@ -81,21 +81,21 @@ class VerifierTest {
     @Test
     fun `what leJOS refuses is refused with class and method`() {
         val refused = mapOf(
-            listOf(0xBA, 0, 1, 0, 0) to LackedFeature.INVOKE_DYNAMIC,
-            listOf(0xC4, 0x15, 0, 1) to LackedFeature.MANY_LOCALS,
-            listOf(0xC4, 0x84, 1, 0, 0, 1) to LackedFeature.MANY_LOCALS,
-            listOf(0x13, 0, 1) to LackedFeature.MANY_CONSTANTS,
-            listOf(0xC8, 0, 0, 0, 5) to LackedFeature.FAR_JUMP,
-            listOf(0xAA) to LackedFeature.SWITCH,
-            listOf(0xAB) to LackedFeature.SWITCH,
-            listOf(0x61) to LackedFeature.LONG_ARITHMETIC,
-            listOf(0x94) to LackedFeature.LONG_ARITHMETIC,
-            listOf(0x72) to LackedFeature.DECIMAL_REMAINDER,
-            listOf(0x73) to LackedFeature.DECIMAL_REMAINDER,
+            listOf(0xBA, 0, 1, 0, 0) to UnsupportedFeature.INVOKE_DYNAMIC,
+            listOf(0xC4, 0x15, 0, 1) to UnsupportedFeature.MANY_LOCALS,
+            listOf(0xC4, 0x84, 1, 0, 0, 1) to UnsupportedFeature.MANY_LOCALS,
+            listOf(0x13, 0, 1) to UnsupportedFeature.MANY_CONSTANTS,
+            listOf(0xC8, 0, 0, 0, 5) to UnsupportedFeature.FAR_JUMP,
+            listOf(0xAA) to UnsupportedFeature.SWITCH,
+            listOf(0xAB) to UnsupportedFeature.SWITCH,
+            listOf(0x61) to UnsupportedFeature.LONG_ARITHMETIC,
+            listOf(0x94) to UnsupportedFeature.LONG_ARITHMETIC,
+            listOf(0x72) to UnsupportedFeature.DECIMAL_REMAINDER,
+            listOf(0x73) to UnsupportedFeature.DECIMAL_REMAINDER,
         )
         for ((code, feature) in refused) {
-            val refusal = assertIs<TinyVmResult.Refused>(linkMain { code + 0xB1 }).refusal
-            assertEquals(Refusal(EnglishTinyVmMessages.lacks(feature), "Main", "main"), refusal)
+            val refusal = assertIs<TinyVmResult.Rejected>(linkMain { code + 0xB1 }).refusal
+            assertEquals(LinkError(EnglishTinyVmMessages.lacks(feature), "Main", "main"), refusal)
         }
     }
 
@@ -138,13 +138,13 @@ class VerifierTest {
     @Test
     fun `a subroutine that calls itself for ever is refused or ends`() {
         val result = linkMain { listOf(0xA8) + short(0) }
-        assertTrue(result is TinyVmResult.Refused)
+        assertTrue(result is TinyVmResult.Rejected)
     }
 
     @Test
     fun `a class that extends itself is refused`() {
         val loop = ClassAssembler("Main", "Main").apply { addMethod("main", "([Ljava/lang/String;)V", 0x9, listOf(0xB1)) }
-        val refused = assertIs<TinyVmResult.Refused>(linkTinyVm("Main", mapOf("Main" to loop.assemble()), leastLibrary))
+        val refused = assertIs<TinyVmResult.Rejected>(linkTinyVm("Main", mapOf("Main" to loop.assemble()), minLibrary))
         assertEquals(EnglishTinyVmMessages.classLoop("Main"), refused.refusal.message)
     }
 
@@ -154,7 +154,7 @@ class VerifierTest {
             addMethod("main", "([Ljava/lang/String;)V", 0x9, listOf(0xB1))
         }.assemble()
         for (length in 0 until whole.size) {
-            assertIs<TinyVmResult.Refused>(linkTinyVm("Main", mapOf("Main" to whole.copyOf(length)), leastLibrary))
+            assertIs<TinyVmResult.Rejected>(linkTinyVm("Main", mapOf("Main" to whole.copyOf(length)), minLibrary))
         }
     }
 }

@@ -4,7 +4,7 @@ import robotran.rcxrom.program.DebuggableRun
 import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.program.ProgramStatus
 import robotran.tinyvm.config.TinyVmMode
-import robotran.tinyvm.diagnostic.Refusal
+import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.fail
 
@@ -15,13 +15,13 @@ internal class Ran(val rom: ShowingRom, val run: DebuggableRun, val status: Prog
 internal fun linked(source: String, mode: TinyVmMode = TinyVmMode.BRICK): TinyVmProgram =
     when (val result = linkTinyVm("Program", JavaCompiler.compile(source), libraryClassFiles, mode = mode)) {
         is TinyVmResult.Ready -> result.program
-        is TinyVmResult.Refused -> fail(result.refusal.toString())
+        is TinyVmResult.Rejected -> fail(result.refusal.toString())
     }
 
-internal fun refusal(source: String): Refusal =
+internal fun refusal(source: String): LinkError =
     when (val result = linkTinyVm("Program", JavaCompiler.compile(source), libraryClassFiles)) {
         is TinyVmResult.Ready -> fail("it was not refused")
-        is TinyVmResult.Refused -> result.refusal
+        is TinyVmResult.Rejected -> result.refusal
     }
 
 /** Runs [program] for at most [milliseconds], or until it ends. */

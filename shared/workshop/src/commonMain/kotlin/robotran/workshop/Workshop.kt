@@ -238,7 +238,7 @@ class Workshop(
 
     override fun hideTask() = handle(WorkshopEvent.TaskShown(false))
 
-    override fun openSiteSetting() = handle(SettingsEvent.SiteWanted)
+    override fun openSiteSetting() = handle(SettingsEvent.SiteRequested)
 
     override fun say(notice: Notice) {
         this.notice = notice
@@ -292,8 +292,8 @@ class Workshop(
         val taken = notice ?: return
         notice = null
         when (val action = taken.action) {
-            NoticeAction.ShowProjects -> document.handle(DocumentEvent.WorksWanted)
-            is NoticeAction.GoBack -> document.handle(DocumentEvent.WorkOpened(action.project))
+            NoticeAction.ShowProjects -> document.handle(DocumentEvent.ProjectListRequested)
+            is NoticeAction.GoBack -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
             null -> Unit
         }
     }

@@ -35,14 +35,14 @@ class LongProgramTest {
 
     @Test
     fun `as much as there is room for is written`() {
-        val most = "// ${"b".repeat(ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS - 3)}"
-        write(most)
-        assertEquals(most, workshop.state.programText)
+        val max = "// ${"b".repeat(ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS - 3)}"
+        write(max)
+        assertEquals(max, workshop.state.programText)
         assertNull(workshop.state.notice)
-        write("$most!")
-        assertEquals(most, workshop.state.programText)
-        write(most.dropLast(1))
-        assertEquals(most.dropLast(1), workshop.state.programText)
+        write("$max!")
+        assertEquals(max, workshop.state.programText)
+        write(max.dropLast(1))
+        assertEquals(max.dropLast(1), workshop.state.programText)
     }
 
     @Test

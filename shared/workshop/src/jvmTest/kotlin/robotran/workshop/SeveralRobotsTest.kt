@@ -9,7 +9,7 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.programs.ProgramsStateHolder
 import robotran.world.LightFacing
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.geometry.Pose
 import kotlin.test.AfterTest
 import kotlin.test.Test
@@ -25,7 +25,7 @@ class SeveralRobotsTest {
 
     private fun open(ownProgram: String?) {
         val world = workshop.state.world
-        val red = RobotPlace(Pose(20.0, 20.0, 0.0), "red", RobotColour.RED, program = ownProgram)
+        val red = RobotPlacement(Pose(20.0, 20.0, 0.0), "red", RobotColour.RED, program = ownProgram)
         workshop.openProject(Project(world.copy(robots = world.robots + red)))
     }
 

@@ -78,12 +78,12 @@ class WorkshopJavaTest {
     @Test
     fun `a mistake is told with its line and mended by its fix`() = workshop(mainOf("Motor.A.forward()")) { workshop ->
         workshop.readPrograms()
-        assertEquals(WorkshopStatus.Mistaken(line = 4), workshop.state.status)
+        assertEquals(WorkshopStatus.HasErrors(line = 4), workshop.state.status)
         workshop.handle(RunEvent.RunPressed)
         assertTrue(workshop.state.programs.mistakePointedOut)
-        workshop.handle(ProgramEvent.FixApplied(workshop.state.mistakes.single()))
+        workshop.handle(ProgramEvent.FixApplied(workshop.state.diagnostics.single()))
         workshop.readPrograms()
-        assertEquals(emptyList(), workshop.state.mistakes)
+        assertEquals(emptyList(), workshop.state.diagnostics)
         assertContains(workshop.state.programText, "Motor.A.forward();")
     }
 
@@ -92,7 +92,7 @@ class WorkshopJavaTest {
         workshop(mainOf("Motor.A.forward()")) { workshop ->
             workshop.readPrograms()
             workshop.handle(ProgramEvent.ProgramEdited("// first\n" + workshop.state.programText.replace("Motor.A", "  Motor.A")))
-            workshop.handle(ProgramEvent.FixApplied(workshop.state.programs.notes.single().mistake))
+            workshop.handle(ProgramEvent.FixApplied(workshop.state.programs.notes.single().diagnostic))
             assertContains(workshop.state.programText, "  Motor.A.forward();\n")
             assertContains(workshop.state.programText, "// first\n")
             assertEquals(emptyList(), workshop.state.programs.notes)
@@ -106,7 +106,7 @@ class WorkshopJavaTest {
             workshop.readPrograms()
             workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText.replace("forward()", "forward() // go")))
             val changed = workshop.state.programText
-            workshop.handle(ProgramEvent.FixApplied(workshop.state.programs.notes.single().mistake))
+            workshop.handle(ProgramEvent.FixApplied(workshop.state.programs.notes.single().diagnostic))
             assertEquals(changed, workshop.state.programText)
             assertEquals(ProgramReading.COMPILING, workshop.state.programs.reading)
             workshop.readPrograms()
@@ -118,15 +118,15 @@ class WorkshopJavaTest {
     @Test
     fun `a fix that does not fit any more is not made, and that is said`() = workshop(mainOf("Motor.A.forward()")) { workshop ->
         workshop.readPrograms()
-        val mistake = workshop.state.mistakes.single()
+        val diagnostic = workshop.state.diagnostics.single()
         workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText.replace("forward()", "forward();")))
         val mended = workshop.state.programText
-        workshop.handle(ProgramEvent.FixApplied(mistake))
+        workshop.handle(ProgramEvent.FixApplied(diagnostic))
         workshop.readPrograms()
         assertEquals(mended, workshop.state.programText)
         assertEquals(Notice.FixOutdated, workshop.state.notice)
         workshop.handle(WorkshopEvent.NoticeDismissed)
-        workshop.handle(ProgramEvent.FixApplied(mistake))
+        workshop.handle(ProgramEvent.FixApplied(diagnostic))
         assertEquals(mended to Notice.FixOutdated, workshop.state.programText to workshop.state.notice)
     }
 
@@ -143,7 +143,7 @@ class WorkshopJavaTest {
             workshop.handle(ProgramEvent.FileChosen(1))
             workshop.handle(ProgramEvent.ProgramEdited("class Helper { hop }"))
             workshop.readPrograms()
-            assertContains(workshop.state.mistakes.map { it.file }, "Helper.java")
+            assertContains(workshop.state.diagnostics.map { it.file }, "Helper.java")
         }
     }
 
@@ -164,7 +164,7 @@ class WorkshopJavaTest {
         workshop.handle(ProgramEvent.ClassAdded)
         assertEquals(listOf("Program.java", "Helper.java"), workshop.state.program.files.map { it.name })
         workshop.readPrograms()
-        assertEquals(emptyList(), workshop.state.mistakes)
+        assertEquals(emptyList(), workshop.state.diagnostics)
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(1000)
         assertTrue(workshop.state.running)

@@ -26,17 +26,17 @@ class WorkshopLanguageTest {
     private fun speak(language: Language) =
         workshop.handle(SettingsEvent.SettingsChanged(workshop.settings.copy(language = language)))
 
-    private val mistake: String get() = workshop.state.programs.mistakes.single().message
+    private val diagnostic: String get() = workshop.state.programs.diagnostics.single().message
 
     @Test
     fun `mistakes are told in the language that is chosen, at once`() {
         speak(Language.ENGLISH)
         workshop.handle(ProgramEvent.ProgramEdited("foward 20"))
-        assertEquals("There is no command \"foward\". Did you mean \"forward\"?", mistake)
+        assertEquals("There is no command \"foward\". Did you mean \"forward\"?", diagnostic)
         speak(Language.GERMAN)
-        assertEquals("Es gibt keinen Befehl \"foward\". Meinst du \"forward\"?", mistake)
+        assertEquals("Es gibt keinen Befehl \"foward\". Meinst du \"forward\"?", diagnostic)
         speak(Language.SPANISH)
-        assertEquals("No existe la orden \"foward\". ¿Querías decir \"forward\"?", mistake)
+        assertEquals("No existe la orden \"foward\". ¿Querías decir \"forward\"?", diagnostic)
         assertEquals("foward 20", workshop.state.programText)
     }
 
@@ -60,7 +60,7 @@ class WorkshopLanguageTest {
         assertEquals(before, workshop.state.session.robot.pose)
         workshop.advance(20_000)
         workshop.handle(ProgramEvent.ProgramEdited("show 1 / 0"))
-        assertEquals("Nada se puede dividir entre 0.", mistake)
+        assertEquals("Nada se puede dividir entre 0.", diagnostic)
     }
 
     @Test

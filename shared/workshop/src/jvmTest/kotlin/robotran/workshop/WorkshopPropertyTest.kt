@@ -68,7 +68,7 @@ class WorkshopPropertyTest {
         checkAll(300, Arb.list(words, 0..20).map { it.joinToString(" ") }) { text ->
             val workshop = openWorkshop()
             workshop.handle(ProgramEvent.ProgramEdited(text))
-            for (mistake in workshop.state.mistakes) workshop.handle(ProgramEvent.FixApplied(mistake))
+            for (diagnostic in workshop.state.diagnostics) workshop.handle(ProgramEvent.FixApplied(diagnostic))
             workshop.close()
         }
     }

@@ -104,7 +104,7 @@ class WorkshopTest {
         workshop.advance(1000)
         val state = workshop.state
         assertEquals(RunState.Idle, state.session.brick.run)
-        assertEquals(WorkshopStatus.Mistaken(line = 2), state.status)
+        assertEquals(WorkshopStatus.HasErrors(line = 2), state.status)
         assertTrue(state.programs.mistakePointedOut)
         assertEquals(Pane.PROGRAM, state.pane)
         assertEquals(state.world.start, state.session.robot.pose)
@@ -122,9 +122,9 @@ class WorkshopTest {
     @Test
     fun `a fix mends its mistake`() {
         workshop.handle(ProgramEvent.ProgramEdited("pen down\r\n  forwrd 20 // there"))
-        workshop.handle(ProgramEvent.FixApplied(workshop.state.mistakes.single()))
+        workshop.handle(ProgramEvent.FixApplied(workshop.state.diagnostics.single()))
         assertEquals("pen down\n  forward 20 // there", workshop.state.programText)
-        assertEquals(emptyList(), workshop.state.mistakes)
+        assertEquals(emptyList(), workshop.state.diagnostics)
     }
 
     @Test

@@ -8,7 +8,7 @@ import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 
 /** [piece] about [at], where there is room for it, and chosen. */
-internal fun WorldEditing.put(piece: Piece, at: Point): Outcome? {
+internal fun WorldEditing.put(piece: Element, at: Point): Outcome? {
     val form = piece.form ?: return null
     val corner = Point(form.bounds.left, form.bounds.bottom)
     val middle = form.bounds.middle
@@ -28,38 +28,38 @@ internal fun WorldEditing.drawn(points: List<Point>): Outcome? {
     val line = simplified(points.map(Point::rounded), HAND_TOLERANCE)
     if (line.size < 2) return null
     val piece = when (tool) {
-        Tool.DRAW_TEMPLATE -> Piece.OfStroke(line)
-        Tool.DRAW_LINE -> Piece.OfMark(Mark(MarkFigure.Line(line, LINE_WIDTH)))
+        Tool.DRAW_TEMPLATE -> Element.OfStroke(line)
+        Tool.DRAW_LINE -> Element.OfMark(Mark(MarkFigure.Line(line, LINE_WIDTH)))
         Tool.CHOOSE -> return null
     }
     return added(listOf(piece), Point(0.0, 0.0))
 }
 
 /** [pieces], moved by [aside], on top of the others, with names of their own, and chosen. */
-internal fun WorldEditing.added(pieces: List<Piece>, aside: Point): Outcome? {
+internal fun WorldEditing.added(pieces: List<Element>, aside: Point): Outcome? {
     if (pieces.isEmpty()) return null
     var now = world
     val taken = world.names().values.toMutableSet()
-    val new = mutableSetOf<Thing>()
+    val new = mutableSetOf<ElementRef>()
     for (piece in pieces) {
         val name = piece.name?.let { freeName(it, taken) }
         if (name != null) taken += name
         val moved = piece.form?.movedBy(aside.x, aside.y)?.let(piece::withForm) ?: piece
         val own = moved.named(name).tidied().separate()
         refusalOf(own)?.let { return Outcome.Not(it) }
-        new += Thing(own.kind, now.count(own.kind))
+        new += ElementRef(own.kind, now.count(own.kind))
         now = now.plus(own)
     }
     return Outcome.Made(Moment(now, new, groups))
 }
 
 /** A goal that is the same is another goal, see [renumbered]. */
-private fun Piece.separate(): Piece = if (this is Piece.OfGoal) Piece.OfGoal(goal.separate()) else this
+private fun Element.separate(): Element = if (this is Element.OfGoal) Element.OfGoal(goal.separate()) else this
 
 /** [form] where it is, or if a robot or something else that stands stands there, as near as it can. */
-private fun World.roomFor(form: Form, kind: ThingKind): Form {
+private fun World.roomFor(form: Form, kind: ElementKind): Form {
     if (kind !in STANDING) return form.takeIf { isFree(it, setOf(kind), margin = SAME_PLACE) } ?: aside(form, kind)
-    val places = sequenceOf(Point(0.0, 0.0)) + (1..MOST_RINGS).asSequence().flatMap { ring ->
+    val places = sequenceOf(Point(0.0, 0.0)) + (1..MAX_RINGS).asSequence().flatMap { ring ->
         (0..<DIRECTIONS).asSequence().map { Direction(it * FULL_TURN / DIRECTIONS).from(Point(0.0, 0.0), ring * RING, 0.0) }
     }
     return places.map { form.movedBy(it.x, it.y) }
@@ -67,12 +67,12 @@ private fun World.roomFor(form: Form, kind: ThingKind): Form {
 }
 
 /** What lies on the paper may lie on others, only not just where one of its own kind lies. */
-private fun World.aside(form: Form, kind: ThingKind): Form = (1..MOST_RINGS).asSequence()
+private fun World.aside(form: Form, kind: ElementKind): Form = (1..MAX_RINGS).asSequence()
     .map { form.movedBy(it * STEP_ASIDE, -it * STEP_ASIDE) }
     .firstOrNull { isFree(it, setOf(kind), SAME_PLACE) } ?: form
 
 /** Whether nothing of [kinds] is where [form] is; with a [margin] below zero only if they are nearly one in the other. */
-private fun World.isFree(form: Form, kinds: Set<ThingKind>, margin: Double): Boolean {
+private fun World.isFree(form: Form, kinds: Set<ElementKind>, margin: Double): Boolean {
     val bounds = form.bounds
     return things().filter { it.kind in kinds }.mapNotNull { piece(it)?.form?.bounds }.none { other ->
         if (margin < 0) isSame(bounds, other) else meet(bounds, other)
@@ -88,10 +88,10 @@ private fun meet(one: Bounds, other: Bounds) =
 
 private val World.paperBounds: Bounds get() = Bounds(0.0, 0.0, paper.width, paper.height)
 
-private val STANDING = setOf(ThingKind.ROBOT, ThingKind.WALL, ThingKind.BARRIER, ThingKind.BLOCK)
+private val STANDING = setOf(ElementKind.ROBOT, ElementKind.WALL, ElementKind.BARRIER, ElementKind.BLOCK)
 private const val SAME_PLACE = -0.5
 private const val RING = 5.0
-private const val MOST_RINGS = 20
+private const val MAX_RINGS = 20
 private const val DIRECTIONS = 12
 private const val FULL_TURN = 360.0
 

@@ -4,11 +4,11 @@ import robotran.world.World
 
 /**
  * This after [edit]. Whatever the edit is, there is a result: what cannot be done leaves the world as it is and says so in
- * [WorldEditing.refusal], and
+ * [WorldEditing.error], and
  * what concerns something that is not there does nothing.
  */
 fun WorldEditing.after(edit: Edit): WorldEditing {
-    val calm = copy(refusal = null)
+    val calm = copy(error = null)
     return when (edit) {
         is Edit.TapAt, is Edit.Choose, is Edit.ChooseWithin, Edit.ChooseAll, is Edit.ChooseNext -> calm.chosen(edit)
 
@@ -26,9 +26,9 @@ fun WorldEditing.after(edit: Edit): WorldEditing {
 
         is Edit.Snap -> calm.copy(snapping = edit.snapping)
 
-        Edit.Settle -> calm.copy(history = history.settled())
+        Edit.FinishChange -> calm.copy(history = history.settled())
 
-        is Edit.Together -> calm.together(edit.edits)
+        is Edit.Batch -> calm.together(edit.edits)
 
         Edit.Undo -> calm.undone()
 
@@ -48,34 +48,34 @@ internal sealed interface Outcome {
     /** @property part what the change is a part of, see [History.going]. */
     class Made(val moment: Moment, val part: Any? = null) : Outcome
 
-    class Not(val refusal: Refusal) : Outcome
+    class Not(val error: EditError) : Outcome
 }
 
 private fun WorldEditing.changed(edit: Edit): WorldEditing = when (val outcome = outcomeOf(edit)) {
     null -> this
-    is Outcome.Not -> copy(refusal = outcome.refusal)
+    is Outcome.Not -> copy(error = outcome.error)
     is Outcome.Made -> made(moment, outcome.moment, outcome.part)
 }
 
 /** This with [after] instead of [before], unless a world cannot be like that. */
 internal fun WorldEditing.made(before: Moment, after: Moment, part: Any? = null): WorldEditing {
     if (after == before) return this
-    val refusal = if (after.world == before.world) null else refusalOf(after.world)
-    if (refusal != null) return copy(refusal = refusal)
+    val error = if (after.world == before.world) null else refusalOf(after.world)
+    if (error != null) return copy(error = error)
     val isSameWorld = after.world == before.world && after.groups == before.groups
     return copy(
         world = after.world,
         selection = after.selection,
         groups = after.groups.filter { it.size > 1 },
         history = if (isSameWorld) history else history.changed(before, part),
-        troubles = if (after.world == world) troubles else troublesOf(after.world),
+        errors = if (after.world == world) errors else troublesOf(after.world),
     )
 }
 
 private fun WorldEditing.together(edits: List<Edit>): WorldEditing {
     val begun = dropped()
-    val done = edits.fold(begun) { now, edit -> if (now.refusal != null) now else now.after(edit) }
-    if (done.refusal != null) return copy(refusal = done.refusal)
+    val done = edits.fold(begun) { now, edit -> if (now.error != null) now else now.after(edit) }
+    if (done.error != null) return copy(error = done.error)
     val isSameWorld = done.world == begun.world && done.groups == begun.groups
     return done.copy(history = if (isSameWorld) begun.history else begun.history.changed(begun.moment, null))
 }
@@ -98,17 +98,17 @@ internal fun WorldEditing.back(to: Moment, history: History): WorldEditing = cop
     history = history,
     gesture = null,
     guides = emptyList(),
-    troubles = troublesOf(to.world),
+    errors = troublesOf(to.world),
 )
 
 /** [things] as they are called after the goals' order has changed from [before] to [after]: a goal stays the one it is. */
-internal fun renumbered(things: Set<Thing>, before: World, after: World): Set<Thing> {
-    if (things.none { it.kind == ThingKind.GOAL }) return things
+internal fun renumbered(things: Set<ElementRef>, before: World, after: World): Set<ElementRef> {
+    if (things.none { it.kind == ElementKind.GOAL }) return things
     val old = allGoals(before.goals)
     val new = allGoals(after.goals)
     return things.mapNotNull { thing ->
-        if (thing.kind != ThingKind.GOAL) return@mapNotNull thing
+        if (thing.kind != ElementKind.GOAL) return@mapNotNull thing
         val goal = old.getOrNull(thing.number)?.goal
-        new.indexOfFirst { it.goal === goal }.takeIf { it >= 0 }?.let { Thing(ThingKind.GOAL, it) }
+        new.indexOfFirst { it.goal === goal }.takeIf { it >= 0 }?.let { ElementRef(ElementKind.GOAL, it) }
     }.toSet()
 }

@@ -1,7 +1,7 @@
 package robotran.worldediting
 
 import robotran.world.Paper
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
@@ -35,7 +35,7 @@ internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {
 }
 
 /** A sheet with nothing on it but the pupil's robot. */
-fun newWorld(title: String) = World(title, Paper(NEW_WIDTH, NEW_HEIGHT), listOf(RobotPlace(Pose(NEW_WIDTH / 4, NEW_HEIGHT / 2, 0.0))))
+fun newWorld(title: String) = World(title, Paper(NEW_WIDTH, NEW_HEIGHT), listOf(RobotPlacement(Pose(NEW_WIDTH / 4, NEW_HEIGHT / 2, 0.0))))
 
 /** What is chosen, changed one by one. */
 private fun WorldEditing.each(change: (Form) -> Form): Outcome? {
@@ -55,15 +55,15 @@ private fun WorldEditing.middleOfSelection(): Point? =
 
 private fun WorldEditing.deleted(): Outcome? {
     if (selection.isEmpty()) return null
-    val robots = selection.count { it.kind == ThingKind.ROBOT }
-    if (robots == world.robots.size) return Outcome.Not(Refusal.LastRobot)
+    val robots = selection.count { it.kind == ElementKind.ROBOT }
+    if (robots == world.robots.size) return Outcome.Not(EditError.LastRobot)
     val left = world.without(selection)
     val kept = groups.map { group -> renumbered((group - selection).map(::numberLeft).toSet(), world, left) }
     return Outcome.Made(Moment(left, emptySet(), kept))
 }
 
 /** What a thing is called when what is chosen is gone; goals have their own way. */
-private fun WorldEditing.numberLeft(thing: Thing): Thing = if (thing.kind == ThingKind.GOAL) {
+private fun WorldEditing.numberLeft(thing: ElementRef): ElementRef = if (thing.kind == ElementKind.GOAL) {
     thing
 } else {
     thing.copy(number = thing.number - selection.count { it.kind == thing.kind && it.number < thing.number })
@@ -76,13 +76,13 @@ private fun WorldEditing.grouped(): Outcome? {
 }
 
 private fun WorldEditing.restacked(order: StackOrder): Outcome? {
-    val chosen = selection.filter { it.kind == ThingKind.MARK }.map { it.number }.toSet()
+    val chosen = selection.filter { it.kind == ElementKind.MARK }.map { it.number }.toSet()
     if (chosen.isEmpty()) return null
     val places = restackedPlaces(world.marks.size, chosen, order)
     val marks = places.map { world.marks[it] }
 
-    fun moved(things: Set<Thing>) =
-        things.map { if (it.kind == ThingKind.MARK) it.copy(number = places.indexOf(it.number)) else it }.toSet()
+    fun moved(things: Set<ElementRef>) =
+        things.map { if (it.kind == ElementKind.MARK) it.copy(number = places.indexOf(it.number)) else it }.toSet()
     return Outcome.Made(Moment(world.copy(marks = marks), moved(selection), groups.map(::moved)))
 }
 

@@ -41,7 +41,7 @@ private fun WorldEditing.tapped(edit: Edit.TapAt): WorldEditing {
 }
 
 /** What is chosen already and is chosen beside others once more, is not chosen any longer. */
-private fun WorldEditing.choosing(things: Set<Thing>, adding: Boolean): WorldEditing {
+private fun WorldEditing.choosing(things: Set<ElementRef>, adding: Boolean): WorldEditing {
     val whole = withGroups(things, groups)
     return copy(
         selection = when {

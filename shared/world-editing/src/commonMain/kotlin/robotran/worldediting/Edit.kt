@@ -13,7 +13,7 @@ sealed interface Edit {
     data class TapAt(val place: Point, val reach: Double, val adding: Boolean = false) : Edit
 
     /** Null for choosing nothing. */
-    data class Choose(val thing: Thing?, val adding: Boolean = false) : Edit
+    data class Choose(val thing: ElementRef?, val adding: Boolean = false) : Edit
 
     data class ChooseWithin(val area: Bounds, val adding: Boolean = false) : Edit
 
@@ -23,7 +23,7 @@ sealed interface Edit {
 
     // By finger or mouse.
 
-    data class Grab(val grip: Grip, val at: Point) : Edit
+    data class Grab(val grip: DragHandle, val at: Point) : Edit
 
     /** @property reach how near something must come to others to be drawn to them. */
     data class DragTo(val at: Point, val reach: Double) : Edit
@@ -66,20 +66,20 @@ sealed interface Edit {
     // With one thing.
 
     /** @property at about where; there is made room for it. */
-    data class Put(val piece: Piece, val at: Point) : Edit
+    data class Put(val piece: Element, val at: Point) : Edit
 
     /** [thing] is to be like [piece], of the same kind; its numbers are rounded to what a file keeps. */
-    data class Change(val thing: Thing, val piece: Piece) : Edit
+    data class Change(val thing: ElementRef, val piece: Element) : Edit
 
-    data class MoveCorner(val thing: Thing, val number: Int, val to: Point) : Edit
+    data class MoveCorner(val thing: ElementRef, val number: Int, val to: Point) : Edit
 
     /** One more in the middle between the corner [after] and the next. */
-    data class AddCorner(val thing: Thing, val after: Int) : Edit
+    data class AddCorner(val thing: ElementRef, val after: Int) : Edit
 
-    data class RemoveCorner(val thing: Thing, val number: Int) : Edit
+    data class RemoveCorner(val thing: ElementRef, val number: Int) : Edit
 
     /** A rectangle or circle becomes a polygon, whose corners can be moved. */
-    data class MakeCorners(val thing: Thing) : Edit
+    data class MakeCorners(val thing: ElementRef) : Edit
 
     // Goals, by their number.
 
@@ -110,10 +110,10 @@ sealed interface Edit {
     data class Snap(val snapping: Snapping) : Edit
 
     /** A change by typing or with a slider is done; the next is a step of its own. */
-    data object Settle : Edit
+    data object FinishChange : Edit
 
     /** All of these as one step. */
-    data class Together(val edits: List<Edit>) : Edit
+    data class Batch(val edits: List<Edit>) : Edit
 
     data object Undo : Edit
 

@@ -11,8 +11,8 @@ fun written(number: Double): String = writeDecimal(rounded(number))
 fun readFigure(text: String): Double? {
     val plain = text.trim().replace(',', '.').replace('−', '-').removePrefix("+").removeSuffix(".")
     val whole = if (plain.startsWith(".")) "0$plain" else plain.replace(Regex("^(-?)0+(?=\\d)"), "$1")
-    return whole.takeIf { it.length <= MOST_CHARACTERS && PLAIN.matches(it) }?.let(::readDecimal)?.let(::nearestDecimal)
+    return whole.takeIf { it.length <= MAX_CHARACTERS && PLAIN.matches(it) }?.let(::readDecimal)?.let(::nearestDecimal)
 }
 
 private val PLAIN = Regex("-?\\d+(\\.\\d+)?")
-private const val MOST_CHARACTERS = 20
+private const val MAX_CHARACTERS = 20

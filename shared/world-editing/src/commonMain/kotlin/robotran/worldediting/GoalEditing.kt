@@ -12,14 +12,14 @@ internal fun WorldEditing.goalAdded(edit: Edit.AddGoal): Outcome? {
     val goal = edit.goal.separate()
     val all = listOf(goal) + allGoals(goal.parts).map { it.goal }
     if (goal.isGroup && goal.parts.isEmpty()) return null
-    if (all.any { it.condition is HasLine } && world.marks.none { it.figure is MarkFigure.Line }) return Outcome.Not(Refusal.NeedsLine)
-    if (all.any { it.condition is NeedsTemplate } && world.template == null) return Outcome.Not(Refusal.NeedsTemplate)
+    if (all.any { it.condition is HasLine } && world.marks.none { it.figure is MarkFigure.Line }) return Outcome.Not(EditError.NeedsLine)
+    if (all.any { it.condition is NeedsTemplate } && world.template == null) return Outcome.Not(EditError.NeedsTemplate)
     all.firstNotNullOfOrNull { refusalOf(it) }?.let { return Outcome.Not(it) }
     val into = edit.into?.takeIf { allGoals(world.goals).getOrNull(it)?.goal?.isGroup == true }
     val goals = if (into == null) world.goals + goal else world.goals.replaced(into) { listOf(it.withParts(it.parts + goal)) }
     val changed = world.copy(goals = goals)
     val number = allGoals(goals).indexOfFirst { it.goal === goal }
-    return Outcome.Made(Moment(changed, setOf(Thing(ThingKind.GOAL, number)), groups.map { renumbered(it, world, changed) }))
+    return Outcome.Made(Moment(changed, setOf(ElementRef(ElementKind.GOAL, number)), groups.map { renumbered(it, world, changed) }))
 }
 
 /** The world with [goals], what is chosen still being so. */

@@ -29,7 +29,7 @@ sealed interface GoalField {
     val name: GoalFieldName
 
     /** Why a world cannot have it as it is; null if it can. */
-    val refusal: Refusal? get() = null
+    val error: EditError? get() = null
 
     /** The condition with this figure as a file keeps it; null if a file keeps every one. */
     fun rounded(): GoalCondition? = null
@@ -42,7 +42,7 @@ sealed interface GoalField {
         val maximum: Int,
         val with: (String) -> GoalCondition,
     ) : GoalField {
-        override val refusal: Refusal? get() = Refusal.NoSuchText.takeIf { !isText(text, maximum) }
+        override val error: EditError? get() = EditError.NoSuchText.takeIf { !isText(text, maximum) }
     }
 
     class Number(
@@ -51,7 +51,7 @@ sealed interface GoalField {
         val spec: NumberSpec,
         val with: (Double) -> GoalCondition,
     ) : GoalField {
-        override val refusal: Refusal? get() = Refusal.OutOfRange.takeIf { value !in spec.range }
+        override val error: EditError? get() = EditError.OutOfRange.takeIf { value !in spec.range }
 
         override fun rounded(): GoalCondition? = if (spec.isWhole) null else with(nearestDecimal(value))
     }
@@ -70,20 +70,20 @@ sealed interface GoalField {
         private val isAllowed: Boolean = true,
         val with: (Double?) -> GoalCondition,
     ) : GoalField {
-        override val refusal: Refusal?
-            get() = Refusal.OutOfRange.takeIf { !isAllowed || (value != null && value !in spec.range) }
+        override val error: EditError?
+            get() = EditError.OutOfRange.takeIf { !isAllowed || (value != null && value !in spec.range) }
 
         override fun rounded(): GoalCondition? = if (spec.isWhole) null else value?.let { with(nearestDecimal(it)) }
     }
 
     /** The name of a mark that is a line. */
     class Line(override val name: GoalFieldName, val line: String, val maximum: Int, val with: (String) -> GoalCondition) : GoalField {
-        override val refusal: Refusal? get() = Refusal.NoSuchText.takeIf { !isText(line, maximum) }
+        override val error: EditError? get() = EditError.NoSuchText.takeIf { !isText(line, maximum) }
     }
 
     /** Kinds of things that are not to be touched; there must be one. */
     class TouchKinds(override val name: GoalFieldName, val kinds: Set<TouchKind>, val with: (Set<TouchKind>) -> GoalCondition) : GoalField {
-        override val refusal: Refusal? get() = Refusal.OutOfRange.takeIf { kinds.isEmpty() }
+        override val error: EditError? get() = EditError.OutOfRange.takeIf { kinds.isEmpty() }
     }
 }
 

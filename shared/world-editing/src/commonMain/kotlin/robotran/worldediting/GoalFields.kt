@@ -80,15 +80,15 @@ private fun inkFieldsOf(ink: GoalCondition.InkLength): List<GoalField> = with(in
 }
 
 private fun soundFieldsOf(sound: GoalCondition.PlaySound): List<GoalField> = with(sound) {
-    val least = lowest?.toDouble()
-    val most = highest?.toDouble()
-    val isAllowed = areInOrder(least, most)
+    val min = lowest?.toDouble()
+    val max = highest?.toDouble()
+    val isAllowed = areInOrder(min, max)
     listOf(
         GoalField.Number(GoalFieldName.TIMES, times.toDouble(), SOUNDS) { copy(times = it.toInt()) },
-        GoalField.OptionalNumber(GoalFieldName.LOWEST_TONE, least, minOf(DEFAULT_TONE, most ?: DEFAULT_TONE), TONES, isAllowed) {
+        GoalField.OptionalNumber(GoalFieldName.LOWEST_TONE, min, minOf(DEFAULT_TONE, max ?: DEFAULT_TONE), TONES, isAllowed) {
             copy(lowest = it?.toInt())
         },
-        GoalField.OptionalNumber(GoalFieldName.HIGHEST_TONE, most, maxOf(DEFAULT_TONE, least ?: DEFAULT_TONE), TONES, isAllowed) {
+        GoalField.OptionalNumber(GoalFieldName.HIGHEST_TONE, max, maxOf(DEFAULT_TONE, min ?: DEFAULT_TONE), TONES, isAllowed) {
             copy(highest = it?.toInt())
         },
     )
@@ -107,13 +107,13 @@ fun newGoals(world: World): List<Goal> {
 }
 
 /** Why a world cannot have [goal], its parts apart; null if it can. */
-internal fun refusalOf(goal: Goal): Refusal? {
+internal fun refusalOf(goal: Goal): EditError? {
     val says = goal.says
     val who = (goal.condition as? HasActor)?.who
     return when {
-        says != null && !isText(says, WorldLimits.MAXIMUM_SENTENCE_CHARACTERS) -> Refusal.NoSuchText
-        who != null && !isText(who, WorldLimits.MAXIMUM_NAME_CHARACTERS) -> Refusal.NoSuchText
-        else -> fieldsOf(goal.condition).firstNotNullOfOrNull { it.refusal }
+        says != null && !isText(says, WorldLimits.MAXIMUM_SENTENCE_CHARACTERS) -> EditError.NoSuchText
+        who != null && !isText(who, WorldLimits.MAXIMUM_NAME_CHARACTERS) -> EditError.NoSuchText
+        else -> fieldsOf(goal.condition).firstNotNullOfOrNull { it.error }
     }
 }
 

@@ -7,19 +7,19 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
 /** By what something on the sheet is taken. */
-sealed interface Grip {
+sealed interface DragHandle {
     /** The thing itself: it is moved. */
-    data object Body : Grip
+    data object Body : DragHandle
 
-    data class Size(val side: SizeSide) : Grip
+    data class Size(val side: SizeSide) : DragHandle
 
-    data object Turn : Grip
+    data object Turn : DragHandle
 
     /** One of the corners of a polygon or points of a line. */
-    data class Corner(val number: Int) : Grip
+    data class Corner(val number: Int) : DragHandle
 
     /** The middle between a corner and the next; drawn out, it becomes a corner. */
-    data class Edge(val number: Int) : Grip
+    data class Edge(val number: Int) : DragHandle
 }
 
 /** Where a handle for resizing sits: left or right of the middle ([across] -1 or 1), below or above it ([up]). */
@@ -43,7 +43,7 @@ enum class SizeSide(val across: Int, val up: Int) {
  * @property place the point of the thing that it belongs to.
  * @property outwards which way it may be drawn away from that, so that it does not cover the thing; of length 1, or 0 for none.
  */
-data class Handle(val grip: Grip, val place: Point, val outwards: Point)
+data class Handle(val grip: DragHandle, val place: Point, val outwards: Point)
 
 /** The rectangle, turned by [angle], that handles sit on. */
 data class Frame(val centre: Point, val width: Double, val height: Double, val angle: Double) {
@@ -66,7 +66,7 @@ data class Frame(val centre: Point, val width: Double, val height: Double, val a
 }
 
 /** What is around all of [things]; null if none of them is anywhere. */
-fun World.frameOf(things: Set<Thing>): Frame? {
+fun World.frameOf(things: Set<ElementRef>): Frame? {
     val forms = things.mapNotNull { piece(it)?.form }
     val shape = (forms.singleOrNull() as? Form.Area)?.shape
     if (shape is Shape.Rectangle) return Frame(shape.centre, shape.width, shape.height, shape.angle)
@@ -74,7 +74,7 @@ fun World.frameOf(things: Set<Thing>): Frame? {
 }
 
 /** All handles that [things] have together. */
-fun World.handlesOf(things: Set<Thing>): List<Handle> {
+fun World.handlesOf(things: Set<ElementRef>): List<Handle> {
     val forms = things.mapNotNull { piece(it)?.form }
     val frame = frameOf(things) ?: return emptyList()
     val form = forms.singleOrNull() ?: return handlesOfSeveral(forms, frame)
@@ -93,23 +93,23 @@ private fun handlesOfSeveral(forms: List<Form>, frame: Frame): List<Handle> {
 }
 
 private fun sizeHandles(frame: Frame, sides: List<SizeSide>): List<Handle> =
-    sides.map { Handle(Grip.Size(it), frame.at(it.across, it.up), frame.outwards(it.across, it.up)) }
+    sides.map { Handle(DragHandle.Size(it), frame.at(it.across, it.up), frame.outwards(it.across, it.up)) }
 
 private fun cornerHandles(form: Form, frame: Frame): List<Handle> {
     val none = Point(0.0, 0.0)
-    val corners = form.corners.mapIndexed { number, corner -> Handle(Grip.Corner(number), corner, none) }
+    val corners = form.corners.mapIndexed { number, corner -> Handle(DragHandle.Corner(number), corner, none) }
     if ((form as? Form.Way)?.isBent == false) return corners
-    val edges = form.edges().mapIndexed { number, (from, to) -> Handle(Grip.Edge(number), middleOf(from, to), none) }
+    val edges = form.edges().mapIndexed { number, (from, to) -> Handle(DragHandle.Edge(number), middleOf(from, to), none) }
     return (corners + edges).takeIf { frame.width > 0 || frame.height > 0 } ?: corners
 }
 
 /** Above everything. */
-private fun turnHandle(frame: Frame) = Handle(Grip.Turn, frame.at(0, 1), frame.outwards(0, 1))
+private fun turnHandle(frame: Frame) = Handle(DragHandle.Turn, frame.at(0, 1), frame.outwards(0, 1))
 
 /** Where somebody looks. */
 private fun turnHandle(middle: Point, heading: Double, ahead: Double): Handle {
     val direction = Direction(heading)
-    return Handle(Grip.Turn, direction.from(middle, ahead, 0.0), direction.from(Point(0.0, 0.0), 1.0, 0.0))
+    return Handle(DragHandle.Turn, direction.from(middle, ahead, 0.0), direction.from(Point(0.0, 0.0), 1.0, 0.0))
 }
 
 internal fun middleOf(one: Point, other: Point) = Point((one.x + other.x) / 2, (one.y + other.y) / 2)

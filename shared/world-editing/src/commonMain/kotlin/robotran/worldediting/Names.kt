@@ -5,7 +5,7 @@ import robotran.world.World
 import robotran.world.WorldLimits
 
 /** Everything that has a name, with it. */
-internal fun World.names(): Map<Thing, String> = buildMap {
+internal fun World.names(): Map<ElementRef, String> = buildMap {
     for (thing in things()) piece(thing)?.name?.let { put(thing, it) }
 }
 

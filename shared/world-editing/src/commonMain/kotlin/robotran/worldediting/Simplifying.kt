@@ -10,7 +10,7 @@ import robotran.world.geometry.distance
  */
 internal fun simplified(points: List<Point>, tolerance: Double): List<Point> {
     val distinct = points.filterIndexed { number, point -> number == 0 || point != points[number - 1] }
-    if (distinct.size < LEAST) return distinct
+    if (distinct.size < MIN) return distinct
     val kept = BooleanArray(distinct.size)
     kept[0] = true
     kept[distinct.lastIndex] = true
@@ -28,4 +28,4 @@ internal fun simplified(points: List<Point>, tolerance: Double): List<Point> {
     return line.filterIndexed { number, point -> number == 0 || point != line[number - 1] }
 }
 
-private const val LEAST = 3
+private const val MIN = 3

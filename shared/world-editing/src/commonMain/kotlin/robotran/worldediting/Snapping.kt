@@ -31,8 +31,8 @@ internal class SnapLines(val across: List<Double>, val up: List<Double>)
 internal class Snapped(val coordinate: Double, val guide: Double?)
 
 /** The edges and middles of all but [moving], and of the paper. */
-internal fun World.snapLines(moving: Set<Thing>): SnapLines {
-    val others = things().filter { it !in moving }.take(MOST_OTHERS).mapNotNull { piece(it)?.form?.bounds } +
+internal fun World.snapLines(moving: Set<ElementRef>): SnapLines {
+    val others = things().filter { it !in moving }.take(MAX_OTHERS).mapNotNull { piece(it)?.form?.bounds } +
         Bounds(0.0, 0.0, paper.width, paper.height)
     return SnapLines(
         others.flatMap { listOf(it.left, (it.left + it.right) / 2, it.right) },
@@ -41,8 +41,8 @@ internal fun World.snapLines(moving: Set<Thing>): SnapLines {
 }
 
 /** The same for a single point: also the points of other lines and polygons, so that walls meet, and those next to it. */
-internal fun World.cornerLines(moving: Set<Thing>, neighbours: List<Point>): SnapLines {
-    val others = things().filter { it !in moving }.take(MOST_OTHERS).mapNotNull { piece(it)?.form }.flatMap { it.corners } + neighbours
+internal fun World.cornerLines(moving: Set<ElementRef>, neighbours: List<Point>): SnapLines {
+    val others = things().filter { it !in moving }.take(MAX_OTHERS).mapNotNull { piece(it)?.form }.flatMap { it.corners } + neighbours
     val edges = listOf(Point(0.0, 0.0), Point(paper.width, paper.height))
     return SnapLines((others + edges).map { it.x }, (others + edges).map { it.y })
 }
@@ -89,4 +89,4 @@ private fun nearestMultiple(number: Double, step: Double): Double = floor(number
 private const val HALF = 0.5
 
 /** More would take longer than a frame. */
-private const val MOST_OTHERS = 300
+private const val MAX_OTHERS = 300

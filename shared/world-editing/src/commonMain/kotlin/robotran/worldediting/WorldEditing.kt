@@ -12,30 +12,30 @@ import robotran.world.geometry.Point
  * @property clipboard what was copied last.
  * @property gesture what somebody holds at the moment.
  * @property guides what the thing that is being moved was drawn to.
- * @property refusal why the last thing wanted was not done; null if it was.
- * @property troubles what has to be mended before the world can be kept.
+ * @property error why the last thing wanted was not done; null if it was.
+ * @property errors what has to be mended before the world can be kept.
  */
 data class WorldEditing(
     val world: World,
-    val selection: Set<Thing> = emptySet(),
-    val groups: List<Set<Thing>> = emptyList(),
+    val selection: Set<ElementRef> = emptySet(),
+    val groups: List<Set<ElementRef>> = emptyList(),
     val tool: Tool = Tool.CHOOSE,
     val several: Boolean = false,
     val snapping: Snapping = Snapping(),
-    val clipboard: List<Piece> = emptyList(),
+    val clipboard: List<Element> = emptyList(),
     val history: History = History(),
     val gesture: Gesture? = null,
     val guides: List<Guide> = emptyList(),
-    val refusal: Refusal? = null,
-    val troubles: List<Trouble> = emptyList(),
+    val error: EditError? = null,
+    val errors: List<ValidationError> = emptyList(),
 ) {
     /** The one thing that is chosen; null if there is none or more than one. */
-    val only: Thing? get() = selection.singleOrNull()
+    val only: ElementRef? get() = selection.singleOrNull()
 
     internal val moment: Moment get() = Moment(world, selection, groups)
 
     companion object {
-        fun of(world: World) = WorldEditing(world, troubles = troublesOf(world))
+        fun of(world: World) = WorldEditing(world, errors = troublesOf(world))
     }
 }
 
@@ -54,4 +54,4 @@ enum class Tool {
 /**
  * Somebody holds [grip] since it was at [from], and then things were as in [before].
  */
-data class Gesture(val grip: Grip, val from: Point, val before: Moment)
+data class Gesture(val grip: DragHandle, val from: Point, val before: Moment)

@@ -28,7 +28,7 @@ class AddingTest {
     @Test
     fun `what stands makes room for a robot and what lies does not cover another just like it`() {
         val wall = emptySheet().with(PaletteItem.WALL, 30.0, 45.0)
-        assertEquals(emptyList(), wall.troubles)
+        assertEquals(emptyList(), wall.errors)
         val areas = emptySheet().with(PaletteItem.AREA, 60.0, 45.0).with(PaletteItem.AREA, 60.0, 45.0)
         assertNotEquals(areas.world.marks[0].figure, areas.world.marks[1].figure)
     }
@@ -39,9 +39,9 @@ class AddingTest {
         assertEquals(8, robots.world.robots.map { it.colour }.toSet().size)
         assertEquals(8, robots.world.robots.map { it.name }.toSet().size)
         val ninth = robots.after(Edit.Put(PaletteItem.ROBOT.piece(robots.world), Point(60.0, 45.0)))
-        assertEquals(Refusal.TooMany(ThingKind.ROBOT), ninth.refusal)
+        assertEquals(EditError.TooMany(ElementKind.ROBOT), ninth.error)
         assertEquals(robots.world, ninth.world)
-        assertEquals(null, ninth.after(Edit.ChooseAll).refusal)
+        assertEquals(null, ninth.after(Edit.ChooseAll).error)
     }
 
     @Test
@@ -75,7 +75,7 @@ class AddingTest {
         val named = block.after(Edit.Change(checkNotNull(block.only), block.chosenPiece.named("box")))
         val two = named.after(Edit.Duplicate)
         assertEquals(listOf("box", "box 2"), two.world.blocks.map { it.name })
-        assertEquals(setOf(Thing(ThingKind.BLOCK, 1)), two.selection)
+        assertEquals(setOf(ElementRef(ElementKind.BLOCK, 1)), two.selection)
         assertNear(Point(83.0, 42.0), two.chosenForm.middle)
         val pasted = two.after(Edit.Copy, Edit.Paste(Point(60.0, 20.0)))
         assertNear(Point(60.0, 20.0), pasted.chosenForm.middle)

@@ -6,14 +6,14 @@ import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 class ChoosingTest {
-    private val robot = Thing(ThingKind.ROBOT, 0)
+    private val robot = ElementRef(ElementKind.ROBOT, 0)
     private val two = emptySheet().with(PaletteItem.AREA, 80.0, 45.0).with(PaletteItem.BLOCK, 80.0, 45.0)
 
     @Test
     fun `a tap chooses what lies on top and another tap what lies below`() {
         val first = two.after(Edit.Choose(null), Edit.TapAt(Point(80.0, 45.0), REACH))
-        assertEquals(Thing(ThingKind.BLOCK, 0), first.only)
-        assertEquals(Thing(ThingKind.MARK, 0), first.after(Edit.TapAt(Point(80.0, 45.0), REACH)).only)
+        assertEquals(ElementRef(ElementKind.BLOCK, 0), first.only)
+        assertEquals(ElementRef(ElementKind.MARK, 0), first.after(Edit.TapAt(Point(80.0, 45.0), REACH)).only)
         assertEquals(emptySet(), first.after(Edit.TapAt(Point(5.0, 80.0), REACH)).selection)
     }
 
@@ -21,7 +21,7 @@ class ChoosingTest {
     fun `with several switched on, taps add and take away`() {
         val several = two.after(Edit.Choose(null), Edit.ChooseSeveral(true))
             .after(Edit.TapAt(Point(80.0, 45.0), REACH), Edit.TapAt(Point(30.0, 45.0), REACH))
-        assertEquals(setOf(Thing(ThingKind.BLOCK, 0), robot), several.selection)
+        assertEquals(setOf(ElementRef(ElementKind.BLOCK, 0), robot), several.selection)
         assertEquals(setOf(robot), several.after(Edit.TapAt(Point(80.0, 45.0), REACH)).selection)
         assertEquals(several.selection, several.after(Edit.TapAt(Point(5.0, 85.0), REACH)).selection)
     }
@@ -44,19 +44,19 @@ class ChoosingTest {
         assertEquals(2, grouped.selection.size)
         val moved = grouped.after(Edit.Nudge(1.0, 0.0))
         assertTrue(moved.selection.all { checkNotNull(moved.world.piece(it)?.form).middle.x == 81.0 })
-        val apart = moved.after(Edit.Ungroup, Edit.Choose(Thing(ThingKind.BLOCK, 0)))
+        val apart = moved.after(Edit.Ungroup, Edit.Choose(ElementRef(ElementKind.BLOCK, 0)))
         assertEquals(1, apart.selection.size)
-        assertEquals(2, apart.after(Edit.Undo, Edit.Choose(Thing(ThingKind.BLOCK, 0))).selection.size)
+        assertEquals(2, apart.after(Edit.Undo, Edit.Choose(ElementRef(ElementKind.BLOCK, 0))).selection.size)
     }
 
     @Test
     fun `a group survives that something else is deleted`() {
         val three = emptySheet().with(PaletteItem.DOT, 60.0, 20.0).with(PaletteItem.DOT, 80.0, 20.0).with(PaletteItem.DOT, 100.0, 20.0)
         val grouped = three.after(
-            Edit.Choose(Thing(ThingKind.MARK, 1)), Edit.Choose(Thing(ThingKind.MARK, 2), adding = true), Edit.Group,
-            Edit.Choose(Thing(ThingKind.MARK, 0)), Edit.Delete,
+            Edit.Choose(ElementRef(ElementKind.MARK, 1)), Edit.Choose(ElementRef(ElementKind.MARK, 2), adding = true), Edit.Group,
+            Edit.Choose(ElementRef(ElementKind.MARK, 0)), Edit.Delete,
         )
-        assertEquals(listOf(setOf(Thing(ThingKind.MARK, 0), Thing(ThingKind.MARK, 1))), grouped.groups)
+        assertEquals(listOf(setOf(ElementRef(ElementKind.MARK, 0), ElementRef(ElementKind.MARK, 1))), grouped.groups)
     }
 
     @Test
@@ -65,7 +65,7 @@ class ChoosingTest {
         val top = three.world.marks.last()
         val back = three.after(Edit.Restack(StackOrder.TO_BACK))
         assertEquals(top, back.world.marks.first())
-        assertEquals(Thing(ThingKind.MARK, 0), back.only)
+        assertEquals(ElementRef(ElementKind.MARK, 0), back.only)
         assertEquals(top, back.after(Edit.Restack(StackOrder.FORWARD)).world.marks[1])
         assertEquals(three.world, back.after(Edit.Restack(StackOrder.TO_FRONT)).world)
     }

@@ -19,18 +19,18 @@ internal fun WorldEditing.with(item: PaletteItem, x: Double, y: Double): WorldEd
 }
 
 /** Somebody takes what is chosen by [grip] at [from] and lets go at [to]. */
-internal fun WorldEditing.drag(grip: Grip, from: Point, to: Point): WorldEditing =
+internal fun WorldEditing.drag(grip: DragHandle, from: Point, to: Point): WorldEditing =
     after(Edit.Grab(grip, from), Edit.DragTo(to, REACH), Edit.Drop)
 
-internal fun WorldEditing.handle(grip: Grip): Point = world.handlesOf(selection).first { it.grip == grip }.place
+internal fun WorldEditing.handle(grip: DragHandle): Point = world.handlesOf(selection).first { it.grip == grip }.place
 
-internal val WorldEditing.chosenPiece: Piece get() = checkNotNull(world.piece(checkNotNull(only)))
+internal val WorldEditing.chosenPiece: Element get() = checkNotNull(world.piece(checkNotNull(only)))
 
 internal val WorldEditing.chosenForm: Form get() = checkNotNull(chosenPiece.form)
 
 /** That the world can be kept. */
 internal fun WorldEditing.assertSound() {
-    assertEquals(emptyList(), troubles)
+    assertEquals(emptyList(), errors)
     assertEquals(WorldFileResult.Loaded(world), readWorld(writeWorld(world)))
 }
 

@@ -34,7 +34,7 @@ internal class ArbitraryEdits(private val random: Random) {
         17 -> Edit.Align(AlignSide.entries.random(random))
         18 -> Edit.Restack(StackOrder.entries.random(random))
         19, 20 -> Edit.Put(PaletteItem.entries.random(random).piece(SHEET), place())
-        21 -> PaletteItem.entries.random(random).piece(SHEET).named(name()).let { Edit.Change(Thing(it.kind, random.nextInt(4)), it) }
+        21 -> PaletteItem.entries.random(random).piece(SHEET).named(name()).let { Edit.Change(ElementRef(it.kind, random.nextInt(4)), it) }
         22 -> Edit.MoveCorner(thing(), random.nextInt(-1, 6), place())
         23 -> Edit.AddCorner(thing(), random.nextInt(-1, 6))
         24 -> Edit.RemoveCorner(thing(), random.nextInt(-1, 6))
@@ -47,21 +47,21 @@ internal class ArbitraryEdits(private val random: Random) {
         31 -> Edit.ChooseTool(Tool.entries.random(random))
         32 -> Edit.ChooseSeveral(random.nextBoolean())
         33 -> Edit.Snap(Snapping(listOf(0.0, 0.5, 1.0).random(random), listOf(0.0, 15.0).random(random), random.nextBoolean()))
-        34 -> Edit.Settle
-        35 -> Edit.Together(List(random.nextInt(3)) { edit() })
+        34 -> Edit.FinishChange
+        35 -> Edit.Batch(List(random.nextInt(3)) { edit() })
         36 -> Edit.Undo
         37 -> Edit.Redo
-        else -> if (random.nextInt(10) == 0) Edit.NewWorld("New") else Edit.Settle
+        else -> if (random.nextInt(10) == 0) Edit.NewWorld("New") else Edit.FinishChange
     }
 
-    private fun thing() = Thing(ThingKind.entries.random(random), random.nextInt(-1, 5))
+    private fun thing() = ElementRef(ElementKind.entries.random(random), random.nextInt(-1, 5))
 
-    private fun grip(): Grip = when (random.nextInt(6)) {
-        0 -> Grip.Size(SizeSide.entries.random(random))
-        1 -> Grip.Turn
-        2 -> Grip.Corner(random.nextInt(-1, 5))
-        3 -> Grip.Edge(random.nextInt(-1, 5))
-        else -> Grip.Body
+    private fun grip(): DragHandle = when (random.nextInt(6)) {
+        0 -> DragHandle.Size(SizeSide.entries.random(random))
+        1 -> DragHandle.Turn
+        2 -> DragHandle.Corner(random.nextInt(-1, 5))
+        3 -> DragHandle.Edge(random.nextInt(-1, 5))
+        else -> DragHandle.Body
     }
 
     private fun goal(): Goal = when (random.nextInt(6)) {

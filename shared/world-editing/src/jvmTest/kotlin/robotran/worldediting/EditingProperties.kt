@@ -33,9 +33,9 @@ class EditingProperties : StringSpec({
         checkAll(300, worlds, edits) { world, list ->
             val editing = list.fold(WorldEditing.of(world)) { now, edit -> now.after(edit) }.after(Edit.Drop)
             val result = readWorld(writeWorld(editing.world))
-            if (editing.troubles.isEmpty()) result shouldBe WorldFileResult.Loaded(editing.world)
-            (result is WorldFileResult.Refused) shouldBe editing.troubles.isNotEmpty()
-            editing.troubles.filterIsInstance<Trouble.Refused>() shouldBe emptyList()
+            if (editing.errors.isEmpty()) result shouldBe WorldFileResult.Loaded(editing.world)
+            (result is WorldFileResult.Rejected) shouldBe editing.errors.isNotEmpty()
+            editing.errors.filterIsInstance<ValidationError.Rejected>() shouldBe emptyList()
         }
     }
 

@@ -39,7 +39,7 @@ class GoalFieldsTest {
                 val (lowest, highest) = field.spec.range.run { start to endInclusive }
                 assertEquals(listOf(null, null), listOf(lowest, highest).map { refusalOf(Goal(field.with(it))) }, "$condition")
                 val beyond = listOf(lowest - 1, highest + 1).map { refusalOf(Goal(field.with(it))) }
-                assertEquals(listOf<Refusal?>(Refusal.OutOfRange, Refusal.OutOfRange), beyond, "$condition")
+                assertEquals(listOf<EditError?>(EditError.OutOfRange, EditError.OutOfRange), beyond, "$condition")
             }
         }
     }
@@ -57,7 +57,7 @@ class GoalFieldsTest {
     @Test
     fun `bounds must be in order, and a length needs one`() {
         val wrong = listOf(InkLength(9.0, 8.0), InkLength(null, null), PlaySound(lowest = 500, highest = 400))
-        for (condition in wrong) assertEquals(Refusal.OutOfRange, refusalOf(Goal(condition)), "$condition")
+        for (condition in wrong) assertEquals(EditError.OutOfRange, refusalOf(Goal(condition)), "$condition")
     }
 
     @Test

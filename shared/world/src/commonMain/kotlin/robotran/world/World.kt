@@ -23,7 +23,7 @@ import robotran.world.geometry.Pose
 data class World(
     val title: String,
     val paper: Paper,
-    val robots: List<RobotPlace>,
+    val robots: List<RobotPlacement>,
     val task: String = "",
     val walls: List<Wall> = emptyList(),
     val barriers: List<Barrier> = emptyList(),

@@ -74,7 +74,7 @@ internal class AccessibilityDom(
         val modal = told.map { (owner, _) -> isModal(owner) }
         tellOpen(modal.count { it })
         val top = modal.lastIndexOf(true).coerceAtLeast(0)
-        var focus: Described? = null
+        var focus: AccessibilityNode? = null
         told.forEachIndexed { place, (owner, all) ->
             layers[owner]?.show(if (place < top) emptyList() else all)
             if (place >= top) focus = all.lastOrNull { it.isFocused } ?: focus
@@ -82,7 +82,7 @@ internal class AccessibilityDom(
         tellFocus(focus)
     }
 
-    private fun tellFocus(now: Described?) {
+    private fun tellFocus(now: AccessibilityNode?) {
         input.call(now?.takeIf { it.isField }?.label.orEmpty())
         val id = now?.id.orEmpty()
         if (id == focused) return

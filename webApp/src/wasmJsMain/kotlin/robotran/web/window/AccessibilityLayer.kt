@@ -13,13 +13,13 @@ import org.w3c.dom.HTMLTextAreaElement
 /** The elements for one layer of the screen, such as a dialog; they stay as long as what they tell of does. */
 internal class AccessibilityLayer(root: HTMLElement) {
     private val layer = document.createElement("div") as HTMLElement
-    private val shown = HashMap<String, MirrorElement>()
+    private val shown = HashMap<String, AccessibilityElement>()
 
     init {
         root.appendChild(layer)
     }
 
-    fun show(all: List<Described>) {
+    fun show(all: List<AccessibilityNode>) {
         val gone = shown.keys - all.mapTo(HashSet()) { it.id }
         for (id in gone) shown.remove(id)?.element?.remove()
         var place = layer.firstElementChild
@@ -30,7 +30,7 @@ internal class AccessibilityLayer(root: HTMLElement) {
                 before.element.remove()
                 shown.remove(described.id)
             }
-            val now = shown.getOrPut(described.id) { MirrorElement(described) }
+            val now = shown.getOrPut(described.id) { AccessibilityElement(described) }
             now.show(described)
             if (place == now.element) place = place.nextElementSibling else layer.insertBefore(now.element, place)
         }
@@ -40,7 +40,7 @@ internal class AccessibilityLayer(root: HTMLElement) {
 }
 
 /** One element, which acts for what it tells of. */
-private class MirrorElement(first: Described) {
+private class AccessibilityElement(first: AccessibilityNode) {
     val element = document.createElement(first.tag) as HTMLElement
 
     var described = first
@@ -66,7 +66,7 @@ private class MirrorElement(first: Described) {
         }
     }
 
-    fun show(now: Described) {
+    fun show(now: AccessibilityNode) {
         val before = described
         described = now
         if (isNew || now.attributes != before.attributes) {

@@ -56,7 +56,7 @@ internal class PageHistory(private val closeTop: () -> Unit) {
 
     private fun settle() {
         // A way that was never gone is not waited for without end.
-        if (goes in 1..MOST_WAITS) {
+        if (goes in 1..MAX_WAITS) {
             goes++
             settleSoon()
             return
@@ -73,7 +73,7 @@ internal class PageHistory(private val closeTop: () -> Unit) {
     private companion object {
         /** Milliseconds. */
         const val PAUSE = 120
-        const val MOST_WAITS = 10
+        const val MAX_WAITS = 10
     }
 }
 

@@ -77,7 +77,7 @@ internal class PageTextInput(
     /** Writes [text] in place of what is selected. */
     fun insert(text: String) {
         if (!isOpen) return
-        if (text.length > MOST_IN_FIELD) return giveTooMuch(text.take(MOST_IN_FIELD + 1))
+        if (text.length > MAX_IN_FIELD) return giveTooMuch(text.take(MAX_IN_FIELD + 1))
         replaceSelection(field, text)
         tellText()
     }
@@ -120,8 +120,8 @@ internal class PageTextInput(
 
     override fun notifyFocusedRect(rect: Rect) {
         val scale = density()
-        val left = (rect.left / scale).coerceIn(0f, (canvas.clientWidth - LEAST).coerceAtLeast(0f))
-        val top = (rect.top / scale).coerceIn(0f, (canvas.clientHeight - LEAST).coerceAtLeast(0f))
+        val left = (rect.left / scale).coerceIn(0f, (canvas.clientWidth - MIN).coerceAtLeast(0f))
+        val top = (rect.top / scale).coerceIn(0f, (canvas.clientHeight - MIN).coerceAtLeast(0f))
         field.style.left = "${canvas.offsetLeft + left}px"
         field.style.top = "${canvas.offsetTop + top}px"
     }
@@ -147,9 +147,9 @@ internal class PageTextInput(
     }
 
     private fun pasted(event: Event) {
-        if (pastedLength(event) <= MOST_IN_FIELD) return
+        if (pastedLength(event) <= MAX_IN_FIELD) return
         event.preventDefault()
-        giveTooMuch(pastedText(event, MOST_IN_FIELD + 1))
+        giveTooMuch(pastedText(event, MAX_IN_FIELD + 1))
     }
 
     /** A browser works for minutes on millions of characters in a field of its own. Whoever is written to says that this is too much. */
@@ -185,10 +185,10 @@ internal class PageTextInput(
 
     private companion object {
         /** More than this nobody takes, in characters. */
-        const val MOST_IN_FIELD = ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS
+        const val MAX_IN_FIELD = ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS
 
         /** CSS pixels that the field keeps from the far edges. */
-        const val LEAST = 24f
+        const val MIN = 24f
         val NUMBERS = setOf(KeyboardType.Number, KeyboardType.Decimal)
         val NEW_LINES = setOf("insertLineBreak", "insertParagraph")
         val ATTRIBUTES = mapOf(
@@ -230,4 +230,4 @@ private fun replaceSelection(field: HTMLTextAreaElement, text: String): Unit =
 
 private fun pastedLength(event: Event): Int = js("event.clipboardData ? event.clipboardData.getData('text').length : 0")
 
-private fun pastedText(event: Event, most: Int): String = js("event.clipboardData.getData('text').slice(0, most)")
+private fun pastedText(event: Event, max: Int): String = js("event.clipboardData.getData('text').slice(0, most)")

@@ -147,7 +147,7 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
             override val isWindowFocused: Boolean get() = true
             override val containerSize: IntSize get() = size
         }
-        override val inputModeManager: InputModeManager = FingersOrKeys()
+        override val inputModeManager: InputModeManager = InputModality()
         override val textInputService: PlatformTextInputService = input
         override val semanticsOwnerListener: PlatformContext.SemanticsOwnerListener = mirror
         override val viewConfiguration: ViewConfiguration = object : ViewConfiguration by PlatformContext.Empty.viewConfiguration {
@@ -167,7 +167,7 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
 }
 
 /** Whether fingers or keys were used last. */
-private class FingersOrKeys : InputModeManager {
+private class InputModality : InputModeManager {
     override var inputMode: InputMode by mutableStateOf(InputMode.Keyboard)
         private set
 

@@ -55,7 +55,7 @@ abstract class CheckAndroidApi : DefaultTask() {
         val lines = faults + guarded.map { (api, use) -> "Only after a look at SDK_INT: $api lacks $use" }
         report.get().asFile.writeText(lines.joinToString("\n", postfix = "\n"))
         if (faults.isNotEmpty()) {
-            throw GradleException("${faults.take(MOST_TOLD).joinToString("\n")}\n${faults.size} faults; all are in ${report.get()}")
+            throw GradleException("${faults.take(MAX_TOLD).joinToString("\n")}\n${faults.size} faults; all are in ${report.get()}")
         }
         logger.lifecycle("Nothing that API ${oldestApi.get()} or ${newestApi.get()} lacks is used without a look at SDK_INT before")
     }
@@ -70,7 +70,7 @@ abstract class CheckAndroidApi : DefaultTask() {
     }
 
     private companion object {
-        const val MOST_TOLD = 40
+        const val MAX_TOLD = 40
 
         /** R8 takes calls of newer methods out of the classes they are in, so that older Androids need not look at them there. */
         const val OUTLINE = "\$\$ExternalSyntheticApiModelOutline"

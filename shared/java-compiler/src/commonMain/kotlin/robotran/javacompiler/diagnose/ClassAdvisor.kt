@@ -6,17 +6,17 @@ import robotran.javacompiler.messages.JavaMessages
 
 /** What to tell about classes and methods as a whole. */
 internal class ClassAdvisor(private val messages: JavaMessages) {
-    fun advice(problem: EcjProblem, source: SourceText): Advice? {
+    fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val word = shortened(source.words(problem.start, problem.end))
 
         fun argument(place: Int) = shortened(problem.arguments[place])
         return when (problem.number) {
             ProblemNumber.PUBLIC_CLASS_MUST_MATCH_FILE_NAME -> {
-                Advice(messages.wrongFileName(argument(1)))
+                ProblemExplanation(messages.wrongFileName(argument(1)))
             }
 
             ProblemNumber.MISSING_RETURN_TYPE -> {
-                Advice(messages.missingReturnType(), messages.writeVoid(), source.insertion(problem.start, "void "))
+                ProblemExplanation(messages.missingReturnType(), messages.writeVoid(), source.insertion(problem.start, "void "))
             }
 
             ProblemNumber.CLASS_IS_ABSTRACT -> {
@@ -25,19 +25,19 @@ internal class ClassAdvisor(private val messages: JavaMessages) {
 
             ProblemNumber.METHOD_NOT_WRITTEN -> {
                 val method = shortened("${problem.arguments[0]}(${problem.arguments[1]})")
-                Advice(messages.mustHaveMethod(argument(3), method, argument(2)), messages.writePublicMethod(method))
+                ProblemExplanation(messages.mustHaveMethod(argument(3), method, argument(2)), messages.writePublicMethod(method))
             }
 
             ProblemNumber.REDUCED_VISIBILITY -> {
-                Advice(messages.mustBePublic(word))
+                ProblemExplanation(messages.mustBePublic(word))
             }
 
             ProblemNumber.DUPLICATE_TYPE, ProblemNumber.DUPLICATE_FIELD -> {
-                Advice(messages.declaredTwice(argument(1)))
+                ProblemExplanation(messages.declaredTwice(argument(1)))
             }
 
             ProblemNumber.DUPLICATE_METHOD -> {
-                Advice(messages.declaredTwice(word))
+                ProblemExplanation(messages.declaredTwice(word))
             }
 
             else -> {
@@ -47,5 +47,5 @@ internal class ClassAdvisor(private val messages: JavaMessages) {
     }
 
     private fun cannotBeMade(name: String) =
-        Advice(messages.cannotBeMade(name), if (name == "Thread") messages.extendThread() else messages.extendIt(name))
+        ProblemExplanation(messages.cannotBeMade(name), if (name == "Thread") messages.extendThread() else messages.extendIt(name))
 }

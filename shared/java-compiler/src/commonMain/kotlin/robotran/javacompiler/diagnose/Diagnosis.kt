@@ -9,7 +9,7 @@ import robotran.javacompiler.messages.JavaMessages
 private const val QUOTED_CHARACTERS = 40
 
 /** More is not told, so that a source of nothing but mistakes takes no longer than another; errors come first. */
-private const val MOST_PROBLEMS = 300
+private const val MAX_PROBLEMS = 300
 
 internal fun shortened(text: String) = if (text.length <= QUOTED_CHARACTERS) text else text.take(QUOTED_CHARACTERS - 2) + ".."
 
@@ -21,7 +21,7 @@ internal class Diagnosis(
     private val messages: JavaMessages,
 ) {
     private val sources = sources.map(::SourceText)
-    private val byPath = compilation.problems.sortedByDescending { it.isError }.take(MOST_PROBLEMS).groupBy { it.path }
+    private val byPath = compilation.problems.sortedByDescending { it.isError }.take(MAX_PROBLEMS).groupBy { it.path }
         .mapValues { (_, problems) -> withoutMethodReferences(problems) }
     private val nearNames = NameSuggestions(undeclaredNames(), messages)
     private val libraryNames = LibraryNames(library)
@@ -34,9 +34,9 @@ internal class Diagnosis(
     /** In the order of the sources. Never without a mistake if the compilation is of no use. */
     fun diagnostics(): List<JavaDiagnostic> {
         val causes = sources.flatMap { source -> told(source, causes(source, byPath[source.path].orEmpty())) }
-        val found = if (hasMistake(causes)) causes else sources.flatMap { told(it, byPath[it.path].orEmpty()) }
+        val found = if (hasErrors(causes)) causes else sources.flatMap { told(it, byPath[it.path].orEmpty()) }
         val succeeded = compilation.completed && compilation.problems.none { it.isError }
-        return if (succeeded || hasMistake(found)) found else found + compilerFailed()
+        return if (succeeded || hasErrors(found)) found else found + compilerFailed()
     }
 
     /** Why there is no method to begin with; null if there is one. */
@@ -52,7 +52,7 @@ internal class Diagnosis(
         return all.sortedWith(order).distinctBy { it.range.line }
     }
 
-    private fun hasMistake(diagnostics: List<JavaDiagnostic>) = diagnostics.any { it.severity == JavaSeverity.MISTAKE }
+    private fun hasErrors(diagnostics: List<JavaDiagnostic>) = diagnostics.any { it.severity == JavaSeverity.ERROR }
 
     private fun diagnostic(problem: EcjProblem, source: SourceText): JavaDiagnostic {
         val advice = brick.advice(problem)
@@ -60,11 +60,11 @@ internal class Diagnosis(
             ?: members.advice(problem, source)
             ?: meaning.advice(problem, source)
             ?: syntax.advice(problem, source)
-            ?: Advice(messages.compilerSays(problem.message.trim().removeSuffix(".") + "."))
-        val place = advice.at ?: Place(problem.start, problem.end)
+            ?: ProblemExplanation(messages.compilerSays(problem.message.trim().removeSuffix(".") + "."))
+        val place = advice.at ?: SourceSpan(problem.start, problem.end)
         return JavaDiagnostic(
             path = source.path,
-            severity = if (problem.isError) JavaSeverity.MISTAKE else JavaSeverity.WARNING,
+            severity = if (problem.isError) JavaSeverity.ERROR else JavaSeverity.WARNING,
             range = source.range(place),
             text = source.words(place.start, place.end),
             message = advice.message,
@@ -75,7 +75,7 @@ internal class Diagnosis(
 
     private fun compilerFailed() = JavaDiagnostic(
         path = sources.firstOrNull()?.path.orEmpty(),
-        severity = JavaSeverity.MISTAKE,
+        severity = JavaSeverity.ERROR,
         range = JavaRange(1, 1, 1),
         text = "",
         message = messages.compilerFailed(),

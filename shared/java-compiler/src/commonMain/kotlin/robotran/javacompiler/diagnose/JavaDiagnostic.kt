@@ -24,7 +24,7 @@ data class JavaDiagnostic(
 /** How bad it is. */
 enum class JavaSeverity {
     /** The program cannot run until it is mended. */
-    MISTAKE,
+    ERROR,
 
     /** The program can run, but hardly as it is meant, or not on a real brick. */
     WARNING,

@@ -1,76 +1,76 @@
 package robotran.javacompiler.diagnose
 
-import robotran.javacompiler.messages.AbsentFromBrick
 import robotran.javacompiler.messages.NewerJava
+import robotran.javacompiler.messages.UnsupportedOnBrick
 
 /** Classes, and methods with the class before them, that programs for computers use and a brick does not have. */
-private val ABSENT: Map<String, AbsentFromBrick> = buildMap {
-    fun put(what: AbsentFromBrick, names: String) = names.split(' ').forEach { put(it, what) }
-    put(AbsentFromBrick.PRINTING, "System.out System.err PrintStream")
-    put(AbsentFromBrick.KEYBOARD, "System.in Scanner BufferedReader InputStreamReader Console")
-    put(AbsentFromBrick.COLLECTIONS, "ArrayList List LinkedList Collection Collections Map HashMap TreeMap LinkedHashMap")
-    put(AbsentFromBrick.COLLECTIONS, "Set HashSet TreeSet Iterator Iterable")
-    put(AbsentFromBrick.COLLECTIONS, "Enumeration Arrays Deque ArrayDeque Comparable Comparator")
-    put(AbsentFromBrick.RUNNABLE, "Runnable Callable ExecutorService Executors")
-    put(AbsentFromBrick.FORMATTING, "String.format Formatter DecimalFormat NumberFormat")
-    put(AbsentFromBrick.TEXT_METHODS, "String.substring String.indexOf String.compareTo")
-    put(AbsentFromBrick.TEXT_METHODS, "String.split String.trim String.isEmpty")
-    put(AbsentFromBrick.TEXT_METHODS, "String.toUpperCase String.toLowerCase")
-    put(AbsentFromBrick.TEXT_METHODS, "String.equalsIgnoreCase String.replace String.contains")
-    put(AbsentFromBrick.TEXT_METHODS, "String.startsWith String.endsWith String.lastIndexOf String.concat")
-    put(AbsentFromBrick.TEXT_METHODS, "String.matches String.replaceAll")
-    put(AbsentFromBrick.TEXT_METHODS, "String.getBytes String.compareToIgnoreCase String.intern")
-    put(AbsentFromBrick.VECTOR_METHODS, "Vector.add Vector.get Vector.set Vector.remove Vector.contains")
-    put(AbsentFromBrick.VECTOR_METHODS, "Vector.firstElement Vector.lastElement")
-    put(AbsentFromBrick.VECTOR_METHODS, "Vector.iterator Vector.elements Vector.removeAll")
-    put(AbsentFromBrick.HASHTABLE_METHODS, "Hashtable.containsKey Hashtable.contains Hashtable.containsValue")
-    put(AbsentFromBrick.HASHTABLE_METHODS, "Hashtable.remove Hashtable.size Hashtable.keys")
-    put(AbsentFromBrick.HASHTABLE_METHODS, "Hashtable.isEmpty Hashtable.clear Hashtable.keySet")
-    put(AbsentFromBrick.WRITING_NUMBERS, "String.valueOf Integer.toHexString")
-    put(AbsentFromBrick.WRITING_NUMBERS, "Integer.toBinaryString Float.toString Integer.intValue")
-    put(AbsentFromBrick.SYSTEM_METHODS, "System.nanoTime System.gc System.identityHashCode System.getProperty")
-    put(AbsentFromBrick.ARRAY_COPYING, "System.arraycopy")
-    put(AbsentFromBrick.PARSING, "Integer.parseInt Integer.valueOf Integer.decode Float.parseFloat Double.parseDouble")
-    put(AbsentFromBrick.WRAPPERS, "Boolean Byte Character Short Long Double Number BigInteger BigDecimal")
-    put(AbsentFromBrick.FILES, "File FileReader FileWriter FileInputStream FileOutputStream PrintWriter")
-    put(AbsentFromBrick.WINDOWS, "JFrame JPanel JButton JOptionPane Frame Graphics")
-    put(AbsentFromBrick.OTHER_BRICKS, "LightSensor TouchSensor UltrasonicSensor ColorSensor DifferentialPilot")
-    put(AbsentFromBrick.OTHER_BRICKS, "NXTRegulatedMotor MotorPort SensorPort")
+private val ABSENT: Map<String, UnsupportedOnBrick> = buildMap {
+    fun put(what: UnsupportedOnBrick, names: String) = names.split(' ').forEach { put(it, what) }
+    put(UnsupportedOnBrick.PRINTING, "System.out System.err PrintStream")
+    put(UnsupportedOnBrick.KEYBOARD, "System.in Scanner BufferedReader InputStreamReader Console")
+    put(UnsupportedOnBrick.COLLECTIONS, "ArrayList List LinkedList Collection Collections Map HashMap TreeMap LinkedHashMap")
+    put(UnsupportedOnBrick.COLLECTIONS, "Set HashSet TreeSet Iterator Iterable")
+    put(UnsupportedOnBrick.COLLECTIONS, "Enumeration Arrays Deque ArrayDeque Comparable Comparator")
+    put(UnsupportedOnBrick.RUNNABLE, "Runnable Callable ExecutorService Executors")
+    put(UnsupportedOnBrick.FORMATTING, "String.format Formatter DecimalFormat NumberFormat")
+    put(UnsupportedOnBrick.TEXT_METHODS, "String.substring String.indexOf String.compareTo")
+    put(UnsupportedOnBrick.TEXT_METHODS, "String.split String.trim String.isEmpty")
+    put(UnsupportedOnBrick.TEXT_METHODS, "String.toUpperCase String.toLowerCase")
+    put(UnsupportedOnBrick.TEXT_METHODS, "String.equalsIgnoreCase String.replace String.contains")
+    put(UnsupportedOnBrick.TEXT_METHODS, "String.startsWith String.endsWith String.lastIndexOf String.concat")
+    put(UnsupportedOnBrick.TEXT_METHODS, "String.matches String.replaceAll")
+    put(UnsupportedOnBrick.TEXT_METHODS, "String.getBytes String.compareToIgnoreCase String.intern")
+    put(UnsupportedOnBrick.VECTOR_METHODS, "Vector.add Vector.get Vector.set Vector.remove Vector.contains")
+    put(UnsupportedOnBrick.VECTOR_METHODS, "Vector.firstElement Vector.lastElement")
+    put(UnsupportedOnBrick.VECTOR_METHODS, "Vector.iterator Vector.elements Vector.removeAll")
+    put(UnsupportedOnBrick.HASHTABLE_METHODS, "Hashtable.containsKey Hashtable.contains Hashtable.containsValue")
+    put(UnsupportedOnBrick.HASHTABLE_METHODS, "Hashtable.remove Hashtable.size Hashtable.keys")
+    put(UnsupportedOnBrick.HASHTABLE_METHODS, "Hashtable.isEmpty Hashtable.clear Hashtable.keySet")
+    put(UnsupportedOnBrick.WRITING_NUMBERS, "String.valueOf Integer.toHexString")
+    put(UnsupportedOnBrick.WRITING_NUMBERS, "Integer.toBinaryString Float.toString Integer.intValue")
+    put(UnsupportedOnBrick.SYSTEM_METHODS, "System.nanoTime System.gc System.identityHashCode System.getProperty")
+    put(UnsupportedOnBrick.ARRAY_COPYING, "System.arraycopy")
+    put(UnsupportedOnBrick.PARSING, "Integer.parseInt Integer.valueOf Integer.decode Float.parseFloat Double.parseDouble")
+    put(UnsupportedOnBrick.WRAPPERS, "Boolean Byte Character Short Long Double Number BigInteger BigDecimal")
+    put(UnsupportedOnBrick.FILES, "File FileReader FileWriter FileInputStream FileOutputStream PrintWriter")
+    put(UnsupportedOnBrick.WINDOWS, "JFrame JPanel JButton JOptionPane Frame Graphics")
+    put(UnsupportedOnBrick.OTHER_BRICKS, "LightSensor TouchSensor UltrasonicSensor ColorSensor DifferentialPilot")
+    put(UnsupportedOnBrick.OTHER_BRICKS, "NXTRegulatedMotor MotorPort SensorPort")
 }
 
 /** Methods that programs for computers or other robots call with no class before them. */
 private val ABSENT_CALLS = mapOf(
-    "print" to AbsentFromBrick.PRINTING,
-    "println" to AbsentFromBrick.PRINTING,
-    "printf" to AbsentFromBrick.PRINTING,
-    "readLine" to AbsentFromBrick.KEYBOARD,
-    "sleep" to AbsentFromBrick.WAITING,
-    "delay" to AbsentFromBrick.WAITING,
-    "pause" to AbsentFromBrick.WAITING,
+    "print" to UnsupportedOnBrick.PRINTING,
+    "println" to UnsupportedOnBrick.PRINTING,
+    "printf" to UnsupportedOnBrick.PRINTING,
+    "readLine" to UnsupportedOnBrick.KEYBOARD,
+    "sleep" to UnsupportedOnBrick.WAITING,
+    "delay" to UnsupportedOnBrick.WAITING,
+    "pause" to UnsupportedOnBrick.WAITING,
 )
 
 /** Beginnings of imports that lead to them. */
 private val ABSENT_PACKAGES = listOf(
-    "lejos." to AbsentFromBrick.OTHER_BRICKS,
-    "javax.swing" to AbsentFromBrick.WINDOWS,
-    "java.awt" to AbsentFromBrick.WINDOWS,
-    "java.nio" to AbsentFromBrick.FILES,
-    "java.text" to AbsentFromBrick.FORMATTING,
-    "java.util.function" to AbsentFromBrick.RUNNABLE,
-    "java.util.concurrent" to AbsentFromBrick.RUNNABLE,
-    "java.util.stream" to AbsentFromBrick.COLLECTIONS,
+    "lejos." to UnsupportedOnBrick.OTHER_BRICKS,
+    "javax.swing" to UnsupportedOnBrick.WINDOWS,
+    "java.awt" to UnsupportedOnBrick.WINDOWS,
+    "java.nio" to UnsupportedOnBrick.FILES,
+    "java.text" to UnsupportedOnBrick.FORMATTING,
+    "java.util.function" to UnsupportedOnBrick.RUNNABLE,
+    "java.util.concurrent" to UnsupportedOnBrick.RUNNABLE,
+    "java.util.stream" to UnsupportedOnBrick.COLLECTIONS,
 )
 
 /** Words that newer Java reads as commands and the brick's takes for names. */
 private val NEWER_WORDS = mapOf("enum" to NewerJava.ENUM, "assert" to NewerJava.ASSERT, "var" to NewerJava.VAR)
 
 /** [name] is a class or import, or a member of [owner]. */
-internal fun absent(name: String, owner: String? = null): AbsentFromBrick? {
+internal fun absent(name: String, owner: String? = null): UnsupportedOnBrick? {
     if (owner != null) return ABSENT["$owner.$name"]
     return ABSENT[name.substringAfterLast('.')] ?: ABSENT_PACKAGES.firstOrNull { name.startsWith(it.first) }?.second
 }
 
 /** [method] is called with no class before it. */
-internal fun absentCall(method: String): AbsentFromBrick? = ABSENT_CALLS[method]
+internal fun absentCall(method: String): UnsupportedOnBrick? = ABSENT_CALLS[method]
 
 internal fun newerWord(name: String): NewerJava? = NEWER_WORDS[name]

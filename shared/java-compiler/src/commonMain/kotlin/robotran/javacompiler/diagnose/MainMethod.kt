@@ -9,11 +9,11 @@ internal class MainMethod(private val messages: JavaMessages) {
         val meant = sources.firstNotNullOfOrNull { source -> meantPlace(source)?.let { source to it } }
         val (source, place) = meant
             ?: sources.firstNotNullOfOrNull { source -> classPlace(source)?.let { source to it } }
-            ?: sources.firstOrNull()?.let { it to Place(0) }
+            ?: sources.firstOrNull()?.let { it to SourceSpan(0) }
             ?: return null
         return JavaDiagnostic(
             path = source.path,
-            severity = JavaSeverity.MISTAKE,
+            severity = JavaSeverity.ERROR,
             range = source.range(place),
             text = source.words(place.start, place.end),
             message = if (meant == null) messages.noMain() else messages.wrongMain(),
@@ -21,12 +21,17 @@ internal class MainMethod(private val messages: JavaMessages) {
         )
     }
 
-    private fun meantPlace(source: SourceText): Place? = METHOD.find(source.code.text)?.let { Place(it.range.first, it.range.last + 1) }
+    private fun meantPlace(source: SourceText): SourceSpan? = METHOD.find(source.code.text)?.let {
+        SourceSpan(
+            it.range.first,
+            it.range.last + 1,
+        )
+    }
 
-    private fun classPlace(source: SourceText): Place? {
+    private fun classPlace(source: SourceText): SourceSpan? {
         val code = source.code.text
         val name = (CLASS.find(code) ?: return null).range.last + 1
-        return Place(name, name + code.drop(name).takeWhile { it.isLetterOrDigit() || it == '_' }.length)
+        return SourceSpan(name, name + code.drop(name).takeWhile { it.isLetterOrDigit() || it == '_' }.length)
     }
 
     private companion object {

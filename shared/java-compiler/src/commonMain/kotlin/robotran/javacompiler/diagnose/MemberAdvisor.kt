@@ -10,7 +10,7 @@ internal class MemberAdvisor(
     private val nearNames: NameSuggestions,
     private val messages: JavaMessages,
 ) {
-    fun advice(problem: EcjProblem, source: SourceText): Advice? {
+    fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val name = source.words(problem.start, problem.end)
         return when (problem.number) {
             ProblemNumber.UNDEFINED_FIELD -> field(problem, source, name)
@@ -23,12 +23,12 @@ internal class MemberAdvisor(
 
             ProblemNumber.NO_MESSAGE_SEND_ON_ARRAY -> onArray(problem, source, name)
 
-            ProblemNumber.NO_MESSAGE_SEND_ON_BASE_TYPE -> Advice(messages.noMembers(shortened(problem.arguments[0])))
+            ProblemNumber.NO_MESSAGE_SEND_ON_BASE_TYPE -> ProblemExplanation(messages.noMembers(shortened(problem.arguments[0])))
 
             ProblemNumber.ARRAY_NEEDED -> if (problem.arguments[0] ==
                 "String"
             ) {
-                Advice(messages.noArray("String"), messages.charAt())
+                ProblemExplanation(messages.noArray("String"), messages.charAt())
             } else {
                 null
             }
@@ -37,54 +37,54 @@ internal class MemberAdvisor(
         }
     }
 
-    private fun field(problem: EcjProblem, source: SourceText, name: String): Advice {
+    private fun field(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
         val owner = source.qualifier(problem.start)
         val message = messages.unknownField(shortened(name), owner?.let(::shortened))
-        if (name == LENGTH) return Advice(message, messages.lengthOfTextOrArray())
+        if (name == LENGTH) return ProblemExplanation(message, messages.lengthOfTextOrArray())
         return member(problem, source, name, owner, message)
     }
 
-    private fun method(problem: EcjProblem, source: SourceText, name: String): Advice {
+    private fun method(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
         val owner = problem.arguments.first()
         val isUnqualified = source.codeBefore(problem.start) != '.'
         val called = absentCall(name).takeIf { isUnqualified }
-        if (called != null) return Advice(messages.unknownMethodHere(name, shortened(owner)), messages.absent(called))
+        if (called != null) return ProblemExplanation(messages.unknownMethodHere(name, shortened(owner)), messages.absent(called))
         if (isUnqualified) command(problem, source, name)?.let { return it }
         val told = member(problem, source, name, owner, messages.unknownMethod(shortened(name), shortened(owner)))
         val isOwn = told.hint == null && owner !in library.simpleNames && isUnqualified
-        return if (isOwn) Advice(told.message, messages.writeMethod(shortened(name))) else told
+        return if (isOwn) ProblemExplanation(told.message, messages.writeMethod(shortened(name))) else told
     }
 
     /** A command with a condition, such as `elseif` or `While`, looks like the call of a method. */
-    private fun command(problem: EcjProblem, source: SourceText, name: String): Advice? {
+    private fun command(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation? {
         val range = source.range(problem.start, problem.end)
         val foreign = javaFor(name)?.ifEmpty { null }
         val small = smallWord(name)
         return when {
-            foreign != null -> Advice(messages.otherWord(name, foreign), fix = JavaFix(range, foreign))
-            small != null -> Advice(messages.lettersOf(small), fix = JavaFix(range, small))
+            foreign != null -> ProblemExplanation(messages.otherWord(name, foreign), fix = JavaFix(range, foreign))
+            small != null -> ProblemExplanation(messages.lettersOf(small), fix = JavaFix(range, small))
             else -> null
         }
     }
 
-    private fun member(problem: EcjProblem, source: SourceText, name: String, owner: String?, message: String): Advice {
+    private fun member(problem: EcjProblem, source: SourceText, name: String, owner: String?, message: String): ProblemExplanation {
         val absent = owner?.let { absent(name, it) }
-        if (absent != null) return Advice(message, messages.absent(absent))
+        if (absent != null) return ProblemExplanation(message, messages.absent(absent))
         // A class of the program itself has no members that are known here, but their names are in the source.
         return nearNames.suggested(problem, source, message, nearest(name, problem.members.ifEmpty { nearNames.namesIn(source) }))
     }
 
     /** What the library keeps to itself is as good as not there, and its source is not the pupil's to change. */
-    private fun hidden(problem: EcjProblem, source: SourceText, name: String, owner: String): Advice? {
+    private fun hidden(problem: EcjProblem, source: SourceText, name: String, owner: String): ProblemExplanation? {
         val simpleName = owner.substringAfterLast('.')
         val isOwn = simpleName in source.names && simpleName !in library.simpleNames
-        return if (isOwn) Advice(messages.isPrivate(shortened(name), shortened(owner)), messages.usePublic()) else null
+        return if (isOwn) ProblemExplanation(messages.isPrivate(shortened(name), shortened(owner)), messages.usePublic()) else null
     }
 
-    private fun onArray(problem: EcjProblem, source: SourceText, words: String): Advice {
-        if (problem.arguments.getOrNull(1) != LENGTH) return Advice(messages.noMembers(shortened(problem.arguments[0])))
+    private fun onArray(problem: EcjProblem, source: SourceText, words: String): ProblemExplanation {
+        if (problem.arguments.getOrNull(1) != LENGTH) return ProblemExplanation(messages.noMembers(shortened(problem.arguments[0])))
         val fix = words.takeIf { it.endsWith("()") }?.let { JavaFix(source.range(problem.end - 2, problem.end), "") }
-        return Advice(messages.lengthOfArrayValue(), fix = fix)
+        return ProblemExplanation(messages.lengthOfArrayValue(), fix = fix)
     }
 
     private companion object {

@@ -10,7 +10,7 @@ internal class NameAdvisor(
     private val nearNames: NameSuggestions,
     private val messages: JavaMessages,
 ) {
-    fun advice(problem: EcjProblem, source: SourceText): Advice? {
+    fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val written = source.words(problem.start, problem.end)
         return when (problem.number) {
             ProblemNumber.IMPORT_NOT_FOUND -> importAdvice(problem, source, written)
@@ -20,19 +20,19 @@ internal class NameAdvisor(
         }
     }
 
-    private fun name(problem: EcjProblem, source: SourceText, name: String): Advice {
+    private fun name(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
         val isClass = name.firstOrNull()?.isUpperCase() == true
         val isLiteral = smallWord(name) in LITERALS
         return if (isClass && !isLiteral) classAdvice(problem, source, name) else variableAdvice(problem, source, name)
     }
 
-    private fun importAdvice(problem: EcjProblem, source: SourceText, name: String): Advice {
+    private fun importAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
         val message = messages.unknownImport(shortened(name))
         // ECJ names as much of it as is not there: of lejos.nxt.Motor, only lejos.
         val absent = absent(source.wordsUntil(problem.start, ';'))
         val home = library.packageOf(name)?.let { "$it.$name" }
         return when {
-            absent != null -> Advice(message, messages.absent(absent))
+            absent != null -> ProblemExplanation(message, messages.absent(absent))
 
             else -> nearNames.suggested(
                 problem, source, message,
@@ -41,33 +41,33 @@ internal class NameAdvisor(
         }
     }
 
-    private fun otherWord(problem: EcjProblem, source: SourceText, name: String, message: String): Advice? {
+    private fun otherWord(problem: EcjProblem, source: SourceText, name: String, message: String): ProblemExplanation? {
         val range = source.range(problem.start, problem.end)
         val foreign = javaFor(name)?.ifEmpty { null }
         val small = smallWord(name)
         return when {
-            small != null -> Advice(message, messages.lettersOf(small), JavaFix(range, small))
-            foreign != null -> Advice(messages.otherWord(name, foreign), fix = JavaFix(range, foreign))
+            small != null -> ProblemExplanation(message, messages.lettersOf(small), JavaFix(range, small))
+            foreign != null -> ProblemExplanation(messages.otherWord(name, foreign), fix = JavaFix(range, foreign))
             else -> null
         }
     }
 
-    private fun classAdvice(problem: EcjProblem, source: SourceText, name: String): Advice {
+    private fun classAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
         val newer = newerWord(name)
         val absent = absent(name)
         val home = library.packageOf(name)
         val message = messages.unknownClass(shortened(name))
         return when {
             newer != null -> {
-                Advice(messages.newerJava(newer), messages.insteadOf(newer))
+                ProblemExplanation(messages.newerJava(newer), messages.insteadOf(newer))
             }
 
             absent != null -> {
-                Advice(message, messages.absent(absent))
+                ProblemExplanation(message, messages.absent(absent))
             }
 
             home != null -> {
-                "import $home.*;".let { Advice(message, messages.importIt(it), source.addLineAtTop(it)) }
+                "import $home.*;".let { ProblemExplanation(message, messages.importIt(it), source.addLineAtTop(it)) }
             }
 
             else -> {
@@ -77,12 +77,12 @@ internal class NameAdvisor(
         }
     }
 
-    private fun variableAdvice(problem: EcjProblem, source: SourceText, name: String): Advice {
+    private fun variableAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
         val message = messages.unknownVariable(shortened(name))
         otherWord(problem, source, name, message)?.let { return it }
         val near = nearest(name, nearNames.namesIn(source) + library.simpleNames)
         return if (near == null) {
-            Advice(message, messages.declareIt(shortened(name)))
+            ProblemExplanation(message, messages.declareIt(shortened(name)))
         } else {
             nearNames.suggested(problem, source, message, near)
         }

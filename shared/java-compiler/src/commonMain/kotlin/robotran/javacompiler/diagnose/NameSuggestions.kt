@@ -13,12 +13,12 @@ internal class NameSuggestions(
     private val messages: JavaMessages,
 ) {
     /** [message] with the advice to write [suggestion] in the place of the problem, if there is one. */
-    fun suggested(problem: EcjProblem, source: SourceText, message: String, suggestion: String?): Advice {
-        if (suggestion == null) return Advice(message)
+    fun suggested(problem: EcjProblem, source: SourceText, message: String, suggestion: String?): ProblemExplanation {
+        if (suggestion == null) return ProblemExplanation(message)
         val written = source.words(problem.start, problem.end)
         val sameLetters = suggestion.equals(written, ignoreCase = true)
         val hint = if (sameLetters) messages.lettersOf(suggestion) else messages.didYouMean(suggestion)
-        return Advice(message, hint, JavaFix(source.range(problem.start, problem.end), suggestion))
+        return ProblemExplanation(message, hint, JavaFix(source.range(problem.start, problem.end), suggestion))
     }
 
     /** The names of the source that may be declared. */

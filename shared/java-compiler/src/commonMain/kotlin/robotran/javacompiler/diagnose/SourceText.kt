@@ -19,7 +19,7 @@ internal class SourceText(source: JavaSource) {
         return JavaRange(line + 1, from - lineStarts[line] + 1, until - lineStarts[line] + 1)
     }
 
-    fun range(place: Place) = range(place.start, place.end)
+    fun range(place: SourceSpan) = range(place.start, place.end)
 
     /** Puts [words] in at [place]. */
     fun insertion(place: Int, words: String) = JavaFix(range(place, place), words)

@@ -6,7 +6,7 @@ import robotran.javacompiler.messages.JavaMessages
 
 /** What to tell about statements that cannot be read for a reason that beginners often have. */
 internal class StatementAdvisor(private val messages: JavaMessages) {
-    fun advice(problem: EcjProblem, source: SourceText): Advice? {
+    fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val word = source.words(problem.start, problem.end)
         val expected = problem.arguments.lastOrNull().orEmpty()
         return otherWord(word, problem, source)
@@ -16,42 +16,42 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
             ?: nameOrArray(word, problem, source, expected)
     }
 
-    private fun otherWord(word: String, problem: EcjProblem, source: SourceText): Advice? {
+    private fun otherWord(word: String, problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val range = source.range(problem.start, problem.end)
         val foreign = javaFor(word)
         val small = smallWord(word)
         return when {
-            foreign == "" -> Advice(messages.noSuchWord(word), fix = JavaFix(range, ""))
-            foreign != null -> Advice(messages.otherWord(word, foreign), fix = JavaFix(range, foreign))
-            small != null -> Advice(messages.lettersOf(small), fix = JavaFix(range, small))
+            foreign == "" -> ProblemExplanation(messages.noSuchWord(word), fix = JavaFix(range, ""))
+            foreign != null -> ProblemExplanation(messages.otherWord(word, foreign), fix = JavaFix(range, foreign))
+            small != null -> ProblemExplanation(messages.lettersOf(small), fix = JavaFix(range, small))
             else -> null
         }
     }
 
-    private fun misplaced(problem: EcjProblem, source: SourceText, expected: String): Advice? {
+    private fun misplaced(problem: EcjProblem, source: SourceText, expected: String): ProblemExplanation? {
         val isWhole =
             problem.number == ProblemNumber.PARSING_ERROR_INSERT_BEFORE || problem.number == ProblemNumber.PARSING_ERROR_DELETE_SEVERAL
         val isStatement = expected == "Identifier" || problem.arguments == listOf(";", ",")
         return when (source.bracesBefore(problem.start)) {
-            0 -> if (isWhole) Advice(messages.outsideClass(), messages.beginWithClass(className(source))) else null
-            1 -> if (isStatement) Advice(messages.outsideMethod(), messages.moveIntoMethod()) else null
+            0 -> if (isWhole) ProblemExplanation(messages.outsideClass(), messages.beginWithClass(className(source))) else null
+            1 -> if (isStatement) ProblemExplanation(messages.outsideMethod(), messages.moveIntoMethod()) else null
             else -> null
         }
     }
 
     private fun className(source: SourceText) = source.path.substringAfterLast('/').removeSuffix(".java")
 
-    private fun condition(word: String, problem: EcjProblem, source: SourceText, expected: String): Advice? = when {
+    private fun condition(word: String, problem: EcjProblem, source: SourceText, expected: String): ProblemExplanation? = when {
         word in CONDITIONAL && expected == "(" -> {
-            Advice(messages.conditionInBrackets(word))
+            ProblemExplanation(messages.conditionInBrackets(word))
         }
 
         word == "else" && problem.number == ProblemNumber.PARSING_ERROR_DELETE -> {
-            Advice(messages.elseWithoutIf())
+            ProblemExplanation(messages.elseWithoutIf())
         }
 
         word == "," && IN_FOR.containsMatchIn(source.lineBefore(problem.start)) -> {
-            Advice(messages.semicolonsInFor(), fix = JavaFix(source.range(problem.start, problem.end), ";"))
+            ProblemExplanation(messages.semicolonsInFor(), fix = JavaFix(source.range(problem.start, problem.end), ";"))
         }
 
         expected != "AssignmentOperator" || problem.number != ProblemNumber.INVALID_TOKEN -> {
@@ -59,30 +59,30 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
         }
 
         word == "==" -> {
-            Advice(messages.setWithOneSign(), fix = JavaFix(source.range(problem.start, problem.end), "="))
+            ProblemExplanation(messages.setWithOneSign(), fix = JavaFix(source.range(problem.start, problem.end), "="))
         }
 
         else -> {
-            Advice(messages.noStatement())
+            ProblemExplanation(messages.noStatement())
         }
     }
 
-    private fun noStatement(word: String, problem: EcjProblem, source: SourceText): Advice? {
+    private fun noStatement(word: String, problem: EcjProblem, source: SourceText): ProblemExplanation? {
         if (problem.number != ProblemNumber.PARSING_ERROR_INSERT_TO_COMPLETE) return null
         val isName = word.firstOrNull()?.isJavaLetter() == true
         val endsHere = source.codeAt(source.codeFrom(problem.end)) == ';'
         val missing = problem.arguments.first()
         return when {
             missing == "VariableDeclarators" && isName && endsHere -> {
-                Advice(messages.callWithBrackets(shortened(word)), fix = source.insertion(problem.end, "()"))
+                ProblemExplanation(messages.callWithBrackets(shortened(word)), fix = source.insertion(problem.end, "()"))
             }
 
             missing.startsWith("AssignmentOperator") && endsHere -> {
-                Advice(messages.noStatement())
+                ProblemExplanation(messages.noStatement())
             }
 
             missing.startsWith("... VariableDeclaratorId") -> {
-                Advice(messages.typeOfParameter())
+                ProblemExplanation(messages.typeOfParameter())
             }
 
             else -> {
@@ -91,13 +91,13 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
         }
     }
 
-    private fun nameOrArray(word: String, problem: EcjProblem, source: SourceText, expected: String): Advice? {
+    private fun nameOrArray(word: String, problem: EcjProblem, source: SourceText, expected: String): ProblemExplanation? {
         val isNumber = word.isNotEmpty() && word.all { it.isDigit() }
         val after = source.codeAt(problem.end)
         return when {
-            isNumber && source.codeBefore(problem.start) == '[' && after == ']' -> Advice(messages.lengthOfArray())
-            isNumber && after?.isJavaLetter() == true -> Advice(messages.nameBeginsWithLetter())
-            word in KEYWORDS && expected == "VariableDeclaratorId" -> Advice(messages.wordOfJava(word))
+            isNumber && source.codeBefore(problem.start) == '[' && after == ']' -> ProblemExplanation(messages.lengthOfArray())
+            isNumber && after?.isJavaLetter() == true -> ProblemExplanation(messages.nameBeginsWithLetter())
+            word in KEYWORDS && expected == "VariableDeclaratorId" -> ProblemExplanation(messages.wordOfJava(word))
             else -> null
         }
     }

@@ -8,9 +8,17 @@ import robotran.javacompiler.messages.JavaMessages
 internal class SyntaxAdvisor(private val messages: JavaMessages) {
     private val statements = StatementAdvisor(messages)
 
-    fun advice(problem: EcjProblem, source: SourceText): Advice? {
+    fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         if (problem.isSyntax) {
-            source.unclosedText(problem.start)?.let { return Advice(messages.unclosedText(), messages.closeText(), at = Place(it, it + 1)) }
+            source.unclosedText(problem.start)?.let {
+                return ProblemExplanation(
+                    messages.unclosedText(), messages.closeText(),
+                    at = SourceSpan(
+                        it,
+                        it + 1,
+                    ),
+                )
+            }
             statements.advice(problem, source)?.let { return it }
         }
         val word = source.words(problem.start, problem.end)
@@ -19,55 +27,69 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
             ProblemNumber.PARSING_ERROR_INSERT_AFTER -> insertAfter(problem, source, word)
             ProblemNumber.PARSING_ERROR_DELETE, ProblemNumber.UNMATCHED_BRACKET -> extra(word)
             ProblemNumber.PARSING_ERROR, ProblemNumber.PARSING_ERROR_INSERT_BEFORE -> expected(problem, word)
-            ProblemNumber.UNTERMINATED_STRING -> Advice(messages.unclosedText(), messages.closeText())
+            ProblemNumber.UNTERMINATED_STRING -> ProblemExplanation(messages.unclosedText(), messages.closeText())
             ProblemNumber.INVALID_CHARACTER_CONSTANT -> wrongCharacter(problem, source, word)
-            ProblemNumber.ARRAY_CONSTANT_OUTSIDE_INITIALIZER -> Advice(messages.notUnderstood(shortened(word)), messages.arrayOfValues())
-            ProblemNumber.SOURCE_TOO_LONG -> Advice(messages.sourceTooLong(problem.arguments.first()))
-            ProblemNumber.NESTED_TOO_DEEPLY -> Advice(messages.nestedTooDeeply())
-            else -> if (problem.isSyntax && word.isNotBlank()) Advice(messages.notUnderstood(shortened(word))) else null
+            ProblemNumber.ARRAY_CONSTANT_OUTSIDE_INITIALIZER -> ProblemExplanation(messages.notUnderstood(shortened(word)), messages.arrayOfValues())
+            ProblemNumber.SOURCE_TOO_LONG -> ProblemExplanation(messages.sourceTooLong(problem.arguments.first()))
+            ProblemNumber.NESTED_TOO_DEEPLY -> ProblemExplanation(messages.nestedTooDeeply())
+            else -> if (problem.isSyntax && word.isNotBlank()) ProblemExplanation(messages.notUnderstood(shortened(word))) else null
         }
     }
 
-    private fun extra(word: String) = Advice(if (word in BRACKETS) messages.extraBracket(word) else messages.notUnderstood(shortened(word)))
+    private fun extra(word: String) = ProblemExplanation(
+        if (word in
+            BRACKETS
+        ) {
+            messages.extraBracket(word)
+        } else {
+            messages.notUnderstood(shortened(word))
+        },
+    )
 
-    private fun missing(expected: String, problem: EcjProblem, source: SourceText, word: String): Advice {
+    private fun missing(expected: String, problem: EcjProblem, source: SourceText, word: String): ProblemExplanation {
         val symbol = expected.substringBefore(' ')
-        val behind = Place(problem.end)
+        val behind = SourceSpan(problem.end)
         val insertion = source.insertion(problem.end, symbol)
         return when (symbol) {
-            ";" -> Advice(messages.missingSemicolon(), fix = insertion, at = behind)
-            ")", "]" -> Advice(messages.missingBracket(symbol), fix = insertion, at = behind)
+            ";" -> ProblemExplanation(messages.missingSemicolon(), fix = insertion, at = behind)
+            ")", "]" -> ProblemExplanation(messages.missingBracket(symbol), fix = insertion, at = behind)
             "}" -> missingBrace(problem, source, word)
-            "Finally" -> Advice(messages.tryAlone(), messages.addCatch())
-            else -> Advice(messages.somethingMissing(shortened(word)))
+            "Finally" -> ProblemExplanation(messages.tryAlone(), messages.addCatch())
+            else -> ProblemExplanation(messages.somethingMissing(shortened(word)))
         }
     }
 
     /** ECJ names either the brace that stays open or the last word before the place where it should be closed. */
-    private fun missingBrace(problem: EcjProblem, source: SourceText, word: String): Advice {
+    private fun missingBrace(problem: EcjProblem, source: SourceText, word: String): ProblemExplanation {
         val message = messages.missingBracket("}")
-        return if (word == "{") Advice(message) else Advice(message, fix = source.insertion(problem.end, "\n}"), at = Place(problem.end))
-    }
-
-    private fun insertAfter(problem: EcjProblem, source: SourceText, word: String): Advice {
-        val symbol = problem.arguments.last()
-        return when {
-            symbol == ";" || symbol in BRACKETS -> missing(symbol, problem, source, word)
-            isReadable(symbol) -> Advice(messages.expectedAfter(shortened(word), symbol))
-            else -> Advice(messages.somethingMissing(shortened(word)))
+        return if (word ==
+            "{"
+        ) {
+            ProblemExplanation(message)
+        } else {
+            ProblemExplanation(message, fix = source.insertion(problem.end, "\n}"), at = SourceSpan(problem.end))
         }
     }
 
-    private fun expected(problem: EcjProblem, word: String): Advice {
-        val expected = problem.arguments.last()
-        val readable = isReadable(expected) && word.isNotBlank()
-        return Advice(if (readable) messages.expectedInstead(shortened(word), expected) else messages.notUnderstood(shortened(word)))
+    private fun insertAfter(problem: EcjProblem, source: SourceText, word: String): ProblemExplanation {
+        val symbol = problem.arguments.last()
+        return when {
+            symbol == ";" || symbol in BRACKETS -> missing(symbol, problem, source, word)
+            isReadable(symbol) -> ProblemExplanation(messages.expectedAfter(shortened(word), symbol))
+            else -> ProblemExplanation(messages.somethingMissing(shortened(word)))
+        }
     }
 
-    private fun wrongCharacter(problem: EcjProblem, source: SourceText, word: String): Advice {
+    private fun expected(problem: EcjProblem, word: String): ProblemExplanation {
+        val expected = problem.arguments.last()
+        val readable = isReadable(expected) && word.isNotBlank()
+        return ProblemExplanation(if (readable) messages.expectedInstead(shortened(word), expected) else messages.notUnderstood(shortened(word)))
+    }
+
+    private fun wrongCharacter(problem: EcjProblem, source: SourceText, word: String): ProblemExplanation {
         val text = word.removeSurrounding("'")
         val isText = word.length > 2 && text.length == word.length - 2 && '"' !in text
-        return Advice(messages.wrongCharacter(), fix = if (isText) JavaFix(source.range(problem.start, problem.end), "\"$text\"") else null)
+        return ProblemExplanation(messages.wrongCharacter(), fix = if (isText) JavaFix(source.range(problem.start, problem.end), "\"$text\"") else null)
     }
 
     /** The grammar's names for groups of words, such as `ReferenceType`, tell a pupil nothing. */

@@ -7,15 +7,15 @@ import robotran.javacompiler.messages.NewerJava
 
 /** What to tell about values whose types do not fit where they stand. */
 internal class TypeAdvisor(private val messages: JavaMessages) {
-    fun advice(problem: EcjProblem, source: SourceText): Advice? = when (problem.number) {
+    fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? = when (problem.number) {
         ProblemNumber.TYPE_MISMATCH -> mismatch(problem, source)
         ProblemNumber.INVALID_OPERATOR -> operator(problem)
         ProblemNumber.PARAMETER_MISMATCH -> arguments(problem)
-        ProblemNumber.NUMERIC_VALUE_OUT_OF_RANGE -> Advice(messages.numberTooLarge(shortened(source.words(problem.start, problem.end))))
+        ProblemNumber.NUMERIC_VALUE_OUT_OF_RANGE -> ProblemExplanation(messages.numberTooLarge(shortened(source.words(problem.start, problem.end))))
         else -> null
     }
 
-    private fun mismatch(problem: EcjProblem, source: SourceText): Advice {
+    private fun mismatch(problem: EcjProblem, source: SourceText): ProblemExplanation {
         val given = problem.arguments[0]
         val needed = problem.arguments[1]
         val message = messages.doesNotFit(shortened(given), shortened(needed))
@@ -23,58 +23,58 @@ internal class TypeAdvisor(private val messages: JavaMessages) {
         val range = source.range(problem.start, problem.end)
         return when {
             needed == "boolean" && SINGLE_EQUALS_SIGN.containsMatchIn(text) -> {
-                Advice(messages.compareWithTwoSigns(), fix = JavaFix(range, SINGLE_EQUALS_SIGN.replaceFirst(text, "==")))
+                ProblemExplanation(messages.compareWithTwoSigns(), fix = JavaFix(range, SINGLE_EQUALS_SIGN.replaceFirst(text, "==")))
             }
 
             given == "void" -> {
-                Advice(messages.givesNothing())
+                ProblemExplanation(messages.givesNothing())
             }
 
             given == "double" && needed == "float" && DECIMAL_NUMBER.matches(text) -> {
-                Advice(message, messages.writeFloat(text), JavaFix(range, "${text}f"))
+                ProblemExplanation(message, messages.writeFloat(text), JavaFix(range, "${text}f"))
             }
 
             given in NUMBERS && needed in NUMBERS -> {
-                Advice(message, messages.castNumber(needed), JavaFix(range, cast(text, needed)))
+                ProblemExplanation(message, messages.castNumber(needed), JavaFix(range, cast(text, needed)))
             }
 
             given in NUMBERS && needed == "boolean" -> {
-                Advice(message, messages.compareWithZero())
+                ProblemExplanation(message, messages.compareWithZero())
             }
 
             isBoxing(given, needed) -> {
-                Advice(message, messages.insteadOf(NewerJava.AUTOBOXING))
+                ProblemExplanation(message, messages.insteadOf(NewerJava.AUTOBOXING))
             }
 
             given == "Object" && needed !in SINGLE_VALUES -> {
-                Advice(message, messages.castObject(shortened(needed)), JavaFix(range, cast(text, needed)))
+                ProblemExplanation(message, messages.castObject(shortened(needed)), JavaFix(range, cast(text, needed)))
             }
 
             needed == "String" -> {
-                Advice(message, messages.makeText())
+                ProblemExplanation(message, messages.makeText())
             }
 
             else -> {
-                Advice(message)
+                ProblemExplanation(message)
             }
         }
     }
 
-    private fun operator(problem: EcjProblem): Advice {
+    private fun operator(problem: EcjProblem): ProblemExplanation {
         val types = problem.arguments[1]
         val message = messages.wrongOperator(problem.arguments[0], shortened(types))
-        return Advice(message, if (types.split(", ").any { it in BOXES }) messages.insteadOf(NewerJava.AUTOBOXING) else null)
+        return ProblemExplanation(message, if (types.split(", ").any { it in BOXES }) messages.insteadOf(NewerJava.AUTOBOXING) else null)
     }
 
     /** ECJ's arguments: the class, the method, what it takes and what it is given. */
-    private fun arguments(problem: EcjProblem): Advice {
+    private fun arguments(problem: EcjProblem): ProblemExplanation {
         val (_, method, needed, given) = problem.arguments.map(::shortened)
         val message = messages.wrongArguments(method, needed, given)
         return when {
-            given in NUMBERS && needed in NUMBERS -> Advice(message, messages.castNumber(needed))
-            isBoxing(given, needed) -> Advice(message, messages.insteadOf(NewerJava.AUTOBOXING))
-            needed == "String" && given in NUMBERS -> Advice(message, messages.makeText())
-            else -> Advice(message)
+            given in NUMBERS && needed in NUMBERS -> ProblemExplanation(message, messages.castNumber(needed))
+            isBoxing(given, needed) -> ProblemExplanation(message, messages.insteadOf(NewerJava.AUTOBOXING))
+            needed == "String" && given in NUMBERS -> ProblemExplanation(message, messages.makeText())
+            else -> ProblemExplanation(message)
         }
     }
 

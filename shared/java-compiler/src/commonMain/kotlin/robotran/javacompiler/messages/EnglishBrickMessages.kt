@@ -1,7 +1,7 @@
 package robotran.javacompiler.messages
 
 /** What is told in English about what a computer has and a brick has not. */
-internal object EnglishBrickMessages : BrickMessages {
+internal object EnglishBrickMessages : UnsupportedOnBrickMessages {
     override fun newerJava(what: NewerJava) = "The brick's Java is older and has no ${name(what)}."
 
     override fun insteadOf(what: NewerJava) = when (what) {
@@ -42,24 +42,24 @@ internal object EnglishBrickMessages : BrickMessages {
         NewerJava.NUMBER_STYLE -> "\"_\" in numbers, and no numbers that begin with \"0b\""
     }
 
-    override fun absent(what: AbsentFromBrick) = when (what) {
-        AbsentFromBrick.PRINTING -> "The brick shows numbers with LCD.showNumber(7) and up to five letters with TextLCD.print(\"hello\")."
-        AbsentFromBrick.KEYBOARD -> "The brick has no keyboard. Ask its buttons, such as Button.VIEW.isPressed()."
-        AbsentFromBrick.COLLECTIONS -> "Use an array, such as int[], or a Vector from java.util."
-        AbsentFromBrick.VECTOR_METHODS -> "A brick's Vector has addElement(), elementAt(), setElementAt(), removeElementAt() and size()."
-        AbsentFromBrick.HASHTABLE_METHODS -> "A Hashtable on the brick has put() and get(), and get() gives null for what is not in it."
-        AbsentFromBrick.RUNNABLE -> "Write \"extends Thread\" instead, with a method \"public void run()\"."
-        AbsentFromBrick.FORMATTING -> "The brick cannot format texts. Show a number with LCD.showNumber(7)."
-        AbsentFromBrick.TEXT_METHODS -> "A text on the brick has length(), charAt(), toCharArray() and equals(), and little more."
-        AbsentFromBrick.PARSING -> "The brick cannot read numbers from texts."
-        AbsentFromBrick.WRAPPERS -> "Use boolean, char, int or float itself."
-        AbsentFromBrick.WRITING_NUMBERS -> "\"\" + number makes a text of a number. LCD.showNumber(number) shows it without one."
-        AbsentFromBrick.SYSTEM_METHODS -> "System.currentTimeMillis() is the time, and memory is never taken back."
-        AbsentFromBrick.ARRAY_COPYING -> "Copy one element after the other in a \"for\"."
-        AbsentFromBrick.WAITING -> "Thread.sleep(1000) waits a second."
-        AbsentFromBrick.FILES -> "The brick has no files."
-        AbsentFromBrick.WINDOWS -> "The brick has no windows. It shows numbers and short texts with LCD and TextLCD."
-        AbsentFromBrick.OTHER_BRICKS -> "That is for newer bricks. The classes of this one are in josx.platform.rcx."
+    override fun absent(what: UnsupportedOnBrick) = when (what) {
+        UnsupportedOnBrick.PRINTING -> "The brick shows numbers with LCD.showNumber(7) and up to five letters with TextLCD.print(\"hello\")."
+        UnsupportedOnBrick.KEYBOARD -> "The brick has no keyboard. Ask its buttons, such as Button.VIEW.isPressed()."
+        UnsupportedOnBrick.COLLECTIONS -> "Use an array, such as int[], or a Vector from java.util."
+        UnsupportedOnBrick.VECTOR_METHODS -> "A brick's Vector has addElement(), elementAt(), setElementAt(), removeElementAt() and size()."
+        UnsupportedOnBrick.HASHTABLE_METHODS -> "A Hashtable on the brick has put() and get(), and get() gives null for what is not in it."
+        UnsupportedOnBrick.RUNNABLE -> "Write \"extends Thread\" instead, with a method \"public void run()\"."
+        UnsupportedOnBrick.FORMATTING -> "The brick cannot format texts. Show a number with LCD.showNumber(7)."
+        UnsupportedOnBrick.TEXT_METHODS -> "A text on the brick has length(), charAt(), toCharArray() and equals(), and little more."
+        UnsupportedOnBrick.PARSING -> "The brick cannot read numbers from texts."
+        UnsupportedOnBrick.WRAPPERS -> "Use boolean, char, int or float itself."
+        UnsupportedOnBrick.WRITING_NUMBERS -> "\"\" + number makes a text of a number. LCD.showNumber(number) shows it without one."
+        UnsupportedOnBrick.SYSTEM_METHODS -> "System.currentTimeMillis() is the time, and memory is never taken back."
+        UnsupportedOnBrick.ARRAY_COPYING -> "Copy one element after the other in a \"for\"."
+        UnsupportedOnBrick.WAITING -> "Thread.sleep(1000) waits a second."
+        UnsupportedOnBrick.FILES -> "The brick has no files."
+        UnsupportedOnBrick.WINDOWS -> "The brick has no windows. It shows numbers and short texts with LCD and TextLCD."
+        UnsupportedOnBrick.OTHER_BRICKS -> "That is for newer bricks. The classes of this one are in josx.platform.rcx."
     }
 
     override fun noSwitch() = "The brick's Java has no \"switch\"."

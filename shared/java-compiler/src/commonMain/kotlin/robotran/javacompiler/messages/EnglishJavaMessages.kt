@@ -7,4 +7,4 @@ object EnglishJavaMessages :
     JavaNameMessages by EnglishJavaNameMessages,
     JavaMeaningMessages by EnglishJavaMeaningMessages,
     JavaClassMessages by EnglishJavaClassMessages,
-    BrickMessages by EnglishBrickMessages
+    UnsupportedOnBrickMessages by EnglishBrickMessages

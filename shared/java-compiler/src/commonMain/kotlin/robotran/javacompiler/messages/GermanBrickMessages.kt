@@ -1,7 +1,7 @@
 package robotran.javacompiler.messages
 
 /** What is told in German about what a computer has and a brick has not. */
-internal object GermanBrickMessages : BrickMessages {
+internal object GermanBrickMessages : UnsupportedOnBrickMessages {
     override fun newerJava(what: NewerJava) = "Das Java des Steins ist älter. Es hat ${name(what)}."
 
     override fun insteadOf(what: NewerJava) = when (what) {
@@ -42,72 +42,72 @@ internal object GermanBrickMessages : BrickMessages {
         NewerJava.NUMBER_STYLE -> "kein \"_\" in Zahlen und keine Zahlen, die mit \"0b\" beginnen"
     }
 
-    override fun absent(what: AbsentFromBrick) = when (what) {
-        AbsentFromBrick.PRINTING -> {
+    override fun absent(what: UnsupportedOnBrick) = when (what) {
+        UnsupportedOnBrick.PRINTING -> {
             "Der Stein zeigt Zahlen mit LCD.showNumber(7) und bis zu fünf Buchstaben mit TextLCD.print(\"hello\")."
         }
 
-        AbsentFromBrick.KEYBOARD -> {
+        UnsupportedOnBrick.KEYBOARD -> {
             "Der Stein hat keine Tastatur. Frag seine Tasten, zum Beispiel Button.VIEW.isPressed()."
         }
 
-        AbsentFromBrick.COLLECTIONS -> {
+        UnsupportedOnBrick.COLLECTIONS -> {
             "Nimm ein Array, zum Beispiel int[], oder einen Vector aus java.util."
         }
 
-        AbsentFromBrick.VECTOR_METHODS -> {
+        UnsupportedOnBrick.VECTOR_METHODS -> {
             "Der Vector eines Steins hat addElement(), elementAt(), setElementAt(), removeElementAt() und size()."
         }
 
-        AbsentFromBrick.HASHTABLE_METHODS -> {
+        UnsupportedOnBrick.HASHTABLE_METHODS -> {
             "Eine Hashtable hat auf dem Stein put() und get(), und get() gibt null für das, was nicht darin ist."
         }
 
-        AbsentFromBrick.RUNNABLE -> {
+        UnsupportedOnBrick.RUNNABLE -> {
             "Schreib stattdessen \"extends Thread\", mit einer Methode \"public void run()\"."
         }
 
-        AbsentFromBrick.FORMATTING -> {
+        UnsupportedOnBrick.FORMATTING -> {
             "Der Stein kann Texte nicht formatieren. Zeig eine Zahl mit LCD.showNumber(7)."
         }
 
-        AbsentFromBrick.TEXT_METHODS -> {
+        UnsupportedOnBrick.TEXT_METHODS -> {
             "Ein Text hat auf dem Stein length(), charAt(), toCharArray() und equals(), und nicht viel mehr."
         }
 
-        AbsentFromBrick.PARSING -> {
+        UnsupportedOnBrick.PARSING -> {
             "Der Stein kann keine Zahlen aus Texten lesen."
         }
 
-        AbsentFromBrick.WRAPPERS -> {
+        UnsupportedOnBrick.WRAPPERS -> {
             "Nimm boolean, char, int oder float selbst."
         }
 
-        AbsentFromBrick.WRITING_NUMBERS -> {
+        UnsupportedOnBrick.WRITING_NUMBERS -> {
             "\"\" + number macht aus einer Zahl einen Text. LCD.showNumber(number) zeigt sie ohne."
         }
 
-        AbsentFromBrick.SYSTEM_METHODS -> {
+        UnsupportedOnBrick.SYSTEM_METHODS -> {
             "System.currentTimeMillis() ist die Zeit, und Speicher kommt nie zurück."
         }
 
-        AbsentFromBrick.ARRAY_COPYING -> {
+        UnsupportedOnBrick.ARRAY_COPYING -> {
             "Kopier in einem \"for\" ein Element nach dem anderen."
         }
 
-        AbsentFromBrick.WAITING -> {
+        UnsupportedOnBrick.WAITING -> {
             "Thread.sleep(1000) wartet eine Sekunde."
         }
 
-        AbsentFromBrick.FILES -> {
+        UnsupportedOnBrick.FILES -> {
             "Der Stein hat keine Dateien."
         }
 
-        AbsentFromBrick.WINDOWS -> {
+        UnsupportedOnBrick.WINDOWS -> {
             "Der Stein hat keine Fenster. Er zeigt Zahlen und kurze Texte mit LCD und TextLCD."
         }
 
-        AbsentFromBrick.OTHER_BRICKS -> {
+        UnsupportedOnBrick.OTHER_BRICKS -> {
             "Das ist für neuere Steine. Die Klassen von diesem stehen in josx.platform.rcx."
         }
     }

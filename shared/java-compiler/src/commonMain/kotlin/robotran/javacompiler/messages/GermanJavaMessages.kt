@@ -11,4 +11,4 @@ object GermanJavaMessages :
     JavaNameMessages by GermanJavaNameMessages,
     JavaMeaningMessages by GermanJavaMeaningMessages,
     JavaClassMessages by GermanJavaClassMessages,
-    BrickMessages by GermanBrickMessages
+    UnsupportedOnBrickMessages by GermanBrickMessages

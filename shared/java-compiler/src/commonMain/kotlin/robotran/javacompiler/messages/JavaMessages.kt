@@ -11,7 +11,7 @@ interface JavaMessages :
     JavaNameMessages,
     JavaMeaningMessages,
     JavaClassMessages,
-    BrickMessages {
+    UnsupportedOnBrickMessages {
     companion object {
         fun of(language: Language): JavaMessages = when (language) {
             Language.ENGLISH -> EnglishJavaMessages
@@ -144,12 +144,12 @@ interface JavaNameMessages {
 }
 
 /** What is told about what a computer has and a brick has not. */
-interface BrickMessages {
+interface UnsupportedOnBrickMessages {
     fun newerJava(what: NewerJava): String
 
     fun insteadOf(what: NewerJava): String
 
-    fun absent(what: AbsentFromBrick): String
+    fun absent(what: UnsupportedOnBrick): String
 
     fun noSwitch(): String
 

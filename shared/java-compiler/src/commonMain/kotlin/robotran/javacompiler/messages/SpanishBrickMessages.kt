@@ -1,7 +1,7 @@
 package robotran.javacompiler.messages
 
 /** What is told in Spanish about what a computer has and a brick has not. */
-internal object SpanishBrickMessages : BrickMessages {
+internal object SpanishBrickMessages : UnsupportedOnBrickMessages {
     override fun newerJava(what: NewerJava) = "El Java del ladrillo es más antiguo y no tiene ${name(what)}."
 
     override fun insteadOf(what: NewerJava) = when (what) {
@@ -42,72 +42,72 @@ internal object SpanishBrickMessages : BrickMessages {
         NewerJava.NUMBER_STYLE -> "\"_\" en los números, ni números que empiecen por \"0b\""
     }
 
-    override fun absent(what: AbsentFromBrick) = when (what) {
-        AbsentFromBrick.PRINTING -> {
+    override fun absent(what: UnsupportedOnBrick) = when (what) {
+        UnsupportedOnBrick.PRINTING -> {
             "El ladrillo muestra números con LCD.showNumber(7) y hasta cinco letras con TextLCD.print(\"hello\")."
         }
 
-        AbsentFromBrick.KEYBOARD -> {
+        UnsupportedOnBrick.KEYBOARD -> {
             "El ladrillo no tiene teclado. Pregunta a sus botones, como Button.VIEW.isPressed()."
         }
 
-        AbsentFromBrick.COLLECTIONS -> {
+        UnsupportedOnBrick.COLLECTIONS -> {
             "Usa un array, como int[], o un Vector de java.util."
         }
 
-        AbsentFromBrick.VECTOR_METHODS -> {
+        UnsupportedOnBrick.VECTOR_METHODS -> {
             "El Vector de un ladrillo tiene addElement(), elementAt(), setElementAt(), removeElementAt() y size()."
         }
 
-        AbsentFromBrick.HASHTABLE_METHODS -> {
+        UnsupportedOnBrick.HASHTABLE_METHODS -> {
             "Una Hashtable en el ladrillo tiene put() y get(), y get() da null para lo que no está en ella."
         }
 
-        AbsentFromBrick.RUNNABLE -> {
+        UnsupportedOnBrick.RUNNABLE -> {
             "Escribe en su lugar \"extends Thread\", con un método \"public void run()\"."
         }
 
-        AbsentFromBrick.FORMATTING -> {
+        UnsupportedOnBrick.FORMATTING -> {
             "El ladrillo no puede dar formato a los textos. Muestra un número con LCD.showNumber(7)."
         }
 
-        AbsentFromBrick.TEXT_METHODS -> {
+        UnsupportedOnBrick.TEXT_METHODS -> {
             "Un texto en el ladrillo tiene length(), charAt(), toCharArray() y equals(), y poco más."
         }
 
-        AbsentFromBrick.PARSING -> {
+        UnsupportedOnBrick.PARSING -> {
             "El ladrillo no puede leer números de los textos."
         }
 
-        AbsentFromBrick.WRAPPERS -> {
+        UnsupportedOnBrick.WRAPPERS -> {
             "Usa directamente boolean, char, int o float."
         }
 
-        AbsentFromBrick.WRITING_NUMBERS -> {
+        UnsupportedOnBrick.WRITING_NUMBERS -> {
             "\"\" + number hace un texto de un número. LCD.showNumber(number) lo muestra sin hacerlo."
         }
 
-        AbsentFromBrick.SYSTEM_METHODS -> {
+        UnsupportedOnBrick.SYSTEM_METHODS -> {
             "System.currentTimeMillis() es la hora, y la memoria no se recupera nunca."
         }
 
-        AbsentFromBrick.ARRAY_COPYING -> {
+        UnsupportedOnBrick.ARRAY_COPYING -> {
             "Copia los elementos uno tras otro en un \"for\"."
         }
 
-        AbsentFromBrick.WAITING -> {
+        UnsupportedOnBrick.WAITING -> {
             "Thread.sleep(1000) espera un segundo."
         }
 
-        AbsentFromBrick.FILES -> {
+        UnsupportedOnBrick.FILES -> {
             "El ladrillo no tiene archivos."
         }
 
-        AbsentFromBrick.WINDOWS -> {
+        UnsupportedOnBrick.WINDOWS -> {
             "El ladrillo no tiene ventanas. Muestra números y textos cortos con LCD y TextLCD."
         }
 
-        AbsentFromBrick.OTHER_BRICKS -> {
+        UnsupportedOnBrick.OTHER_BRICKS -> {
             "Eso es para ladrillos más nuevos. Las clases de este están en josx.platform.rcx."
         }
     }

@@ -10,4 +10,4 @@ object SpanishJavaMessages :
     JavaNameMessages by SpanishJavaNameMessages,
     JavaMeaningMessages by SpanishJavaMeaningMessages,
     JavaClassMessages by SpanishJavaClassMessages,
-    BrickMessages by SpanishBrickMessages
+    UnsupportedOnBrickMessages by SpanishBrickMessages

@@ -16,7 +16,7 @@ import java.lang.reflect.WildcardType
 internal fun argumentsOf(message: Method): List<List<Any?>> {
     val choices = message.genericParameterTypes.mapIndexed { number, type -> choicesOf(type, number) }
     return choices.fold(listOf(emptyList<Any?>())) { begun, next -> begun.flatMap { some -> next.map { some + it } } }
-        .filter { arguments -> arguments.isEmpty() || arguments.any { it != null } }.take(MOST_CALLS)
+        .filter { arguments -> arguments.isEmpty() || arguments.any { it != null } }.take(MAX_CALLS)
 }
 
 /** The texts and numbers in [arguments] that can be found again in a sentence. */
@@ -63,4 +63,4 @@ private fun marker(number: Int) = "marker$number"
 
 /** Numbers from here on are in no sentence by themselves. */
 private const val LARGE = 7001
-private const val MOST_CALLS = 500
+private const val MAX_CALLS = 500

@@ -29,10 +29,10 @@ internal class InfraredPort(
     }
 
     /** The next byte whose light was over before [now], whether or not anything disturbed it; null if there is none. */
-    fun hear(now: Long): HeardByte? {
+    fun hear(now: Long): ReceivedByte? {
         if ((arrived.firstOrNull() ?: return null).end >= now) return null
         val light = arrived.removeFirst()
-        return HeardByte(light.value, damaged = air.disturbs(light, this))
+        return ReceivedByte(light.value, damaged = air.disturbs(light, this))
     }
 
     /** Whether light went out from here at any time between [begin] and [end]. */
@@ -45,4 +45,4 @@ internal class InfraredPort(
 }
 
 /** A byte that has come out of the air; [damaged] if its parity or its end is wrong. */
-internal data class HeardByte(val value: Int, val damaged: Boolean)
+internal data class ReceivedByte(val value: Int, val damaged: Boolean)

@@ -114,7 +114,7 @@ internal class Serial(
         if (sender.remaining == 0) memory.writeByte(SerialMemory.SEND_STATE, SerialMemory.IDLE)
     }
 
-    private fun hear(byte: HeardByte) {
+    private fun hear(byte: ReceivedByte) {
         when {
             !runs -> Unit
             isSending -> receiver.forget()

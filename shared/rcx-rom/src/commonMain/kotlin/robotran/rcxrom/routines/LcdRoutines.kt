@@ -40,8 +40,8 @@ internal class LcdRoutines(
         val pointIsKnown = pointCode in RomCode.LCD_POINT_NONE..RomCode.LCD_POINT_3
         val decimals = if (pointIsKnown) pointCode - RomCode.LCD_POINT_NONE else 0
         val shown = number.coerceIn(-LARGEST, LARGEST)
-        val leastDigits = if (leadingZeros) MAIN_DIGITS else decimals + 1
-        val digits = (if (shown < 0) -shown else shown).toString().padStart(leastDigits, '0')
+        val minDigits = if (leadingZeros) MAIN_DIGITS else decimals + 1
+        val digits = (if (shown < 0) -shown else shown).toString().padStart(minDigits, '0')
 
         for (position in 1..MAIN_DIGITS) {
             val digit = digits.getOrNull(digits.length - position)?.let { LcdGlyphs.FIGURES[it - '0'] }

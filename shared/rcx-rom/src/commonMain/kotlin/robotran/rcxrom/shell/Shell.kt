@@ -29,7 +29,7 @@ internal class Shell(
     private var run: ProgramRun? = null
     private var waitUntil = 0L
     private var pausedSteps = 0
-    private val ending = RunEnding(messages)
+    private val ending = ProgramExit(messages)
     private var earlierRemarks: List<RuntimeWarning> = emptyList()
     private val pressedInShell = mutableSetOf<BrickButton>()
     private var runWasHeldWithOnOff = false
@@ -52,7 +52,7 @@ internal class Shell(
     /** What the run has to say, or the last one if none runs. */
     val remarks: List<RuntimeWarning> get() = run?.remarks ?: earlierRemarks
 
-    /** See [RunEnding.explanation]. */
+    /** See [ProgramExit.explanation]. */
     val explanation: String? get() = ending.explanation
 
     /** The batteries are in and the firmware is loaded: the first time that the brick is on. */
@@ -194,9 +194,9 @@ internal class Shell(
 
     private fun answerMessage() {
         when (mailbox.answer()) {
-            ShellMailbox.Wish.NONE -> startIdleTime()
-            ShellMailbox.Wish.START -> if (selectedProgram == null) showReady(SystemSounds.TWO_BEEPS) else startProgram()
-            ShellMailbox.Wish.UNKNOWN -> showReady(SystemSounds.TWO_BEEPS)
+            ShellMailbox.ShellAction.NONE -> startIdleTime()
+            ShellMailbox.ShellAction.START -> if (selectedProgram == null) showReady(SystemSounds.TWO_BEEPS) else startProgram()
+            ShellMailbox.ShellAction.UNKNOWN -> showReady(SystemSounds.TWO_BEEPS)
         }
     }
 

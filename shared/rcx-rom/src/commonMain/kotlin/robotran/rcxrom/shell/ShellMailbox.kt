@@ -17,31 +17,31 @@ internal class ShellMailbox(
     private val log: RomLog,
 ) {
     /** What the shell is to do after a message. */
-    enum class Wish { NONE, START, UNKNOWN }
+    enum class ShellAction { NONE, START, UNKNOWN }
 
     val hasMessage: Boolean get() = memory.readByte(SerialMemory.VALID) != 0
 
     /** Takes the message, answers it, and tells what else there is to do. */
-    fun answer(): Wish {
+    fun answer(): ShellAction {
         firmware.receive(LONGEST)
         val opcode = memory.readByte(FirmwareMemory.MESSAGE)
         return when (opcode and SerialReceiver.TOGGLE_BIT.inv()) {
             ALIVE -> reply(opcode)
             GET_VERSIONS -> reply(opcode, VERSIONS)
-            REMOTE_COMMAND -> if (memory.readByte(FirmwareMemory.MESSAGE + 1) and PROGRAM_1 != 0) Wish.START else Wish.UNKNOWN
+            REMOTE_COMMAND -> if (memory.readByte(FirmwareMemory.MESSAGE + 1) and PROGRAM_1 != 0) ShellAction.START else ShellAction.UNKNOWN
             GET_VALUE, TRANSFER_DATA, DELETE_FIRMWARE -> report()
-            else -> Wish.UNKNOWN
+            else -> ShellAction.UNKNOWN
         }
     }
 
-    private fun reply(opcode: Int, rest: List<Int> = emptyList()): Wish {
+    private fun reply(opcode: Int, rest: List<Int> = emptyList()): ShellAction {
         firmware.send(listOf(opcode.inv()) + rest)
-        return Wish.NONE
+        return ShellAction.NONE
     }
 
-    private fun report(): Wish {
+    private fun report(): ShellAction {
         log.amendLast { it.copy(meaning = messages.messageNotModelled(it.meaning, RomGap.DOWNLOAD), outcome = RomOutcome.NOT_MODELLED) }
-        return Wish.UNKNOWN
+        return ShellAction.UNKNOWN
     }
 
     private companion object {

@@ -19,7 +19,7 @@ internal class AssignmentChecker(
     fun check(statement: Statement.Assign) {
         when (val target = statement.target) {
             is AssignTarget.Variable -> assignVariable(target.name, statement.value)
-            is AssignTarget.Element -> assignElement(target, statement.value)
+            is AssignTarget.ListElement -> assignElement(target, statement.value)
         }
     }
 
@@ -48,12 +48,12 @@ internal class AssignmentChecker(
     }
 
     /** A variable that begins as a plain whole number can begin as a decimal one. */
-    private fun fixOfDeclaration(draft: Draft): SourceFix? {
+    private fun fixOfDeclaration(draft: UnresolvedSymbol): SourceFix? {
         val value = context.declaredValues[draft.name.range] as? Expression.Number ?: return null
         return SourceFix(value.range, value.text + ".0")
     }
 
-    private fun assignElement(target: AssignTarget.Element, value: Expression) {
+    private fun assignElement(target: AssignTarget.ListElement, value: Expression) {
         val list = context.draftsByName[target.list.range] ?: return
         val type = list.type.type
         if (!type.isList && type != ValueType.NOTHING) {

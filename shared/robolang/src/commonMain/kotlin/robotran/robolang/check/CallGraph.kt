@@ -12,7 +12,7 @@ internal class CallGraph(private val context: CheckContext) {
     private val callees: List<Set<Int>> = uses.map { use -> use.calls.mapNotNullTo(mutableSetOf(), ::placeOf) }
 
     /** The variable of the main program declared furthest down that a call of [routine] may use, null for none. */
-    fun latestGlobal(routine: Routine): Draft? = latestGlobals[places.getValue(routine.range)]
+    fun latestGlobal(routine: Routine): UnresolvedSymbol? = latestGlobals[places.getValue(routine.range)]
 
     /**
      * Where the routines begin that are done again and again: those that call themselves, directly or by way of others, those that are
@@ -23,14 +23,14 @@ internal class CallGraph(private val context: CheckContext) {
         return reached(recursive + repeatedly.map { places.getValue(it.range) }).mapTo(mutableSetOf()) { routines[it].range }
     }
 
-    private val latestGlobals: Map<Int, Draft> by lazy {
+    private val latestGlobals: Map<Int, UnresolvedSymbol> by lazy {
         val callers = List(routines.size) { mutableSetOf<Int>() }
         callees.forEachIndexed { caller, called -> called.forEach { callers[it] += caller } }
-        val users = mutableMapOf<Draft, MutableSet<Int>>()
+        val users = mutableMapOf<UnresolvedSymbol, MutableSet<Int>>()
         uses.forEachIndexed { place, use ->
             use.variables.mapNotNull(context::globalOf).forEach { users.getOrPut(it) { mutableSetOf() } += place }
         }
-        val latest = mutableMapOf<Int, Draft>()
+        val latest = mutableMapOf<Int, UnresolvedSymbol>()
         for ((global, direct) in users.entries.sortedByDescending { it.key.name.range.line }) {
             val waiting = ArrayDeque(direct)
             while (waiting.isNotEmpty()) {
@@ -56,5 +56,5 @@ internal class CallGraph(private val context: CheckContext) {
 }
 
 /** The variable or constant of the main program, declared outside all blocks, that [name] stands for. */
-internal fun CheckContext.globalOf(name: Name): Draft? =
+internal fun CheckContext.globalOf(name: Name): UnresolvedSymbol? =
     draftsByName[name.range]?.takeIf { it.isGlobal && it.kind != SymbolKind.PROCEDURE && it.kind != SymbolKind.FUNCTION }

@@ -1,7 +1,7 @@
 package robotran.robolang.check
 
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Expression
@@ -18,13 +18,13 @@ import robotran.robolang.syntax.shortened
 /** What the parts of the checker know in common: the program, what its names and expressions are so far, and what is wrong. */
 internal class CheckContext(
     val parsed: ParsedProgram,
-    val mistakes: Mistakes,
+    val diagnostics: DiagnosticSink,
 ) {
-    val messages = mistakes.messages
+    val messages = diagnostics.messages
     val tree = parsed.tree
-    val drafts = mutableListOf<Draft>()
-    val draftsByName = mutableMapOf<SourceRange, Draft>()
-    val routines = mutableMapOf<String, Draft>()
+    val drafts = mutableListOf<UnresolvedSymbol>()
+    val draftsByName = mutableMapOf<SourceRange, UnresolvedSymbol>()
+    val routines = mutableMapOf<String, UnresolvedSymbol>()
     val routinesByName = mutableMapOf<SourceRange, Routine>()
 
     /** What each variable begins with, by the place of its name. */
@@ -36,7 +36,7 @@ internal class CheckContext(
     var suggestions = 0
 
     /** Lines that the parser understood only in part. */
-    val mistakenLines: Set<Int> = mistakes.lines.toSet()
+    val mistakenLines: Set<Int> = diagnostics.lines.toSet()
 
     /** Words that may be declared on a line that was not understood, so that nobody is blamed for using them. */
     private val excused: Set<String> = mistakenLines.flatMapTo(mutableSetOf()) { line ->
@@ -63,11 +63,11 @@ internal class CheckContext(
     fun quotable(expression: Expression): String = shortened(textOf(expression.range))
 
     fun report(code: DiagnosticCode, range: SourceRange, message: String, fix: SourceFix? = null) {
-        mistakes.report(code, range, textOf(range), message, fix)
+        diagnostics.report(code, range, textOf(range), message, fix)
     }
 
     fun warn(code: DiagnosticCode, range: SourceRange, message: String, fix: SourceFix? = null) {
-        mistakes.warn(code, range, textOf(range), message, fix)
+        diagnostics.warn(code, range, textOf(range), message, fix)
     }
 
     /** The number that [expression] always is, null if that is not plain to see. */

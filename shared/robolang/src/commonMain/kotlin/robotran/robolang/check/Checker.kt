@@ -1,7 +1,7 @@
 package robotran.robolang.check
 
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.robot.Calibration
 import robotran.robolang.syntax.ParsedProgram
@@ -10,12 +10,12 @@ import robotran.robolang.syntax.shortened
 /** Finds what is well written but makes no sense: names, types, values, the way through the program and the limits of the brick. */
 internal class Checker(
     private val calibration: Calibration,
-    private val mistakes: Mistakes,
+    private val diagnostics: DiagnosticSink,
 ) {
     fun check(parsed: ParsedProgram): CheckedProgram {
-        val context = CheckContext(parsed, mistakes)
+        val context = CheckContext(parsed, diagnostics)
         NameResolver(context).resolve()
-        if (mistakes.isEmpty) settleUnusedTypes(context)
+        if (diagnostics.isEmpty) settleUnusedTypes(context)
         ExpressionChecker(context).let { StatementChecker(context, it, calibration).check() }
         ControlFlowChecker(context).check()
         val graph = CallGraph(context)
@@ -33,7 +33,7 @@ internal class Checker(
 
     /** What no call gives a value has the type that it is used as; that and what only calls itself is otherwise taken for whole. */
     private fun settleUnusedTypes(context: CheckContext) {
-        NeededTypes(context).settle()
+        ParameterTypeInference(context).settle()
         val open = context.drafts.filter { it.kind == SymbolKind.PARAMETER || it.kind == SymbolKind.FUNCTION }
         open.filter { it.type.type == ValueType.NOTHING }.forEach { it.type.raise(ValueType.WHOLE) }
     }

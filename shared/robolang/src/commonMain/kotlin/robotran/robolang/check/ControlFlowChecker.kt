@@ -70,7 +70,7 @@ internal class ControlFlowChecker(private val context: CheckContext) {
         goesOn(statement.body)
         val isLeft = left.removeLast()
         if (statement !is Statement.RepeatForever) return true
-        if (!isLeft && !Restfulness.isRestful(statement.body)) warnOfBusyLoop(statement)
+        if (!isLeft && !BlockingLoops.isRestful(statement.body)) warnOfBusyLoop(statement)
         return isLeft
     }
 
@@ -107,7 +107,7 @@ internal class ControlFlowChecker(private val context: CheckContext) {
 }
 
 /** Whether a loop gives the brick anything to wait for. */
-private object Restfulness {
+private object BlockingLoops {
     fun isRestful(statements: List<Statement>): Boolean = statements.any(::isRestful)
 
     private fun isRestful(statement: Statement): Boolean =

@@ -12,7 +12,7 @@ import robotran.robolang.syntax.shortened
  */
 internal class DeclarationOrder(private val context: CheckContext, private val graph: CallGraph) {
     private val messages = context.messages
-    private val toldOfBehaviours = mutableSetOf<Draft>()
+    private val toldOfBehaviours = mutableSetOf<UnresolvedSymbol>()
 
     fun check() {
         if (context.parsed.isDoubtful) return
@@ -26,7 +26,7 @@ internal class DeclarationOrder(private val context: CheckContext, private val g
         checkBehaviours()
     }
 
-    private fun messageOf(call: Name, global: Draft): String {
+    private fun messageOf(call: Name, global: UnresolvedSymbol): String {
         val routine = shortened(call.text)
         val variable = shortened(global.name.text)
         return if (lineOf(global) == call.range.line) {
@@ -53,9 +53,9 @@ internal class DeclarationOrder(private val context: CheckContext, private val g
         }
     }
 
-    private fun lineOf(global: Draft): Int = global.name.range.line
+    private fun lineOf(global: UnresolvedSymbol): Int = global.name.range.line
 
-    private fun report(range: SourceRange, global: Draft, message: String) {
+    private fun report(range: SourceRange, global: UnresolvedSymbol, message: String) {
         if (!context.isExcused(global.name)) context.report(DiagnosticCode.USED_BEFORE_DECLARATION, range, message)
     }
 }

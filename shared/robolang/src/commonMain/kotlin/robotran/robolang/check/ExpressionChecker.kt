@@ -20,11 +20,11 @@ internal class ExpressionChecker(private val context: CheckContext) {
         expression.parts.forEach(::check)
         when (expression) {
             is Expression.ListOf -> list(expression)
-            is Expression.Element -> element(expression)
+            is Expression.ListElement -> element(expression)
             is Expression.Unary -> unary(expression)
             is Expression.Binary -> binary(expression)
             is Expression.Call -> call(expression)
-            is Expression.Number, is Expression.Truth, is Expression.Variable, is Expression.Sense, is Expression.Brackets -> Unit
+            is Expression.Number, is Expression.BooleanLiteral, is Expression.Variable, is Expression.Sense, is Expression.Brackets -> Unit
         }
     }
 
@@ -110,7 +110,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
         }
     }
 
-    private fun element(expression: Expression.Element) {
+    private fun element(expression: Expression.ListElement) {
         needList(expression.list)
         val list = expression.list
         if (list is Expression.Variable) return needElement(list.name, expression.index)

@@ -5,7 +5,7 @@ import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Routine
 
 /** A symbol while the program is being read. */
-internal class Draft(
+internal class UnresolvedSymbol(
     val name: Name,
     val kind: SymbolKind,
     val owner: Routine?,
@@ -27,8 +27,8 @@ internal class Draft(
 
 /** Which variables are known at the place being read: those of the blocks around it. */
 internal class Scopes {
-    private val visible = mutableMapOf<String, Draft>()
-    private val blocks = ArrayDeque<MutableList<Pair<String, Draft?>>>()
+    private val visible = mutableMapOf<String, UnresolvedSymbol>()
+    private val blocks = ArrayDeque<MutableList<Pair<String, UnresolvedSymbol?>>>()
 
     fun enter() {
         blocks.addLast(mutableListOf())
@@ -40,9 +40,9 @@ internal class Scopes {
         }
     }
 
-    operator fun get(key: String): Draft? = visible[key]
+    operator fun get(key: String): UnresolvedSymbol? = visible[key]
 
-    fun declare(draft: Draft) {
+    fun declare(draft: UnresolvedSymbol) {
         blocks.lastOrNull()?.add(draft.name.key to visible[draft.name.key])
         visible[draft.name.key] = draft
     }

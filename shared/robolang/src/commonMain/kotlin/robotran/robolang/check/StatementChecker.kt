@@ -18,7 +18,7 @@ internal class StatementChecker(
     private val commands = CommandChecker(context, expressions, calibration)
     private val assignments = AssignmentChecker(context, expressions)
     private val messages = context.messages
-    private var function: Draft? = null
+    private var function: UnresolvedSymbol? = null
 
     fun check() {
         context.tree.statements.forEach(::check)

@@ -1,7 +1,7 @@
 package robotran.robolang.check
 
 /** What becomes of a type on its way from one node to another. */
-internal enum class TypeFlow {
+internal enum class TypeConstraint {
     SAME {
         override fun of(type: ValueType) = type
     },
@@ -36,9 +36,9 @@ internal class TypeNode(type: ValueType = ValueType.NOTHING) {
     var type: ValueType = type
         private set
 
-    private val flows = mutableListOf<Pair<TypeNode, TypeFlow>>()
+    private val flows = mutableListOf<Pair<TypeNode, TypeConstraint>>()
 
-    fun flowTo(target: TypeNode, flow: TypeFlow = TypeFlow.SAME) {
+    fun flowTo(target: TypeNode, flow: TypeConstraint = TypeConstraint.SAME) {
         flows += target to flow
         target.raise(flow.of(type))
     }

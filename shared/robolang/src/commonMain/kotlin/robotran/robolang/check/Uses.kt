@@ -37,6 +37,6 @@ internal class Uses {
     private val AssignTarget.variable: Name
         get() = when (this) {
             is AssignTarget.Variable -> name
-            is AssignTarget.Element -> list
+            is AssignTarget.ListElement -> list
         }
 }

@@ -8,5 +8,5 @@ sealed interface FormatResult {
     data class Formatted(val text: String) : FormatResult
 
     /** It cannot be read; [diagnostics] are the mistakes in its lines and blocks, in the order of the source, never empty. */
-    data class Mistaken(val diagnostics: List<Diagnostic>) : FormatResult
+    data class HasErrors(val diagnostics: List<Diagnostic>) : FormatResult
 }

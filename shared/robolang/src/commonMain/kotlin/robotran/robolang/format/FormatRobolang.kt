@@ -1,7 +1,7 @@
 package robotran.robolang.format
 
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.messages.EnglishMessages
 import robotran.robolang.messages.RobolangMessages
@@ -18,12 +18,12 @@ import robotran.robolang.syntax.scan
  * @param messages the language that mistakes are told in.
  */
 fun formatRobolang(source: String, messages: RobolangMessages = EnglishMessages): FormatResult {
-    val mistakes = Mistakes(messages)
+    val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
         val start = SourceRange(line = 1, column = 1, endColumn = 1)
-        mistakes.report(DiagnosticCode.SOURCE_TOO_LONG, start, "", messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS))
-        return FormatResult.Mistaken(mistakes.mistakesInSourceOrder())
+        diagnostics.report(DiagnosticCode.SOURCE_TOO_LONG, start, "", messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS))
+        return FormatResult.HasErrors(diagnostics.mistakesInSourceOrder())
     }
-    val parsed = Parser(scan(source, mistakes), mistakes).program()
-    return if (mistakes.isEmpty) FormatResult.Formatted(layout(parsed)) else FormatResult.Mistaken(mistakes.mistakesInSourceOrder())
+    val parsed = Parser(scan(source, diagnostics), diagnostics).program()
+    return if (diagnostics.isEmpty) FormatResult.Formatted(layout(parsed)) else FormatResult.HasErrors(diagnostics.mistakesInSourceOrder())
 }

@@ -10,7 +10,7 @@ private const val INDENTATION = "  "
 private const val SPACES_BEFORE_COMMENT = 2
 
 /** A line without its comment, laid out. */
-private class LaidLine(val code: String, val indentation: String, val comment: String?) {
+private class FormattedLine(val code: String, val indentation: String, val comment: String?) {
     val isEmpty: Boolean get() = code.isEmpty() && comment == null
     val hasBoth: Boolean get() = code.isNotEmpty() && comment != null
 }
@@ -30,7 +30,7 @@ internal fun layout(parsed: ParsedProgram): String {
     }
 }
 
-private fun laidLines(parsed: ParsedProgram): List<LaidLine> {
+private fun laidLines(parsed: ParsedProgram): List<FormattedLine> {
     val line = LineLayout(parsed.names)
     var depth = 0
     return parsed.lines.map { scanned ->
@@ -42,15 +42,15 @@ private fun laidLines(parsed: ParsedProgram): List<LaidLine> {
     }
 }
 
-private fun laidLine(scanned: ScannedLine, line: LineLayout, depth: Int): LaidLine {
+private fun laidLine(scanned: ScannedLine, line: LineLayout, depth: Int): FormattedLine {
     val indentation = INDENTATION.repeat(depth)
     val code = if (scanned.tokens.isEmpty()) "" else indentation + line.textOf(scanned.tokens)
-    return LaidLine(code, indentation, scanned.comment?.text)
+    return FormattedLine(code, indentation, scanned.comment?.text)
 }
 
 /** One empty line at most, and none at the beginning and at the end. */
-private fun withoutNeedlessEmptyLines(lines: List<LaidLine>): List<LaidLine> {
-    val kept = mutableListOf<LaidLine>()
+private fun withoutNeedlessEmptyLines(lines: List<FormattedLine>): List<FormattedLine> {
+    val kept = mutableListOf<FormattedLine>()
     for (line in lines) {
         if (!line.isEmpty || kept.lastOrNull()?.isEmpty == false) kept += line
     }
@@ -58,7 +58,7 @@ private fun withoutNeedlessEmptyLines(lines: List<LaidLine>): List<LaidLine> {
     return kept
 }
 
-private fun StringBuilder.appendLine(line: LaidLine, width: Int) {
+private fun StringBuilder.appendLine(line: FormattedLine, width: Int) {
     append(line.code)
     if (line.comment != null) {
         if (line.hasBoth) append(" ".repeat(width - line.code.length + SPACES_BEFORE_COMMENT)) else append(line.indentation)

@@ -5,10 +5,10 @@ import robotran.robolang.check.Symbol
 /**
  * One thread of execution: the main program, the action of a behaviour, or a condition being looked at. All it is in the middle of lies on
  * its own stack: operands, the frames of routines, and the counters of loops between them. A value is 32 bits: a whole number,
- * the bits of a decimal one, 1 or 0 for true and false, or the number of a list among the [Machine]'s.
+ * the bits of a decimal one, 1 or 0 for true and false, or the number of a list among the [InterpreterState]'s.
  */
 internal class Activity(
-    val machine: Machine,
+    val machine: InterpreterState,
     val name: String,
     start: Int,
     private var line: Int,
@@ -88,7 +88,7 @@ internal class Activity(
 
     /** Ends at once a command that lasts, as its time would. A pause that does nothing to the robot goes on. */
     fun cutShort() {
-        val ending = instructions[next] as? Ending ?: return
+        val ending = instructions[next] as? CompletionAction ?: return
         if (!waits) return
         waits = false
         next++

@@ -10,7 +10,7 @@ package robotran.robolang.run
  * It looks at the conditions before every statement and, while nothing else happens, once every millisecond. What has begun to drive
  * meanwhile stops in time, however long a look takes.
  */
-internal class Arbiter(private val machine: Machine) {
+internal class Arbiter(private val machine: InterpreterState) {
     private val behaviours = machine.code.behaviours
     private val main = Activity(machine, machine.code.name, machine.code.main, machine.code.firstLine)
     private var current = NONE

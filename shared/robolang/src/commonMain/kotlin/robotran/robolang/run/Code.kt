@@ -12,7 +12,7 @@ import robotran.robolang.syntax.Routine
  */
 internal class Code(
     val name: String,
-    val instructions: List<Instruction>,
+    val instructions: List<StackInstruction>,
     val main: Int,
     val globals: Int,
     val behaviours: List<BehaviourCode>,

@@ -97,7 +97,7 @@ internal class CommandLowering(
             machine.commands.start(way != null && number.isNegative, activity.currentLine)
             activity.waitFor(milliseconds)
         }
-        emitter.emit(Ending { it.machine.commands.stopDriving(it.currentLine) })
+        emitter.emit(CompletionAction { it.machine.commands.stopDriving(it.currentLine) })
     }
 
     private fun lowerPen(statement: Statement.Pen) {
@@ -105,7 +105,7 @@ internal class CommandLowering(
             it.machine.commands.startPen(statement.position, it.currentLine)
             it.waitFor(RobotConstants.PEN_MILLISECONDS)
         }
-        emitter.emit(Ending { it.machine.commands.stopPen(it.currentLine) })
+        emitter.emit(CompletionAction { it.machine.commands.stopPen(it.currentLine) })
     }
 
     private fun lowerMotor(statement: Statement.Motor) {

@@ -4,17 +4,17 @@ import robotran.robolang.check.Symbol
 
 /** Collects instructions while a program is lowered. */
 internal class Emitter {
-    private val collected = ArrayList<Instruction>()
+    private val collected = ArrayList<StackInstruction>()
 
     /** The variables that are declared where the next instruction will be. */
     var known: KnownVariables? = null
 
-    val instructions: List<Instruction> get() = collected
+    val instructions: List<StackInstruction> get() = collected
 
     /** Where the next instruction will be. */
     val place: Int get() = collected.size
 
-    fun emit(instruction: Instruction) {
+    fun emit(instruction: StackInstruction) {
         collected += instruction
     }
 

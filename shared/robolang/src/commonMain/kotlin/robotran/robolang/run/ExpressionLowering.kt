@@ -23,7 +23,7 @@ internal class ExpressionLowering(
                 lowerNumber(expression.value)
             }
 
-            is Expression.Truth -> {
+            is Expression.BooleanLiteral -> {
                 emitter.emit { it.pushTruth(expression.value) }
             }
 
@@ -35,7 +35,7 @@ internal class ExpressionLowering(
                 load(expression.name)
             }
 
-            is Expression.Element -> {
+            is Expression.ListElement -> {
                 lowerElement(expression)
             }
 
@@ -107,7 +107,7 @@ internal class ExpressionLowering(
         }
     }
 
-    private fun lowerElement(expression: Expression.Element) {
+    private fun lowerElement(expression: Expression.ListElement) {
         lower(expression.list)
         lower(expression.index)
         emitter.emit {

@@ -25,7 +25,7 @@ internal class LoweringScope(private val program: CheckedProgram) {
 
     fun typeOf(expression: Expression): ValueType = when (expression) {
         is Expression.Number -> if (expression.value is NumberValue.Whole) ValueType.WHOLE else ValueType.DECIMAL
-        is Expression.Truth -> ValueType.TRUTH
+        is Expression.BooleanLiteral -> ValueType.TRUTH
         is Expression.Brackets -> typeOf(expression.inner)
         else -> program.typeOf(expression)
     }

@@ -3,7 +3,7 @@ package robotran.robolang.run
 import robotran.robolang.syntax.BinaryOperator
 
 /** The instruction that takes two numbers, or two truths to be compared, and leaves the result. */
-internal fun operation(operator: BinaryOperator, arithmetic: Arithmetic): Instruction = when (operator) {
+internal fun operation(operator: BinaryOperator, arithmetic: Arithmetic): StackInstruction = when (operator) {
     BinaryOperator.EQUAL -> comparison { left, right -> arithmetic.isEqual(left, right) }
     BinaryOperator.NOT_EQUAL -> comparison { left, right -> !arithmetic.isEqual(left, right) }
     BinaryOperator.LESS -> comparison { left, right -> arithmetic.isLess(left, right) }
@@ -18,13 +18,13 @@ internal fun operation(operator: BinaryOperator, arithmetic: Arithmetic): Instru
     BinaryOperator.AND, BinaryOperator.OR -> error("These decide before both operands are known.")
 }
 
-private inline fun calculation(crossinline calculate: (Machine, Int, Int) -> Int) = Instruction {
+private inline fun calculation(crossinline calculate: (InterpreterState, Int, Int) -> Int) = StackInstruction {
     val right = it.pop()
     val left = it.pop()
     it.push(calculate(it.machine, left, right))
 }
 
-private inline fun comparison(crossinline compare: (Int, Int) -> Boolean) = Instruction {
+private inline fun comparison(crossinline compare: (Int, Int) -> Boolean) = StackInstruction {
     val right = it.pop()
     val left = it.pop()
     it.pushTruth(compare(left, right))

@@ -21,7 +21,7 @@ internal class RobolangRun(
     rom: Rom,
     messages: RunMessages,
 ) : DebuggableRun {
-    private val machine = Machine(code, rom, calibration, messages)
+    private val machine = InterpreterState(code, rom, calibration, messages)
     private val arbiter = Arbiter(machine)
     private var isPassed = false
 

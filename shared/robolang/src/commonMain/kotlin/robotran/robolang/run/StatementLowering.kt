@@ -101,13 +101,13 @@ internal class StatementLowering(
                 expressions.store(target.name)
             }
 
-            is AssignTarget.Element -> {
+            is AssignTarget.ListElement -> {
                 lowerElement(target.list, target, statement)
             }
         }
     }
 
-    private fun lowerElement(list: Name, target: AssignTarget.Element, statement: Statement.Assign) {
+    private fun lowerElement(list: Name, target: AssignTarget.ListElement, statement: Statement.Assign) {
         expressions.load(list)
         expressions.lower(target.index)
         expressions.lower(statement.value, scope.symbolOf(list).type.element)

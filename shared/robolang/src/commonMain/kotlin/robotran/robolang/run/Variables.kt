@@ -28,7 +28,7 @@ private fun view(symbol: Symbol, activity: Activity, frame: Int): VariableView {
     return VariableView(symbol.name, text(symbol.type, value, machine))
 }
 
-private fun text(type: ValueType, value: Int, machine: Machine): String = when (type) {
+private fun text(type: ValueType, value: Int, machine: InterpreterState): String = when (type) {
     ValueType.WHOLE, ValueType.NOTHING -> {
         value.toString()
     }

@@ -6,7 +6,7 @@ package robotran.robolang.syntax
  * @property opener the word it begins with.
  * @property endBefore the line before which its `end` belongs, null if that is the end of the program.
  */
-internal data class LackingEnd(val opener: Token, val endBefore: Int?)
+internal data class MissingEnd(val opener: Token, val endBefore: Int?)
 
 /**
  * Finds out which blocks lack an `end`. Counting alone always blames the outermost one. Who indents shows which one is meant: an
@@ -29,14 +29,14 @@ internal class BlockEnds {
     }
 
     /** The blocks without an end, of which there are [count]. */
-    fun lacking(count: Int): List<LackingEnd> {
+    fun lacking(count: Int): List<MissingEnd> {
         if (count == 0) return emptyList()
         val byIndentation = match(byIndentation = true)
         return if (byIndentation.size == count) byIndentation else match(byIndentation = false)
     }
 
-    private fun match(byIndentation: Boolean): List<LackingEnd> {
-        val lacking = mutableListOf<LackingEnd>()
+    private fun match(byIndentation: Boolean): List<MissingEnd> {
+        val lacking = mutableListOf<MissingEnd>()
         val open = ArrayDeque<Token>()
         val openAtColumn = mutableMapOf<Int, Int>()
 
@@ -49,11 +49,11 @@ internal class BlockEnds {
                 continue
             }
             if (byIndentation && (openAtColumn[column] ?: 0) > 0) {
-                while (open.last().range.column > column) lacking += LackingEnd(close(), endBefore = edge.range.line)
+                while (open.last().range.column > column) lacking += MissingEnd(close(), endBefore = edge.range.line)
             }
             if (open.isNotEmpty()) close()
         }
-        while (open.isNotEmpty()) lacking += LackingEnd(close(), endBefore = null)
+        while (open.isNotEmpty()) lacking += MissingEnd(close(), endBefore = null)
         return lacking
     }
 }

@@ -1,7 +1,7 @@
 package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 
@@ -54,7 +54,7 @@ private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
 internal enum class BlockEffect { NONE, MAY_OPEN, CLOSES }
 
 /** Reports that the line does not begin with a command, and tells what it may be meant for. */
-internal fun Mistakes.reportNoCommand(reader: LineReader, routineNames: Set<String>): BlockEffect {
+internal fun DiagnosticSink.reportNoCommand(reader: LineReader, routineNames: Set<String>): BlockEffect {
     val word = reader.first
     val letters = lettersOfCommandWithNumber(word)
     when {
@@ -90,11 +90,11 @@ internal fun Mistakes.reportNoCommand(reader: LineReader, routineNames: Set<Stri
     return BlockEffect.NONE
 }
 
-private fun Mistakes.reportValueAsCommand(reader: LineReader, range: SourceRange) {
+private fun DiagnosticSink.reportValueAsCommand(reader: LineReader, range: SourceRange) {
     report(reader, DiagnosticCode.UNKNOWN_COMMAND, range, messages.valueAsCommand(reader.quotable(range)))
 }
 
-private fun Mistakes.reportUnknownCommand(reader: LineReader, word: Token): BlockEffect {
+private fun DiagnosticSink.reportUnknownCommand(reader: LineReader, word: Token): BlockEffect {
     val meant = BEGINNINGS_OF[word.keyword] ?: BEGINNINGS_ELSEWHERE[lowercaseKeyword(word.text)] ?: suggestion(word.text, BEGINNINGS)
     val fix = meant?.let { SourceFix(word.range, it) }
     report(reader, DiagnosticCode.UNKNOWN_COMMAND, word.range, messages.unknownCommand(shortened(word.text), meant), fix)
@@ -105,7 +105,7 @@ private fun Mistakes.reportUnknownCommand(reader: LineReader, word: Token): Bloc
     }
 }
 
-private fun Mistakes.reportNoWord(reader: LineReader) {
+private fun DiagnosticSink.reportNoWord(reader: LineReader) {
     val first = reader.first
     if (first.kind == TokenKind.DIVIDE) {
         report(reader, DiagnosticCode.UNKNOWN_CHARACTER, first.range, messages.commentBegins(), SourceFix(first.range, "//"))
@@ -115,7 +115,7 @@ private fun Mistakes.reportNoWord(reader: LineReader) {
 }
 
 /** A routine is called without brackets; what stands behind its name belongs between them. */
-private fun Mistakes.reportMissingBrackets(reader: LineReader) {
+private fun DiagnosticSink.reportMissingBrackets(reader: LineReader) {
     val word = reader.first
     val rest = reader.restRange.copy(column = word.range.endColumn)
     val fix = SourceFix(rest, "(${reader.textOf(rest).trim()})")
@@ -128,7 +128,7 @@ private fun lettersOfCommandWithNumber(word: Token): String? {
     return letters.takeIf { it.length < word.text.length && Keyword.of(it) in Keyword.COMMANDS }
 }
 
-private fun Mistakes.reportMissingSpace(reader: LineReader, word: Token, letters: String) {
+private fun DiagnosticSink.reportMissingSpace(reader: LineReader, word: Token, letters: String) {
     val number = word.text.substring(letters.length)
     val gapColumn = word.range.column + letters.length
     val fix = SourceFix(SourceRange(word.range.line, gapColumn, gapColumn), " ")

@@ -2,12 +2,12 @@ package robotran.robolang.syntax
 
 import robotran.rcxrom.controls.MotorPort
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 
 /** Reads one line that drives the robot, or makes the brick show, sound or wait. */
-internal class CommandParser(reader: LineReader, mistakes: Mistakes) : LineParser(reader, mistakes) {
+internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {
     /** Null if the line is no such command or has a mistake. */
     fun statement(): Statement? = when (reader.next?.keyword) {
         Keyword.FORWARD, Keyword.BACKWARD -> move()
@@ -73,17 +73,17 @@ internal class CommandParser(reader: LineReader, mistakes: Mistakes) : LineParse
         val side = reader.peek(1)?.takeIf { it.keyword in SIDES } ?: return false
         val range = angle.range.copy(endColumn = side.range.endColumn)
         val fix = SourceFix(range, "${lowercaseKeyword(side.text)} ${angle.text}")
-        mistakes.report(reader, DiagnosticCode.MISSING_TURN_DIRECTION, angle.range, messages.missingTurnDirection(null), fix)
+        diagnostics.report(reader, DiagnosticCode.MISSING_TURN_DIRECTION, angle.range, messages.missingTurnDirection(null), fix)
         return true
     }
 
     private fun unit(unit: Keyword) {
-        if (reader.take(unit) == null) mistakes.reportWrongUnit(reader, listOf(unit))
+        if (reader.take(unit) == null) diagnostics.reportWrongUnit(reader, listOf(unit))
     }
 
     private fun isAlsoTimed(): Boolean {
         if (reader.next?.keyword != Keyword.FOR) return false
-        mistakes.report(reader, DiagnosticCode.LENGTH_AND_TIME, reader.restRange, messages.lengthAndTime())
+        diagnostics.report(reader, DiagnosticCode.LENGTH_AND_TIME, reader.restRange, messages.lengthAndTime())
         return true
     }
 
@@ -122,7 +122,7 @@ internal class CommandParser(reader: LineReader, mistakes: Mistakes) : LineParse
     }
 
     private fun missingMotor(): Nothing? {
-        mistakes.report(reader, DiagnosticCode.MISSING_MOTOR, reader.next?.range ?: reader.gap, messages.missingMotor())
+        diagnostics.report(reader, DiagnosticCode.MISSING_MOTOR, reader.next?.range ?: reader.gap, messages.missingMotor())
         return null
     }
 
@@ -149,7 +149,7 @@ internal class CommandParser(reader: LineReader, mistakes: Mistakes) : LineParse
     }
 
     private fun noTimeUnit(duration: Expression): Nothing? {
-        mistakes.reportNoTimeUnit(reader, duration)
+        diagnostics.reportNoTimeUnit(reader, duration)
         return null
     }
 

@@ -10,7 +10,7 @@ internal sealed interface Expression {
     data class Number(override val range: SourceRange, val text: String, val value: NumberValue) : Expression
 
     /** `true` and `false`. */
-    data class Truth(override val range: SourceRange, val value: Boolean) : Expression
+    data class BooleanLiteral(override val range: SourceRange, val value: Boolean) : Expression
 
     /** `[1, 2, 3]`. */
     data class ListOf(override val range: SourceRange, val elements: List<Expression>) : Expression
@@ -19,7 +19,7 @@ internal sealed interface Expression {
     data class Variable(override val range: SourceRange, val name: Name) : Expression
 
     /** `list[i]`, counted from 0. */
-    data class Element(override val range: SourceRange, val list: Expression, val index: Expression) : Expression
+    data class ListElement(override val range: SourceRange, val list: Expression, val index: Expression) : Expression
 
     /** `-x` and `not x`. */
     data class Unary(override val range: SourceRange, val operator: UnaryOperator, val operand: Expression) : Expression

@@ -1,11 +1,11 @@
 package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 
 /** A command lacks its value; [example] completes what has been read of the line so far. */
-internal fun Mistakes.reportMissingValue(reader: LineReader, expected: Expected, example: String): Nothing? {
+internal fun DiagnosticSink.reportMissingValue(reader: LineReader, expected: Expected, example: String): Nothing? {
     reader.next?.takeIf { it.kind == TokenKind.TEXT }?.let { return reportText(reader, it) }
     val command = reader.quotable(reader.readRange)
     val instead = reader.next?.takeUnless { it.keyword == Keyword.TIMES || isUnit(it) }
@@ -20,7 +20,7 @@ internal fun Mistakes.reportMissingValue(reader: LineReader, expected: Expected,
 }
 
 /** Nothing that has a value stands behind [before], an operator, a bracket or a comma. */
-internal fun Mistakes.reportMissingOperand(reader: LineReader, before: String): Nothing? {
+internal fun DiagnosticSink.reportMissingOperand(reader: LineReader, before: String): Nothing? {
     reader.next?.takeIf { it.kind == TokenKind.TEXT }?.let { return reportText(reader, it) }
     val range = reader.next?.range ?: reader.gap
     report(reader, DiagnosticCode.MISSING_VALUE, range, messages.missingOperand(before))
@@ -28,7 +28,7 @@ internal fun Mistakes.reportMissingOperand(reader: LineReader, before: String): 
 }
 
 /** `bumper left` for `left bumper`. */
-internal fun Mistakes.reportTurnedBumper(reader: LineReader): Nothing? {
+internal fun DiagnosticSink.reportTurnedBumper(reader: LineReader): Nothing? {
     val side = checkNotNull(reader.peek(1))
     val range = checkNotNull(reader.next).range.copy(endColumn = side.range.endColumn)
     val right = "${lowercaseKeyword(side.text)} ${Keyword.BUMPER.text}"
@@ -37,14 +37,14 @@ internal fun Mistakes.reportTurnedBumper(reader: LineReader): Nothing? {
     return null
 }
 
-internal fun Mistakes.reportMissingBracket(reader: LineReader, opening: Token, closing: String): Nothing? {
+internal fun DiagnosticSink.reportMissingBracket(reader: LineReader, opening: Token, closing: String): Nothing? {
     val fix = if (reader.next == null) SourceFix(reader.gap, closing) else null
     report(reader, DiagnosticCode.MISSING_BRACKET, opening.range, messages.missingBracket(opening.text, closing), fix)
     return null
 }
 
 /** Two values, or two names, stand side by side where a comma parts them. */
-internal fun Mistakes.reportMissingComma(reader: LineReader): Nothing? {
+internal fun DiagnosticSink.reportMissingComma(reader: LineReader): Nothing? {
     val second = checkNotNull(reader.next)
     val message = messages.missingComma(shortened(second.text))
     report(reader, DiagnosticCode.MISSING_COMMA, second.range, message, SourceFix(reader.gap, ","))
@@ -52,19 +52,19 @@ internal fun Mistakes.reportMissingComma(reader: LineReader): Nothing? {
 }
 
 /** A text stands where a value should. */
-private fun Mistakes.reportText(reader: LineReader, text: Token): Nothing? {
+private fun DiagnosticSink.reportText(reader: LineReader, text: Token): Nothing? {
     report(reader, DiagnosticCode.TEXT_AS_VALUE, text.range, messages.textAsValue(shortened(text.text)))
     return null
 }
 
-internal fun Mistakes.reportDeepExpression(reader: LineReader): Nothing? {
+internal fun DiagnosticSink.reportDeepExpression(reader: LineReader): Nothing? {
     val range = reader.next?.range ?: reader.gap
     val message = messages.expressionTooDeep(RobolangLimits.NESTED_EXPRESSIONS)
     report(reader, DiagnosticCode.EXPRESSION_TOO_DEEP, range, message)
     return null
 }
 
-internal fun Mistakes.reportAssignmentInsteadOfComparison(reader: LineReader) {
+internal fun DiagnosticSink.reportAssignmentInsteadOfComparison(reader: LineReader) {
     val sign = checkNotNull(reader.next)
     val fix = SourceFix(sign.range, BinaryOperator.EQUAL.text)
     report(reader, DiagnosticCode.ASSIGNMENT_IN_EXPRESSION, sign.range, messages.useTwoEqualsSigns(), fix)

@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 
 /**
  * Reads the expressions of one line, by recursive descent along the strength of the operators. All functions give null once they
@@ -8,7 +8,7 @@ import robotran.robolang.diagnostic.Mistakes
  */
 internal class ExpressionParser(
     private val reader: LineReader,
-    private val mistakes: Mistakes,
+    private val diagnostics: DiagnosticSink,
 ) {
     private var depth = 0
     private var listDepth = 0
@@ -18,7 +18,7 @@ internal class ExpressionParser(
 
     /** Where something with a value should come; [example] completes what has been read of the line so far. */
     fun expression(expected: Expected, example: String): Expression? {
-        if (lacksCount() || !canBegin(reader.next)) return mistakes.reportMissingValue(reader, expected, example)
+        if (lacksCount() || !canBegin(reader.next)) return diagnostics.reportMissingValue(reader, expected, example)
         return binary(BinaryOperator.OR.strength)
     }
 
@@ -33,23 +33,23 @@ internal class ExpressionParser(
         while (true) {
             val operator = operatorOf(reader.next)?.takeIf { it.strength >= weakest } ?: return left
             val heightOfLeft = height
-            if (reader.next?.kind == TokenKind.ASSIGN) mistakes.reportAssignmentInsteadOfComparison(reader)
+            if (reader.next?.kind == TokenKind.ASSIGN) diagnostics.reportAssignmentInsteadOfComparison(reader)
             reader.advance()
-            if (!canBegin(reader.next)) return mistakes.reportMissingOperand(reader, operator.text)
+            if (!canBegin(reader.next)) return diagnostics.reportMissingOperand(reader, operator.text)
             val right = binary(operator.strength + 1) ?: return null
             height = maxOf(heightOfLeft, height) + 1
-            if (height > RobolangLimits.NESTED_EXPRESSIONS) return mistakes.reportDeepExpression(reader)
+            if (height > RobolangLimits.NESTED_EXPRESSIONS) return diagnostics.reportDeepExpression(reader)
             left = Expression.Binary(reader.rangeFrom(left.range), operator, left, right)
         }
     }
 
     private fun operand(weakest: Int): Expression? {
-        if (depth >= RobolangLimits.NESTED_EXPRESSIONS) return mistakes.reportDeepExpression(reader)
+        if (depth >= RobolangLimits.NESTED_EXPRESSIONS) return diagnostics.reportDeepExpression(reader)
         depth++
         val operand = when {
             reader.next?.keyword == Keyword.NOT -> unary(UnaryOperator.NOT) { binary(maxOf(weakest, STRENGTH_OF_NOT + 1)) }
             reader.next?.kind != TokenKind.MINUS -> postfix()
-            reader.peek(1)?.kind == TokenKind.NUMBER -> leaf(readNumberExpression(reader, mistakes, listDepth > 0))
+            reader.peek(1)?.kind == TokenKind.NUMBER -> leaf(readNumberExpression(reader, diagnostics, listDepth > 0))
             else -> unary(UnaryOperator.MINUS) { operand(weakest) }
         }
         depth--
@@ -59,7 +59,7 @@ internal class ExpressionParser(
     private fun unary(operator: UnaryOperator, readOperand: () -> Expression?): Expression? {
         val sign = checkNotNull(reader.next)
         reader.advance()
-        if (!canBegin(reader.next)) return mistakes.reportMissingOperand(reader, operator.text)
+        if (!canBegin(reader.next)) return diagnostics.reportMissingOperand(reader, operator.text)
         val operand = readOperand() ?: return null
         height++
         return Expression.Unary(reader.rangeFrom(sign.range), operator, operand)
@@ -72,10 +72,10 @@ internal class ExpressionParser(
             val heightOfList = height
             reader.advance()
             val index = inner() ?: return null
-            if (reader.take(TokenKind.CLOSE_LIST) == null) return mistakes.reportMissingBracket(reader, opening, "]")
+            if (reader.take(TokenKind.CLOSE_LIST) == null) return diagnostics.reportMissingBracket(reader, opening, "]")
             height = maxOf(heightOfList, height) + 1
-            if (height > RobolangLimits.NESTED_EXPRESSIONS) return mistakes.reportDeepExpression(reader)
-            value = Expression.Element(reader.rangeFrom(value.range), value, index)
+            if (height > RobolangLimits.NESTED_EXPRESSIONS) return diagnostics.reportDeepExpression(reader)
+            value = Expression.ListElement(reader.rangeFrom(value.range), value, index)
         }
         return value
     }
@@ -83,10 +83,10 @@ internal class ExpressionParser(
     private fun primary(): Expression? {
         val token = checkNotNull(reader.next)
         return when (token.kind) {
-            TokenKind.NUMBER -> leaf(readNumberExpression(reader, mistakes, listDepth > 0))
+            TokenKind.NUMBER -> leaf(readNumberExpression(reader, diagnostics, listDepth > 0))
             TokenKind.OPEN_BRACKET -> brackets(token)
             TokenKind.OPEN_LIST -> list(token)
-            else -> if (token.canBeName) named(token) else leaf(readWordExpression(reader, mistakes))
+            else -> if (token.canBeName) named(token) else leaf(readWordExpression(reader, diagnostics))
         }
     }
 
@@ -96,7 +96,7 @@ internal class ExpressionParser(
     }
 
     private fun named(token: Token): Expression? {
-        if (token.keyword == Keyword.BUMPER && reader.peek(1)?.keyword in SIDES) return mistakes.reportTurnedBumper(reader)
+        if (token.keyword == Keyword.BUMPER && reader.peek(1)?.keyword in SIDES) return diagnostics.reportTurnedBumper(reader)
         val name = checkNotNull(reader.takeName())
         if (reader.take(TokenKind.OPEN_BRACKET) == null) return leaf(Expression.Variable(token.range, name))
         val arguments = elements(TokenKind.CLOSE_BRACKET) ?: return null
@@ -107,7 +107,7 @@ internal class ExpressionParser(
     private fun brackets(opening: Token): Expression? {
         reader.advance()
         val inner = inner() ?: return null
-        if (reader.take(TokenKind.CLOSE_BRACKET) == null) return mistakes.reportMissingBracket(reader, opening, ")")
+        if (reader.take(TokenKind.CLOSE_BRACKET) == null) return diagnostics.reportMissingBracket(reader, opening, ")")
         height++
         return Expression.Brackets(reader.rangeFrom(opening.range), inner)
     }
@@ -137,15 +137,15 @@ internal class ExpressionParser(
         height = highest
         if (reader.take(closing) != null) return elements
         return if (canBegin(reader.next)) {
-            mistakes.reportMissingComma(reader)
+            diagnostics.reportMissingComma(reader)
         } else {
-            mistakes.reportMissingBracket(reader, opening, checkNotNull(closing.text))
+            diagnostics.reportMissingBracket(reader, opening, checkNotNull(closing.text))
         }
     }
 
     private fun inner(): Expression? {
         val before = checkNotNull(reader.peek(-1))
-        if (!canBegin(reader.next)) return mistakes.reportMissingOperand(reader, before.text)
+        if (!canBegin(reader.next)) return diagnostics.reportMissingOperand(reader, before.text)
         return binary(BinaryOperator.OR.strength)
     }
 }

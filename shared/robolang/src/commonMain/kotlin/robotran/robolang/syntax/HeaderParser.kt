@@ -1,11 +1,11 @@
 package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 
 /** Reads the first lines of blocks. Where one has a mistake its block is read all the same, so that nothing below it is blamed. */
-internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser(reader, mistakes) {
+internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {
     /** What a loop does with its body once that is read. */
     fun loop(): (Block) -> Statement = when (reader.take(Keyword.REPEAT, Keyword.FOR)) {
         Keyword.REPEAT -> repeat()
@@ -27,7 +27,7 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
             return missing(DiagnosticCode.MISSING_TIMES, listOf(Keyword.TIMES)) { messages.missingTimes(reader.quotable(count.range), it) }
         }
         val message = messages.missingTimes(reader.quotable(count.range), meant)
-        mistakes.report(reader, DiagnosticCode.MISSING_TIMES, count.range, message, SourceFix(count.range, meant))
+        diagnostics.report(reader, DiagnosticCode.MISSING_TIMES, count.range, message, SourceFix(count.range, meant))
         return null
     }
 
@@ -58,7 +58,7 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
                 return false
             }
         }
-        mistakes.report(reader, DiagnosticCode.MISSING_WORD, fix.range, messages.missingWord(before, word.text, null), fix)
+        diagnostics.report(reader, DiagnosticCode.MISSING_WORD, fix.range, messages.missingWord(before, word.text, null), fix)
         return true
     }
 
@@ -70,7 +70,7 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
     }
 
     /** The condition of an `if`, `else if` or `whenever`, whose words have been read. */
-    fun conditionOrAny(): Expression = condition() ?: Expression.Truth(reader.gap, true)
+    fun conditionOrAny(): Expression = condition() ?: Expression.BooleanLiteral(reader.gap, true)
 
     /** The first line of a procedure or function, whose first word has been read. */
     fun routine(): RoutineHeader {
@@ -79,15 +79,15 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
         val opening = reader.take(TokenKind.OPEN_BRACKET)
         if (opening == null) {
             val message = messages.missingBracketsOfRoutine(shortened(name.text))
-            mistakes.report(reader, DiagnosticCode.MISSING_BRACKETS, reader.gap, message, SourceFix(reader.gap, "()"))
+            diagnostics.report(reader, DiagnosticCode.MISSING_BRACKETS, reader.gap, message, SourceFix(reader.gap, "()"))
         } else if (reader.take(TokenKind.CLOSE_BRACKET) == null) {
             do {
                 parameters += name("length)") ?: break
             } while (reader.take(TokenKind.COMMA) != null)
             when {
                 reader.take(TokenKind.CLOSE_BRACKET) != null -> Unit
-                reader.next?.canBeName == true -> mistakes.reportMissingComma(reader)
-                else -> mistakes.reportMissingBracket(reader, opening, ")")
+                reader.next?.canBeName == true -> diagnostics.reportMissingComma(reader)
+                else -> diagnostics.reportMissingBracket(reader, opening, ")")
             }
         }
         return RoutineHeader(name, parameters)
@@ -97,14 +97,14 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
     fun lightSensor(): LightSensorSetting? {
         val isComplete = expect(Keyword.LIGHT) && expect(Keyword.SENSOR) && expect(Keyword.ON)
         if (!isComplete) return null
-        val port = readPort(reader, mistakes) ?: return null
+        val port = readPort(reader, diagnostics) ?: return null
         if (!expect(Keyword.FACING)) return null
         val facing = when (reader.take(Keyword.DOWN, Keyword.FORWARD)) {
             Keyword.DOWN -> Facing.DOWN
             Keyword.FORWARD -> Facing.FORWARD
             else -> return missing(DiagnosticCode.MISSING_FACING, listOf(Keyword.DOWN, Keyword.FORWARD), messages::missingFacing)
         }
-        mistakes.expectEndOfLine(reader)
+        diagnostics.expectEndOfLine(reader)
         return LightSensorSetting(reader.readRange, port, facing)
     }
 

@@ -1,15 +1,15 @@
 package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 
 /** What the parsers of all kinds of lines need; each function gives null once it has reported a mistake. */
 internal abstract class LineParser(
     protected val reader: LineReader,
-    protected val mistakes: Mistakes,
+    protected val diagnostics: DiagnosticSink,
 ) {
-    protected val messages = mistakes.messages
-    protected val expressions = ExpressionParser(reader, mistakes)
+    protected val messages = diagnostics.messages
+    protected val expressions = ExpressionParser(reader, diagnostics)
 
     protected fun number(example: String): Expression? = expressions.expression(Expected.NUMBER, example)
 
@@ -27,7 +27,7 @@ internal abstract class LineParser(
 
     /** One of [words] should come next. */
     protected fun missing(code: DiagnosticCode, words: List<Keyword>, message: (suggestion: String?) -> String): Nothing? {
-        mistakes.reportMissingWord(reader, code, words.map { it.text }, message)
+        diagnostics.reportMissingWord(reader, code, words.map { it.text }, message)
         return null
     }
 
@@ -36,14 +36,14 @@ internal abstract class LineParser(
         reader.takeName()?.let { return it }
         val token = reader.next
         if (token?.kind == TokenKind.NUMBER && reader.peek(1)?.range?.column == token.range.endColumn) {
-            mistakes.reportMalformedName(reader, token.range)
+            diagnostics.reportMalformedName(reader, token.range)
         } else if (token?.keyword != null) {
-            mistakes.report(reader, DiagnosticCode.RESERVED_WORD, token.range, messages.reservedWord(token.text))
-            mistakes.takenWords.getOrPut(lowercaseKeyword(token.text)) { mutableSetOf() } += token.range.line
+            diagnostics.report(reader, DiagnosticCode.RESERVED_WORD, token.range, messages.reservedWord(token.text))
+            diagnostics.takenWords.getOrPut(lowercaseKeyword(token.text)) { mutableSetOf() } += token.range.line
         } else {
             val before = reader.quotable(reader.readRange)
             val range = token?.range ?: reader.gap
-            mistakes.report(reader, DiagnosticCode.MISSING_NAME, range, messages.missingName(before, "$before $example"))
+            diagnostics.report(reader, DiagnosticCode.MISSING_NAME, range, messages.missingName(before, "$before $example"))
         }
         return null
     }
@@ -55,7 +55,7 @@ internal abstract class LineParser(
         if (reader.take(Keyword.SECONDS) != null) return duration
         val word = reader.next?.takeIf { it.kind == TokenKind.WORD }
         if (word != null && isUnit(word)) {
-            mistakes.reportUnit(reader, word, listOf(Keyword.SECONDS))
+            diagnostics.reportUnit(reader, word, listOf(Keyword.SECONDS))
             return null
         }
         expect(Keyword.SECONDS)

@@ -26,7 +26,7 @@ internal class OpenBlocks {
     private val main = mutableListOf<Statement>()
     private val open = ArrayDeque<OpenBlock>()
     private val ends = BlockEnds()
-    private val closedEarly = mutableListOf<LackingEnd>()
+    private val closedEarly = mutableListOf<MissingEnd>()
     private var unknown = 0
     private var openChoices = 0
 
@@ -81,14 +81,14 @@ internal class OpenBlocks {
     fun closeLacking(line: Int, lack: (OpenBlock) -> Boolean) {
         while (open.isNotEmpty() && lack(open.last())) {
             ends.forget(open.last().keyword)
-            closedEarly += LackingEnd(open.last().keyword, endBefore = line)
+            closedEarly += MissingEnd(open.last().keyword, endBefore = line)
             closeInnermost(SourceRange(line, 1, 1))
         }
     }
 
     val hasOpenChoice: Boolean get() = openChoices > 0
 
-    fun lackingEnds(): List<LackingEnd> = closedEarly + ends.lacking(open.size)
+    fun lackingEnds(): List<MissingEnd> = closedEarly + ends.lacking(open.size)
 
     /** The whole program; blocks still open end at [end]. */
     fun program(end: SourceRange): List<Statement> {

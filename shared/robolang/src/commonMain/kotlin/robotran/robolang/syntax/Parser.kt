@@ -1,7 +1,7 @@
 package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 
 /**
@@ -11,10 +11,10 @@ import robotran.robolang.diagnostic.SourceRange
  */
 internal class Parser(
     private val lines: List<ScannedLine>,
-    private val mistakes: Mistakes,
+    private val diagnostics: DiagnosticSink,
 ) {
     private val blocks = OpenBlocks()
-    private val messages = mistakes.messages
+    private val messages = diagnostics.messages
     private val names = mutableListOf<Name>()
     private val routines = mutableListOf<Routine>()
     private val behaviours = mutableListOf<Behaviour>()
@@ -26,9 +26,9 @@ internal class Parser(
         for (line in lines) {
             if (line.tokens.isNotEmpty()) line(LineReader(line))
         }
-        forgiveTakenWords(lines, mistakes)
+        forgiveTakenWords(lines, diagnostics)
         val lacking = blocks.lackingEnds()
-        reportMissingEnds(lacking, lines, mistakes)
+        reportMissingEnds(lacking, lines, diagnostics)
         val endColumn = lines.last().text.length + 1
         val statements = blocks.program(SourceRange(lines.size, endColumn, endColumn))
         val tree = SyntaxTree(robot, routines.sortedBy { it.range.line }, behaviours, statements, lines.mapNotNull { it.comment })
@@ -64,17 +64,17 @@ internal class Parser(
     private fun statement(reader: LineReader): Statement? {
         val begunWithName = reader.first.canBeName && reader.peek(1)?.kind?.text != null
         val statement = when {
-            begunWithName -> DataParser(reader, mistakes).named()
-            reader.first.keyword in DataParser.COMMANDS -> DataParser(reader, mistakes).statement()
-            reader.first.keyword in Keyword.COMMANDS -> CommandParser(reader, mistakes).statement()
+            begunWithName -> DataParser(reader, diagnostics).named()
+            reader.first.keyword in DataParser.COMMANDS -> DataParser(reader, diagnostics).statement()
+            reader.first.keyword in Keyword.COMMANDS -> CommandParser(reader, diagnostics).statement()
             else -> noCommand(reader)
         }
-        if (statement != null) mistakes.expectEndOfLine(reader)
+        if (statement != null) diagnostics.expectEndOfLine(reader)
         return statement
     }
 
     private fun noCommand(reader: LineReader): Nothing? {
-        when (mistakes.reportNoCommand(reader, routineNames)) {
+        when (diagnostics.reportNoCommand(reader, routineNames)) {
             BlockEffect.NONE -> Unit
             BlockEffect.MAY_OPEN -> blocks.openUnknown()
             BlockEffect.CLOSES -> blocks.closeUnsurely(reader.first)
@@ -84,15 +84,15 @@ internal class Parser(
 
     private fun reservedWord(reader: LineReader) {
         val word = reader.first
-        mistakes.report(reader, DiagnosticCode.RESERVED_WORD, word.range, messages.reservedWord(shortened(word.text)))
+        diagnostics.report(reader, DiagnosticCode.RESERVED_WORD, word.range, messages.reservedWord(shortened(word.text)))
     }
 
     private fun open(reader: LineReader) {
         val keyword = reader.first
-        if (blocks.isFull && !blocks.isOverfull) mistakes.reportNesting(reader, keyword)
+        if (blocks.isFull && !blocks.isOverfull) diagnostics.reportNesting(reader, keyword)
         val isNested = keyword.keyword in OUTERMOST && blocks.innermost != null
-        if (isNested) mistakes.report(reader, DiagnosticCode.NOT_OUTERMOST, keyword.range, messages.notOutermost(shortened(keyword.text)))
-        val headers = HeaderParser(reader, mistakes)
+        if (isNested) diagnostics.report(reader, DiagnosticCode.NOT_OUTERMOST, keyword.range, messages.notOutermost(shortened(keyword.text)))
+        val headers = HeaderParser(reader, diagnostics)
         if (keyword.keyword != Keyword.REPEAT && keyword.keyword != Keyword.FOR) reader.advance()
         blocks.open(
             when (keyword.keyword) {
@@ -103,7 +103,7 @@ internal class Parser(
                 else -> headers.loop().let { complete -> OpenBlock(keyword, reader.readRange, complete = complete) }
             },
         )
-        if (reader.line.number !in mistakes.lines) mistakes.expectEndOfLine(reader)
+        if (reader.line.number !in diagnostics.lines) diagnostics.expectEndOfLine(reader)
     }
 
     private fun choice(reader: LineReader, headers: HeaderParser): OpenBlock {
@@ -130,7 +130,7 @@ internal class Parser(
     }
 
     private fun robot(reader: LineReader): OpenBlock {
-        if (robot != null) mistakes.report(reader, DiagnosticCode.SECOND_ROBOT, reader.first.range, messages.secondRobot())
+        if (robot != null) diagnostics.report(reader, DiagnosticCode.SECOND_ROBOT, reader.first.range, messages.secondRobot())
         return OpenBlock(reader.first, reader.readRange) { block ->
             robot = robot ?: RobotHeader(block.range, block.endRange, lightSensor)
             null
@@ -139,16 +139,16 @@ internal class Parser(
 
     private fun setting(reader: LineReader) {
         if (reader.first.keyword != Keyword.LIGHT) {
-            mistakes.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.unknownSetting())
+            diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.unknownSetting())
             if (reader.first.keyword in Keyword.OPENERS) blocks.openUnknown()
             return
         }
         if (lightSensor != null &&
             robot == null
         ) {
-            mistakes.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.secondSetting())
+            diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.secondSetting())
         }
-        lightSensor = HeaderParser(reader, mistakes).lightSensor() ?: lightSensor
+        lightSensor = HeaderParser(reader, diagnostics).lightSensor() ?: lightSensor
     }
 
     private fun otherwise(reader: LineReader) {
@@ -156,20 +156,20 @@ internal class Parser(
         val block = blocks.innermost
         val choice = block?.choice
         reader.advance()
-        val condition = if (reader.take(Keyword.IF) != null) HeaderParser(reader, mistakes).conditionOrAny() else null
+        val condition = if (reader.take(Keyword.IF) != null) HeaderParser(reader, diagnostics).conditionOrAny() else null
         if (choice == null || choice.isAtElse) {
-            mistakes.report(reader, DiagnosticCode.EXTRA_ELSE, reader.first.range, messages.extraElse())
+            diagnostics.report(reader, DiagnosticCode.EXTRA_ELSE, reader.first.range, messages.extraElse())
             return
         }
         choice.next(block.statements, reader.readRange, condition)
         block.statements = mutableListOf()
-        if (reader.line.number !in mistakes.lines) mistakes.expectEndOfLine(reader)
+        if (reader.line.number !in diagnostics.lines) diagnostics.expectEndOfLine(reader)
     }
 
     private fun end(reader: LineReader) {
         val keyword = reader.first
         reader.take(Keyword.END)
-        if (blocks.close(keyword)) mistakes.expectEndOfLine(reader) else mistakes.reportExtraEnd(reader)
+        if (blocks.close(keyword)) diagnostics.expectEndOfLine(reader) else diagnostics.reportExtraEnd(reader)
     }
 
     private companion object {

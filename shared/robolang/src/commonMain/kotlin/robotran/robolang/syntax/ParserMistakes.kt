@@ -1,12 +1,12 @@
 package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 
 /** Reports a mistake in the line of [reader]. */
-internal fun Mistakes.report(
+internal fun DiagnosticSink.report(
     reader: LineReader,
     code: DiagnosticCode,
     range: SourceRange,
@@ -17,7 +17,7 @@ internal fun Mistakes.report(
 }
 
 /** One of [words] should come next: what stands there instead is taken for a slip of it or, if it is far from it, for something else. */
-internal fun Mistakes.reportMissingWord(
+internal fun DiagnosticSink.reportMissingWord(
     reader: LineReader,
     code: DiagnosticCode,
     words: List<String>,
@@ -34,23 +34,23 @@ internal fun Mistakes.reportMissingWord(
 }
 
 /** Reports a name that is broken by a sign or begins with a figure; [start] is where it begins. */
-internal fun Mistakes.reportMalformedName(reader: LineReader, start: SourceRange) {
+internal fun DiagnosticSink.reportMalformedName(reader: LineReader, start: SourceRange) {
     val end = reader.line.text.drop(start.column - 1).indexOfFirst { isBlank(it) || it in "=()," }
     val range = if (end < 0) reader.restRange.copy(column = start.column) else start.copy(endColumn = start.column + end)
     report(reader, DiagnosticCode.MALFORMED_NAME, range, messages.malformedName(reader.quotable(range)))
 }
 
 /** Who declares a word of the language as a name is told so there, and not in each line that uses the name. */
-internal fun forgiveTakenWords(lines: List<ScannedLine>, mistakes: Mistakes) {
-    val taken = mistakes.takenWords
+internal fun forgiveTakenWords(lines: List<ScannedLine>, diagnostics: DiagnosticSink) {
+    val taken = diagnostics.takenWords
     if (taken.isEmpty()) return
     val declaring = taken.values.flatten().toSet()
     val using = lines.filter { line -> line.tokens.any { it.keyword != null && lowercaseKeyword(it.text) in taken } }
-    mistakes.forgive(using.mapTo(mutableSetOf()) { it.number } - declaring)
+    diagnostics.forgive(using.mapTo(mutableSetOf()) { it.number } - declaring)
 }
 
 /** After a number: reports the next word if it is meant as a unit, but is none of [units]. Anything else is for who reads on. */
-internal fun Mistakes.reportWrongUnit(reader: LineReader, units: List<Keyword>) {
+internal fun DiagnosticSink.reportWrongUnit(reader: LineReader, units: List<Keyword>) {
     val word = reader.next?.takeIf { it.kind == TokenKind.WORD } ?: return
     val meant = meantUnit(word, units)
     if (meant == null && !isUnit(word)) return
@@ -58,7 +58,7 @@ internal fun Mistakes.reportWrongUnit(reader: LineReader, units: List<Keyword>) 
 }
 
 /** `wait` needs a unit, and there is none that it knows. */
-internal fun Mistakes.reportNoTimeUnit(reader: LineReader, duration: Expression) {
+internal fun DiagnosticSink.reportNoTimeUnit(reader: LineReader, duration: Expression) {
     val units = listOf(Keyword.SECONDS, Keyword.MILLISECONDS)
     val word = reader.next?.takeIf { it.kind == TokenKind.WORD }
     if (isCondition(duration)) {
@@ -75,7 +75,7 @@ internal fun Mistakes.reportNoTimeUnit(reader: LineReader, duration: Expression)
 
 /** Whether [expression] is plainly true or false and no number. */
 private fun isCondition(expression: Expression): Boolean = when (expression) {
-    is Expression.Truth -> true
+    is Expression.BooleanLiteral -> true
     is Expression.Sense -> expression.sense is Sense.Button || expression.sense == Sense.LeftBumper || expression.sense == Sense.RightBumper
     is Expression.Unary -> expression.operator == UnaryOperator.NOT
     is Expression.Binary -> !expression.operator.isArithmetic
@@ -84,14 +84,14 @@ private fun isCondition(expression: Expression): Boolean = when (expression) {
 }
 
 /** [word] stands where one of [units] should. */
-internal fun Mistakes.reportUnit(reader: LineReader, word: Token, units: List<Keyword>, meant: Keyword? = meantUnit(word, units)) {
+internal fun DiagnosticSink.reportUnit(reader: LineReader, word: Token, units: List<Keyword>, meant: Keyword? = meantUnit(word, units)) {
     val command = lowercaseKeyword(reader.first.text)
     val message = messages.wrongUnit(command, shortened(word.text), units.map { it.text }, meant?.text)
     report(reader, DiagnosticCode.WRONG_UNIT, word.range, message, meant?.let { SourceFix(word.range, it.text) })
 }
 
 /** Reports what is left over behind a complete command. */
-internal fun Mistakes.expectEndOfLine(reader: LineReader) {
+internal fun DiagnosticSink.expectEndOfLine(reader: LineReader) {
     val extra = reader.next ?: return
     val space = SourceRange(reader.line.number, reader.gap.column, extra.range.column)
     if (extra.keyword in Keyword.COMMANDS && extra.keyword != Keyword.ROBOT && reader.first.keyword != Keyword.END) {
@@ -105,16 +105,16 @@ internal fun Mistakes.expectEndOfLine(reader: LineReader) {
     }
 }
 
-internal fun Mistakes.reportExtraEnd(reader: LineReader) {
+internal fun DiagnosticSink.reportExtraEnd(reader: LineReader) {
     report(reader, DiagnosticCode.EXTRA_END, reader.first.range, messages.extraEnd())
 }
 
-internal fun Mistakes.reportNesting(reader: LineReader, keyword: Token) {
+internal fun DiagnosticSink.reportNesting(reader: LineReader, keyword: Token) {
     report(reader, DiagnosticCode.NESTED_TOO_DEEPLY, keyword.range, messages.nestedTooDeeply(RobolangLimits.NESTED_BLOCKS))
 }
 
 /** Reports each block that lacks its `end`, with a fix that puts one at the indentation of the block's first line. */
-internal fun reportMissingEnds(lacking: List<LackingEnd>, lines: List<ScannedLine>, mistakes: Mistakes) {
+internal fun reportMissingEnds(lacking: List<MissingEnd>, lines: List<ScannedLine>, diagnostics: DiagnosticSink) {
     for ((opener, endBefore) in lacking) {
         val indentation = lines[opener.range.line - 1].text.substring(0, opener.range.column - 1)
         val fix = if (endBefore == null) {
@@ -123,7 +123,7 @@ internal fun reportMissingEnds(lacking: List<LackingEnd>, lines: List<ScannedLin
         } else {
             SourceFix(SourceRange(endBefore, 1, 1), indentation + Keyword.END.text + "\n")
         }
-        val message = mistakes.messages.missingEnd(lowercaseKeyword(opener.text))
-        mistakes.report(DiagnosticCode.MISSING_END, opener.range, opener.text, message, fix)
+        val message = diagnostics.messages.missingEnd(lowercaseKeyword(opener.text))
+        diagnostics.report(DiagnosticCode.MISSING_END, opener.range, opener.text, message, fix)
     }
 }

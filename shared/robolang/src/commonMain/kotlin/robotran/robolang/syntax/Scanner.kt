@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 
 private const val BYTE_ORDER_MARK = "\uFEFF"
@@ -12,16 +12,16 @@ private val QUOTATION_MARKS = charArrayOf(
 )
 
 /** Takes [source] apart into lines and these into tokens; what is no token is reported, once a line. */
-internal fun scan(source: String, mistakes: Mistakes): List<ScannedLine> =
+internal fun scan(source: String, diagnostics: DiagnosticSink): List<ScannedLine> =
     source.removePrefix(BYTE_ORDER_MARK).lineSequence()
-        .mapIndexed { index, text -> LineScanner(text, index + 1, mistakes).scan() }
+        .mapIndexed { index, text -> LineScanner(text, index + 1, diagnostics).scan() }
         .toList()
 
 /** Takes one line apart. */
 private class LineScanner(
     private val text: String,
     private val number: Int,
-    private val mistakes: Mistakes,
+    private val diagnostics: DiagnosticSink,
 ) {
     private val tokens = mutableListOf<Token>()
     private var comment: Token? = null
@@ -65,13 +65,13 @@ private class LineScanner(
 
     private fun takeText(closing: Int) {
         val range = SourceRange(number, position + 1, closing + 2)
-        if (text[position] != QUOTATION_MARK || text[closing] != QUOTATION_MARK) mistakes.reportOtherMarks(text, range)
+        if (text[position] != QUOTATION_MARK || text[closing] != QUOTATION_MARK) diagnostics.reportOtherMarks(text, range)
         take(TokenKind.TEXT, closing + 1 - position)
     }
 
     private fun takeUnclosedText() {
         val end = text.trimEnd { isBlank(it) }.length
-        mistakes.reportUnclosedText(text, SourceRange(number, position + 1, end + 1))
+        diagnostics.reportUnclosedText(text, SourceRange(number, position + 1, end + 1))
         take(TokenKind.TEXT, end - position)
     }
 
@@ -104,7 +104,7 @@ private class LineScanner(
     }
 
     private fun unknownCharacter(width: Int) {
-        mistakes.reportCharacter(text, SourceRange(number, position + 1, position + 1 + width))
+        diagnostics.reportCharacter(text, SourceRange(number, position + 1, position + 1 + width))
         if (isOtherEnd(text, position)) tokens += Token(TokenKind.WORD, SourceRange(number, position + 1, position + 2), "}", Keyword.END)
         position += width
     }

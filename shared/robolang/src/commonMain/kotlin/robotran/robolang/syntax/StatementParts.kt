@@ -5,7 +5,7 @@ internal sealed interface AssignTarget {
     data class Variable(val name: Name) : AssignTarget
 
     /** One element of a list, counted from 0. */
-    data class Element(val list: Name, val index: Expression) : AssignTarget
+    data class ListElement(val list: Name, val index: Expression) : AssignTarget
 }
 
 /** What one motor is to do. */

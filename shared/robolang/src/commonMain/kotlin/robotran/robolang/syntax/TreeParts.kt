@@ -7,9 +7,9 @@ internal val SyntaxTree.leadingDeclarations: List<Statement>
 /** The expressions directly inside this one, from left to right. */
 internal val Expression.parts: List<Expression>
     get() = when (this) {
-        is Expression.Number, is Expression.Truth, is Expression.Variable, is Expression.Sense -> emptyList()
+        is Expression.Number, is Expression.BooleanLiteral, is Expression.Variable, is Expression.Sense -> emptyList()
         is Expression.ListOf -> elements
-        is Expression.Element -> listOf(list, index)
+        is Expression.ListElement -> listOf(list, index)
         is Expression.Unary -> listOf(operand)
         is Expression.Binary -> listOf(left, right)
         is Expression.Call -> arguments
@@ -49,7 +49,7 @@ internal val Statement.expressions: List<Expression>
 
         is Statement.Declare -> listOf(value)
 
-        is Statement.Assign -> listOfNotNull((target as? AssignTarget.Element)?.index, value)
+        is Statement.Assign -> listOfNotNull((target as? AssignTarget.ListElement)?.index, value)
 
         is Statement.Call -> arguments
 

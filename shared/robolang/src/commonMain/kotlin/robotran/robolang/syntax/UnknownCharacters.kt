@@ -1,7 +1,7 @@
 package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 
@@ -47,7 +47,7 @@ private fun rightSpelling(written: String): String? =
     if (written[0] in WIDE_CHARACTERS) written.map { it - WIDE_OFFSET }.joinToString("") else RIGHT_SPELLINGS[written]
 
 /** Reports the character at [range] of the line [text], which is no part of the language. */
-internal fun Mistakes.reportCharacter(text: String, range: SourceRange) {
+internal fun DiagnosticSink.reportCharacter(text: String, range: SourceRange) {
     val written = text.substring(range.column - 1, range.endColumn - 1)
     val right = rightSpelling(written)
     val (message, replacement) = when {
@@ -83,7 +83,7 @@ private fun spaced(right: String, text: String, range: SourceRange): String {
 }
 
 /** Reports a text whose quotation marks, the first and the last character at [range], are not Robolang's. */
-internal fun Mistakes.reportOtherMarks(text: String, range: SourceRange) {
+internal fun DiagnosticSink.reportOtherMarks(text: String, range: SourceRange) {
     val written = text.substring(range.column - 1, range.endColumn - 1)
     val wrong = if (written.first() == '"') written.last() else written.first()
     val fix = SourceFix(range, "\"" + written.substring(1, written.length - 1) + "\"")
@@ -91,7 +91,7 @@ internal fun Mistakes.reportOtherMarks(text: String, range: SourceRange) {
 }
 
 /** Reports a text whose closing quotation mark is missing. */
-internal fun Mistakes.reportUnclosedText(text: String, range: SourceRange) {
+internal fun DiagnosticSink.reportUnclosedText(text: String, range: SourceRange) {
     val end = SourceRange(range.line, range.endColumn, range.endColumn)
     val written = text.substring(range.column - 1, range.endColumn - 1)
     report(DiagnosticCode.UNCLOSED_TEXT, range, written, messages.unclosedText(), SourceFix(end, "\""))

@@ -57,10 +57,10 @@ internal class JavaExpressions(
 
     private fun written(expression: Expression): JavaText = when (expression) {
         is Expression.Number -> number(expression)
-        is Expression.Truth -> primary(expression.value.toString())
+        is Expression.BooleanLiteral -> primary(expression.value.toString())
         is Expression.ListOf -> JavaText(list(expression), OperatorPrecedence.UNARY)
         is Expression.Variable -> primary(names.of(program.symbolOf(expression.name)))
-        is Expression.Element -> primary("${text(expression.list, OperatorPrecedence.PRIMARY)}[${text(expression.index)}]")
+        is Expression.ListElement -> primary("${text(expression.list, OperatorPrecedence.PRIMARY)}[${text(expression.index)}]")
         is Expression.Unary -> unary(expression)
         is Expression.Binary -> binary(expression)
         is Expression.Call -> call(expression)

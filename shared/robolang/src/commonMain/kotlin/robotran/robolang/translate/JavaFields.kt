@@ -47,13 +47,13 @@ internal class JavaFields(
 
     /** Whether [value] is known before the run, and working it out cannot fail. */
     private fun isPlain(value: Expression): Boolean = when (value) {
-        is Expression.Number, is Expression.Truth -> true
+        is Expression.Number, is Expression.BooleanLiteral -> true
         is Expression.ListOf -> value.elements.all(::isPlain)
         is Expression.Variable -> program.symbolOf(value.name).let { it in settled && !it.type.isList }
         is Expression.Unary -> isPlain(value.operand)
         is Expression.Binary -> value.operator !in FALLIBLE && isPlain(value.left) && isPlain(value.right)
         is Expression.Brackets -> isPlain(value.inner)
-        is Expression.Element, is Expression.Call, is Expression.Sense -> false
+        is Expression.ListElement, is Expression.Call, is Expression.Sense -> false
     }
 
     private companion object {

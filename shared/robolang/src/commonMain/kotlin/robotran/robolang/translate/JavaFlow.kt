@@ -28,16 +28,16 @@ internal class JavaFlow(private val program: CheckedProgram) {
 
     /** Whether Java may work out [expression] before the run: then it would look behind the loop that it ends. */
     fun isConstant(expression: Expression): Boolean = when (expression) {
-        is Expression.Number, is Expression.Truth -> true
+        is Expression.Number, is Expression.BooleanLiteral -> true
         is Expression.Variable -> program.symbolOf(expression.name).kind == SymbolKind.CONSTANT
         is Expression.Unary -> isConstant(expression.operand)
         is Expression.Binary -> isConstant(expression.left) && isConstant(expression.right)
         is Expression.Brackets -> isConstant(expression.inner)
-        is Expression.ListOf, is Expression.Element, is Expression.Call, is Expression.Sense -> false
+        is Expression.ListOf, is Expression.ListElement, is Expression.Call, is Expression.Sense -> false
     }
 
     private fun isTruth(expression: Expression, value: Boolean): Boolean = when (expression) {
-        is Expression.Truth -> expression.value == value
+        is Expression.BooleanLiteral -> expression.value == value
         is Expression.Brackets -> isTruth(expression.inner, value)
         else -> false
     }

@@ -15,7 +15,7 @@ internal class JavaLoops(
     private val block: (List<Statement>) -> Unit,
 ) {
     private val flow = JavaFlow(program)
-    private val steady = SteadyValues(program)
+    private val steady = InvariantExpressions(program)
 
     fun write(loop: Statement.Loop) {
         // A list that may change while the loop goes through it gets a second name, in the block around the loop.

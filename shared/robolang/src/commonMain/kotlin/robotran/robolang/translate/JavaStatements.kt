@@ -86,7 +86,7 @@ internal class JavaStatements(
 
     private fun target(target: AssignTarget): String = when (target) {
         is AssignTarget.Variable -> nameOf(target.name)
-        is AssignTarget.Element -> "${nameOf(target.list)}[${expressions.text(target.index)}]"
+        is AssignTarget.ListElement -> "${nameOf(target.list)}[${expressions.text(target.index)}]"
     }
 
     private fun call(statement: Statement.Call) {

@@ -1,6 +1,6 @@
 package robotran.robolang.format
 
-import robotran.robolang.diagnostic.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.messages.EnglishMessages
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.SyntaxTree
@@ -15,8 +15,8 @@ internal fun checkFormatting(source: String) {
 }
 
 internal fun treeOf(source: String): SyntaxTree {
-    val mistakes = Mistakes(EnglishMessages)
-    return Parser(scan(source, mistakes), mistakes).program().tree
+    val diagnostics = DiagnosticSink(EnglishMessages)
+    return Parser(scan(source, diagnostics), diagnostics).program().tree
 }
 
 /** The tree as text; names ignore case, and where things stand does not count. */

@@ -43,7 +43,7 @@ class FormatTest {
 
     @Test
     fun `a program that cannot be read is left alone`() {
-        val result = assertIs<FormatResult.Mistaken>(formatRobolang("foward 20"))
+        val result = assertIs<FormatResult.HasErrors>(formatRobolang("foward 20"))
         assertEquals("There is no command \"foward\". Did you mean \"forward\"?", result.diagnostics.single().message)
     }
 

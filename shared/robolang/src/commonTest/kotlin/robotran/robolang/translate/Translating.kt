@@ -19,7 +19,7 @@ internal val translatablePrograms: Map<String, RobolangProgram> by lazy {
 internal fun translationOf(source: String, name: String = "test.robo"): Translation =
     when (val result = compileRobolang(name, source, testCalibration)) {
         is RobolangResult.Ready -> translateRobolang(result.program)
-        is RobolangResult.Mistaken -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
+        is RobolangResult.HasErrors -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
     }
 
 /** The lines of [source] in Java, without their indentation. */

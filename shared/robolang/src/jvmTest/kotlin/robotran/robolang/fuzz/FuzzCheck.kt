@@ -23,7 +23,7 @@ import robotran.robolang.robot.Calibration
 fun checkHarmless(source: String) {
     when (val result = compileRobolang("fuzz", source, CALIBRATION)) {
         is RobolangResult.Ready -> runFor(result.program, STEPS)
-        is RobolangResult.Mistaken -> checkDiagnostics(result.diagnostics, source.removePrefix("\uFEFF").lines())
+        is RobolangResult.HasErrors -> checkDiagnostics(result.diagnostics, source.removePrefix("\uFEFF").lines())
     }
     val formatted = (formatRobolang(source) as? FormatResult.Formatted)?.text ?: return
     check(formatRobolang(formatted) == FormatResult.Formatted(formatted)) { "Formatted again, it changes: $source" }

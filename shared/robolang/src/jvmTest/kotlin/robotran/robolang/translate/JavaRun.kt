@@ -8,13 +8,13 @@ import kotlin.concurrent.thread
 internal data class TimedCall(val milliseconds: Long, val address: Int, val arguments: List<Int>)
 
 /** What a run meets, and when it is stopped if it does not end. */
-internal class RunTerms(val sensors: List<SensorEvent>, val mostCalls: Int, val lastMillisecond: Long)
+internal class RunTerms(val sensors: List<SensorEvent>, val maxCalls: Int, val lastMillisecond: Long)
 
 /** Runs the class [className] among [classes], the stand-ins for leJOS included, until it ends or [terms] stop it. */
 internal fun runJava(classes: Map<String, ByteArray>, className: String, terms: RunTerms): List<TimedCall> {
     val loader = ClassesOfOneRun(classes)
     val rom = loader.loadClass("josx.platform.rcx.ROM")
-    rom.getField("mostCalls").setInt(null, terms.mostCalls)
+    rom.getField("mostCalls").setInt(null, terms.maxCalls)
     rom.getField("lastMillisecond").setLong(null, terms.lastMillisecond)
     @Suppress("UNCHECKED_CAST")
     val sensors = rom.getField("sensors").get(null) as MutableList<IntArray>

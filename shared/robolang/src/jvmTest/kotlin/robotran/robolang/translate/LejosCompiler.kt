@@ -29,7 +29,7 @@ internal object LejosCompiler {
             memory.classes.mapValues { it.value.toByteArray() }
         }
         val errors = problems.diagnostics.filter { it.kind == Diagnostic.Kind.ERROR }
-        if (errors.isNotEmpty()) throw AssertionError(errors.take(MOST_ERRORS).joinToString("\n") { told(it, translations) })
+        if (errors.isNotEmpty()) throw AssertionError(errors.take(MAX_ERRORS).joinToString("\n") { told(it, translations) })
         return classes
     }
 
@@ -45,7 +45,7 @@ internal object LejosCompiler {
         }.toList()
     }
 
-    private const val MOST_ERRORS = 3
+    private const val MAX_ERRORS = 3
     private val OPTIONS = listOf("--release", "8", "-proc:none", "-nowarn", "-Xlint:-options")
 }
 

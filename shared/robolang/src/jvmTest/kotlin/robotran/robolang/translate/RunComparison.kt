@@ -25,7 +25,7 @@ internal class RunComparison(private val programs: Map<String, RobolangProgram>)
         val translation = translations.getValue(name)
         val interpreted = interpret(program, sensors) ?: return Comparison.Impossible
         val translated = try {
-            runJava(classes, translation.className, RunTerms(sensors, MOST_CALLS, lastMillisecond(program)))
+            runJava(classes, translation.className, RunTerms(sensors, MAX_CALLS, lastMillisecond(program)))
         } catch (failure: Throwable) {
             return Comparison.Different("$name: the translation fails with $failure\n${translation.java}")
         }
@@ -43,15 +43,15 @@ internal class RunComparison(private val programs: Map<String, RobolangProgram>)
         return late in 0..latest(program) && interpreted.copy(milliseconds = translated.milliseconds) == translated
     }
 
-    private fun latest(program: RobolangProgram): Long = if (isReacting(program)) HANDING_BACK_MILLISECONDS * MOST_TAKEOVERS else 0
+    private fun latest(program: RobolangProgram): Long = if (isReacting(program)) HANDING_BACK_MILLISECONDS * MAX_TAKEOVERS else 0
 
     /** The calls of the interpreter, null if it fails, which a brick may not, or goes on for ever without a call. */
     private fun interpret(program: RobolangProgram, sensors: List<SensorEvent>): List<TimedCall>? {
         val rom = RecordingRom(sensors)
         val run = program.start(rom)
         var steps = 0
-        while (rom.calls.size < MOST_CALLS && rom.milliseconds <= lastMillisecond(program)) {
-            if (steps++ == MOST_STEPS) return null
+        while (rom.calls.size < MAX_CALLS && rom.milliseconds <= lastMillisecond(program)) {
+            if (steps++ == MAX_STEPS) return null
             when (val status = run.resume(1)) {
                 ProgramStatus.Running, is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> Unit
                 is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
@@ -59,7 +59,7 @@ internal class RunComparison(private val programs: Map<String, RobolangProgram>)
                 is ProgramStatus.ThreadFailed, is ProgramStatus.Failed -> return null
             }
         }
-        return rom.calls.filter { it.milliseconds <= lastMillisecond(program) }.take(MOST_CALLS)
+        return rom.calls.filter { it.milliseconds <= lastMillisecond(program) }.take(MAX_CALLS)
             .map { TimedCall(it.milliseconds, it.call.address, it.call.arguments) }
     }
 
@@ -67,12 +67,12 @@ internal class RunComparison(private val programs: Map<String, RobolangProgram>)
         if (isReacting(program)) LAST_MILLISECOND_OF_BEHAVIOURS else LAST_MILLISECOND
 
     private companion object {
-        const val MOST_CALLS = 2_000
-        const val MOST_STEPS = 300_000
+        const val MAX_CALLS = 2_000
+        const val MAX_STEPS = 300_000
         const val LAST_MILLISECOND = 100_000_000L
         const val LAST_MILLISECOND_OF_BEHAVIOURS = 20_000L
         const val HANDING_BACK_MILLISECONDS = 2L
-        const val MOST_TAKEOVERS = 5
+        const val MAX_TAKEOVERS = 5
     }
 }
 

@@ -74,4 +74,4 @@ private fun problemsOf(code: Code, javaClass: JavaClass): List<String> {
 private fun lengthBefore(handle: InstructionHandle): Int =
     (handle.prev?.instruction as? ConstantPushInstruction)?.value?.toInt() ?: 0
 
-private fun tooMany(what: String, count: Int, most: Int): String? = "$count $what, of which $most are allowed".takeIf { count > most }
+private fun tooMany(what: String, count: Int, max: Int): String? = "$count $what, of which $max are allowed".takeIf { count > max }

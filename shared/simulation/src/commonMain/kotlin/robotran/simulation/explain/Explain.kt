@@ -3,7 +3,7 @@ package robotran.simulation.explain
 import robotran.simulation.noise.Realism
 import robotran.simulation.robot.SimulatedRobot
 import robotran.world.Penbot
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.geometry.RADIANS_PER_DEGREE
 import robotran.world.geometry.length
 import robotran.world.thousandthsIn
@@ -11,7 +11,7 @@ import kotlin.math.abs
 
 /** What has made one robot stray so far; what did next to nothing is left out. */
 internal class Explanation(
-    private val place: RobotPlace,
+    private val place: RobotPlacement,
     private val machine: SimulatedRobot,
     private val lightBias: Double,
     private val realism: Double,
@@ -26,47 +26,47 @@ internal class Explanation(
     )
 
     private fun startPlace() = length(machine.start.x - place.start.x, machine.start.y - place.start.y).let {
-        told(Cause.START_PLACE, it, LEAST_LENGTH) { messages.startPlace(text(it)) }
+        told(Cause.START_PLACE, it, MIN_LENGTH) { messages.startPlace(text(it)) }
     }
 
     private fun startHeading() = (machine.start.heading - place.start.heading).let {
-        told(Cause.START_HEADING, it, LEAST_ANGLE) { messages.startHeading(text(it), left = it > 0) }
+        told(Cause.START_HEADING, it, MIN_ANGLE) { messages.startHeading(text(it), left = it > 0) }
     }
 
     private fun strength(leftMotor: Boolean): DeviationCause? {
         val way = if (leftMotor) left.strength else right.strength
         val strength = (if (leftMotor) machine.leftNoise else machine.rightNoise).strength
-        return told(if (leftMotor) Cause.LEFT_STRENGTH else Cause.RIGHT_STRENGTH, way, LEAST_LENGTH) {
+        return told(if (leftMotor) Cause.LEFT_STRENGTH else Cause.RIGHT_STRENGTH, way, MIN_LENGTH) {
             messages.strength(leftMotor, strength < 1, text((strength - 1) * PER_CENT), text(way))
         }
     }
 
     private fun flutter() = (left.flutter - right.flutter).let {
-        told(Cause.FLUTTER, it, LEAST_LENGTH) {
+        told(Cause.FLUTTER, it, MIN_LENGTH) {
             messages.flutter(text(it), text(it / Penbot.WHEEL_TRACK / RADIANS_PER_DEGREE), left = it < 0)
         }
     }
 
-    private fun slip() = (left.slip + right.slip).let { told(Cause.SLIP, it, LEAST_LENGTH) { messages.slip(text(it)) } }
+    private fun slip() = (left.slip + right.slip).let { told(Cause.SLIP, it, MIN_LENGTH) { messages.slip(text(it)) } }
 
-    private fun spin() = (left.spin + right.spin).let { told(Cause.SPIN, it, LEAST_SPIN) { messages.spin(text(it)) } }
+    private fun spin() = (left.spin + right.spin).let { told(Cause.SPIN, it, MIN_SPIN) { messages.spin(text(it)) } }
 
     private fun battery() = ((abs(left.battery) + abs(right.battery)) / 2).let {
-        told(Cause.BATTERY, it, LEAST_LENGTH) { messages.battery(text(machine.battery.volts), text(it)) }
+        told(Cause.BATTERY, it, MIN_LENGTH) { messages.battery(text(machine.battery.volts), text(it)) }
     }
 
-    private fun lightBias() = told(Cause.LIGHT_BIAS, lightBias, LEAST_RAW) { messages.lightBias(text(lightBias), dark = lightBias > 0) }
+    private fun lightBias() = told(Cause.LIGHT_BIAS, lightBias, MIN_RAW) { messages.lightBias(text(lightBias), dark = lightBias > 0) }
 
     private fun lightNoise() = (realism * Realism.LIGHT_NOISE).let {
-        told(Cause.LIGHT_NOISE, it, LEAST_RAW) { messages.lightNoise(text(it)) }
+        told(Cause.LIGHT_NOISE, it, MIN_RAW) { messages.lightNoise(text(it)) }
     }
 
     private fun bounce() = (machine.leftBumper.bounceCount + machine.rightBumper.bounceCount).let {
         told(Cause.BOUNCE, it.toDouble(), 1.0) { messages.bounce(it) }
     }
 
-    private fun told(cause: Cause, amount: Double, least: Double, sentence: () -> String): DeviationCause? =
-        if (abs(amount) < least) null else DeviationCause(place.name, cause, amount, sentence())
+    private fun told(cause: Cause, amount: Double, min: Double, sentence: () -> String): DeviationCause? =
+        if (abs(amount) < min) null else DeviationCause(place.name, cause, amount, sentence())
 
     /** The size of [number] with one decimal. */
     private fun text(number: Double): String {
@@ -75,12 +75,12 @@ internal class Explanation(
     }
 
     private companion object {
-        const val LEAST_LENGTH = 0.05
-        const val LEAST_ANGLE = 0.05
+        const val MIN_LENGTH = 0.05
+        const val MIN_ANGLE = 0.05
 
         /** In each change from driving to turning the tyres slip by a hair, which is part of the calibration. */
-        const val LEAST_SPIN = 1.0
-        const val LEAST_RAW = 0.5
+        const val MIN_SPIN = 1.0
+        const val MIN_RAW = 0.5
         const val PER_CENT = 100.0
         const val TENTH = 100L
         const val HALF_TENTH = 50L

@@ -15,8 +15,8 @@ internal class FollowLineEvaluator(
     private val actor: Actor.OfRobots,
     line: MarkFigure.Line,
 ) : SingleGoalEvaluator(sentence) {
-    private val laps = if (line.closed) Rounds(LineWay(line).length, goal) else EndToEnd(LineWay(line).length, goal)
-    private val tracker = LineTracker(LineWay(line), goal.tolerance, laps)
+    private val laps = if (line.closed) Rounds(ArcLengthPath(line).length, goal) else EndToEnd(ArcLengthPath(line).length, goal)
+    private val tracker = LineTracker(ArcLengthPath(line), goal.tolerance, laps)
 
     override fun look(scene: Scene) {
         if (scene.isAfter(goal.within)) return tell(GoalStatus.FAILED)
@@ -41,8 +41,8 @@ private fun Mark.isWay() = (figure as? MarkFigure.Line)?.let { line -> line.poin
  * @param tolerance how far he may be beside the line.
  * @param laps is told of his way.
  */
-internal class LineTracker(private val way: LineWay, private val tolerance: Double, private val laps: Laps) {
-    private val reach = minOf(REACH_IN_TOLERANCES * tolerance, way.length / LEAST_REACHES_IN_LINE)
+internal class LineTracker(private val way: ArcLengthPath, private val tolerance: Double, private val laps: Laps) {
+    private val reach = minOf(REACH_IN_TOLERANCES * tolerance, way.length / MIN_REACHES_IN_LINE)
     private val longestStray = STRAY_IN_TOLERANCES * tolerance
 
     /** Where on the line he was last, null before he has met it. */
@@ -85,7 +85,7 @@ internal class LineTracker(private val way: LineWay, private val tolerance: Doub
     private companion object {
         /** How far along the line he can come in one look: round a bend of 60 degrees that he cuts within the tolerance. */
         const val REACH_IN_TOLERANCES = 4.0
-        const val LEAST_REACHES_IN_LINE = 4.0
+        const val MIN_REACHES_IN_LINE = 4.0
 
         /** How far he may go beside the line and still only come back where he has left it. */
         const val STRAY_IN_TOLERANCES = 2.0
@@ -96,7 +96,7 @@ internal class LineTracker(private val way: LineWay, private val tolerance: Doub
 }
 
 /** A line as a way with places from 0 to its [length]; on a closed one the places go on with every round, and below 0. */
-internal class LineWay(line: MarkFigure.Line) {
+internal class ArcLengthPath(line: MarkFigure.Line) {
     private val isClosed = line.closed
     private val corners = (if (isClosed) line.points + line.points.first() else line.points).withoutRepetition()
 

@@ -43,7 +43,7 @@ internal class GoalEvaluators(
             is GoalCondition.StayIn -> messages.stayIn(parts.mover(who), parts.region(region), whole)
             is GoalCondition.NeverTouch -> messages.neverTouch(parts.mover(who), what.sorted())
             is GoalCondition.DrawTemplate -> messages.drawTemplate(number(tolerance), percent(coverage))
-            is GoalCondition.InkLength -> messages.inkLength(leastOf(this)?.let(::number), atMost?.let(::number))
+            is GoalCondition.InkLength -> messages.inkLength(minOf(this)?.let(::number), atMost?.let(::number))
             is GoalCondition.FollowLine -> messages.followLine(parts.mover(who), parts.lineName(line), parts.isClosed(line), laps, within)
             is GoalCondition.EndWithin -> messages.endWithin(parts.mover(who), seconds)
             is GoalCondition.ShowOnDisplay -> messages.showOnDisplay(parts.mover(who), text.trim())
@@ -55,5 +55,5 @@ internal class GoalEvaluators(
     }
 
     /** Without any bound, 0. */
-    private fun leastOf(ink: GoalCondition.InkLength): Double? = ink.atLeast ?: if (ink.atMost == null) 0.0 else null
+    private fun minOf(ink: GoalCondition.InkLength): Double? = ink.atLeast ?: if (ink.atMost == null) 0.0 else null
 }

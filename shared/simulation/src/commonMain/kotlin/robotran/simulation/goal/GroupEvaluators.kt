@@ -35,13 +35,13 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
     private fun tellAgain() {
         val told = parts.map { it.progress }
         val status = statusOf(told.map { it.status })
-        val share = if (status == GoalStatus.MET) 1.0 else minOf(shareOf(told.map { it.progress }), MOST_OF_UNMET)
+        val share = if (status == GoalStatus.MET) 1.0 else minOf(shareOf(told.map { it.progress }), MAX_OF_UNMET)
         progress = GoalProgress(sentence, status, floor(share * HUNDRED + ROUNDING) / HUNDRED, told)
     }
 
     protected companion object {
         const val HUNDRED = 100.0
-        const val MOST_OF_UNMET = 0.99
+        const val MAX_OF_UNMET = 0.99
 
         /** Keeps hundredths that are not exact from being rounded down. */
         const val ROUNDING = 1e-6

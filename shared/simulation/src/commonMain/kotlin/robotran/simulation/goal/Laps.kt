@@ -37,7 +37,7 @@ private class Advance {
 
 /** Round and round a closed line, in either direction but always the same. */
 internal class Rounds(private val length: Double, goal: GoalCondition.FollowLine) : Laps() {
-    private val givenAway = minOf(goal.tolerance, length / LEAST_PARTS)
+    private val givenAway = minOf(goal.tolerance, length / MIN_PARTS)
     private val wanted = goal.laps * length - givenAway
     private var earlierRounds = 0.0
     private var advance = Advance()
@@ -56,7 +56,7 @@ internal class Rounds(private val length: Double, goal: GoalCondition.FollowLine
 internal class EndToEnd(length: Double, private val goal: GoalCondition.FollowLine) : Laps() {
     /** The robot may begin with its pen at the end, and it leaves the line when its sensor comes beyond the other. */
     private val wanted =
-        length - minOf(Penbot.LIGHT_SENSOR_PLACE + goal.tolerance, length / LEAST_PARTS) - minOf(goal.tolerance, length / LEAST_PARTS)
+        length - minOf(Penbot.LIGHT_SENSOR_PLACE + goal.tolerance, length / MIN_PARTS) - minOf(goal.tolerance, length / MIN_PARTS)
     private var legs = 0
     private var advance = Advance()
     private var mayGoUp = true
@@ -84,4 +84,4 @@ internal class EndToEnd(length: Double, private val goal: GoalCondition.FollowLi
 }
 
 /** What is given away is never more than so much of the line. */
-private const val LEAST_PARTS = 4.0
+private const val MIN_PARTS = 4.0

@@ -11,7 +11,7 @@ import kotlin.math.floor
 internal class PlaceGrid(private val places: List<Point>, reach: Double) {
     private val left = places.minOfOrNull { it.x } ?: 0.0
     private val bottom = places.minOfOrNull { it.y } ?: 0.0
-    private val cell = maxOf(reach, (places.maxOfOrNull { maxOf(it.x - left, it.y - bottom) } ?: 0.0) / MOST_CELLS_A_SIDE, SMALLEST_CELL)
+    private val cell = maxOf(reach, (places.maxOfOrNull { maxOf(it.x - left, it.y - bottom) } ?: 0.0) / MAX_CELLS_A_SIDE, SMALLEST_CELL)
     private val columns = 1 + (places.maxOfOrNull { columnOf(it.x) } ?: 0)
     private val rows = 1 + (places.maxOfOrNull { rowOf(it.y) } ?: 0)
 
@@ -50,7 +50,7 @@ internal class PlaceGrid(private val places: List<Point>, reach: Double) {
     private fun rowOf(y: Double) = floor((y - bottom) / cell).toInt()
 
     private companion object {
-        const val MOST_CELLS_A_SIDE = 1000
+        const val MAX_CELLS_A_SIDE = 1000
         const val SMALLEST_CELL = 0.05
     }
 }

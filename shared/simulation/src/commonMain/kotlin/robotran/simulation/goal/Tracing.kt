@@ -13,7 +13,7 @@ import robotran.world.geometry.length
  */
 internal class Tracing(template: Template, private val tolerance: Double) {
     private val length = template.strokes.sumOf { stroke -> stroke.zipWithNext { from, to -> length(to.x - from.x, to.y - from.y) }.sum() }
-    private val spacing = maxOf(minOf(FINEST_SPACING, tolerance / PLACES_PER_TOLERANCE), length / MOST_PLACES)
+    private val spacing = maxOf(minOf(FINEST_SPACING, tolerance / PLACES_PER_TOLERANCE), length / MAX_PLACES)
     private val places = PlaceGrid(template.strokes.flatMap { evenly(it) }, tolerance)
     private val isCovered = BooleanArray(places.size)
     private var covered = 0
@@ -43,7 +43,7 @@ internal class Tracing(template: Template, private val tolerance: Double) {
     }
 
     private fun evenly(stroke: List<Point>): List<Point> = buildList {
-        val walk = EvenWalk(spacing)
+        val walk = EvenSampling(spacing)
         walk.begin(stroke.first())
         add(stroke.first())
         for (number in 1..<stroke.size) walk.to(stroke[number], isCorner = true) { x, y -> add(Point(x, y)) }
@@ -57,12 +57,12 @@ internal class Tracing(template: Template, private val tolerance: Double) {
         const val PLACES_PER_TOLERANCE = 4.0
 
         /** Of the template, so that a long one stays cheap. */
-        const val MOST_PLACES = 40_000.0
+        const val MAX_PLACES = 40_000.0
     }
 }
 
 /** Walks along lines and calls at places with an even distance between them. */
-internal class EvenWalk(private val spacing: Double) {
+internal class EvenSampling(private val spacing: Double) {
     private var corner = Point(0.0, 0.0)
 
     /** How far the last place is behind the corner; negative if it lies beyond it, on the piece that is not finished yet. */
@@ -119,7 +119,7 @@ private class PenFollower(private val spacing: Double, private val inkAt: (x: Do
         /** How many of its strokes behind those that are [done] are finished, and how many of them were met in this round. */
         var finished = 0
         var passed = 0
-        private val walk = EvenWalk(spacing)
+        private val walk = EvenSampling(spacing)
         private var corners = 0
 
         fun meet(stroke: InkStroke) {

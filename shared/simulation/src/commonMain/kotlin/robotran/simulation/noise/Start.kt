@@ -8,7 +8,7 @@ internal fun putDown(planned: Pose, streams: NoiseStreams, realism: Double): Pos
     if (realism == 0.0) return planned
 
     fun error(name: String, deviation: Double) =
-        realism * deviation * streams.named("start: $name").normal().coerceIn(-MOST_DEVIATIONS, MOST_DEVIATIONS)
+        realism * deviation * streams.named("start: $name").normal().coerceIn(-MAX_DEVIATIONS, MAX_DEVIATIONS)
     return Pose(
         planned.x + error("x", Realism.START_PLACE),
         planned.y + error("y", Realism.START_PLACE),
@@ -16,4 +16,4 @@ internal fun putDown(planned: Pose, streams: NoiseStreams, realism: Double): Pos
     )
 }
 
-private const val MOST_DEVIATIONS = 2.0
+private const val MAX_DEVIATIONS = 2.0

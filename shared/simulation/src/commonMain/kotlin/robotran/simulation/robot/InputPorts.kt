@@ -9,12 +9,12 @@ import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.noise.Realism
 import robotran.world.Penbot
 import robotran.world.PortSensor
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import kotlin.math.floor
 
 /** What is plugged into a brick's input ports, measured as often as the firmware reads it. */
 internal class InputPorts(
-    private val place: RobotPlace,
+    private val place: RobotPlacement,
     private val brick: Brick,
     streams: NoiseStreams,
     private val realism: Double,

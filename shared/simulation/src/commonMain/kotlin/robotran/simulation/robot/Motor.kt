@@ -42,7 +42,7 @@ internal class Motor {
         val free = drivenSpeed(power) * supply
         if (load == 0.0) return free
         val strongest = Penbot.STALL_FORCE * (power + 1) / SLOTS * supply
-        return free * (1 - load / strongest).coerceIn(0.0, MOST_PUSHED)
+        return free * (1 - load / strongest).coerceIn(0.0, MAX_PUSHED)
     }
 
     private fun approach(target: Double): Double {
@@ -59,7 +59,7 @@ internal class Motor {
         private const val SLOTS = 8.0
 
         /** A motor that is pushed on turns no faster than this times as fast as without load. */
-        private const val MOST_PUSHED = 1.2
+        private const val MAX_PUSHED = 1.2
         private const val CALIBRATED_SLOTS = Penbot.CALIBRATED_POWER + 1.0
         private const val TICK_MILLISECONDS = 1.0
 

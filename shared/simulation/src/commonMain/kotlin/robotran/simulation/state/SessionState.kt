@@ -27,7 +27,7 @@ data class SessionState(
     val lamps: List<LampState>,
     val ink: Ink,
     val goals: List<GoalProgress>,
-    val surroundings: Surroundings = Surroundings(),
+    val surroundings: AmbientConditions = AmbientConditions(),
     val trail: List<TrailPiece> = emptyList(),
 ) {
     /** The first robot, the pupil's own. */
@@ -64,7 +64,7 @@ data class RobotSnapshot(
  * @property light the light that is everywhere, in the units of [Light].
  * @property celsius how warm it is.
  */
-data class Surroundings(
+data class AmbientConditions(
     val light: Double = Light.DIM_ROOM,
     val celsius: Double = World.ROOM_TEMPERATURE,
 )

@@ -17,7 +17,7 @@ import robotran.simulation.state.SessionState
 import robotran.world.Goal
 import robotran.world.Paper
 import robotran.world.Penbot
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.TouchKind
 import robotran.world.World
 import robotran.world.geometry.Point
@@ -27,7 +27,7 @@ import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.length
 
 /** A sheet with one robot in its middle. */
-internal val sheet = World("A sheet", Paper(100.0, 80.0), listOf(RobotPlace(Pose(50.0, 40.0, 0.0))))
+internal val sheet = World("A sheet", Paper(100.0, 80.0), listOf(RobotPlacement(Pose(50.0, 40.0, 0.0))))
 
 internal fun rectangle(left: Double, bottom: Double, right: Double, top: Double) =
     Shape.Rectangle(Point((left + right) / 2, (bottom + top) / 2), right - left, top - bottom)

@@ -18,7 +18,7 @@ import robotran.world.GoalCondition.StayIn
 import robotran.world.GoalCondition.StayOut
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.TouchKind
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
@@ -30,7 +30,7 @@ class GoalSentenceTest {
     private val garage = rectangle(80.0, 60.0, 100.0, 80.0)
     private val home = Shape.Circle(Point(50.0, 40.0), 9.0)
     private val world = sheet.copy(
-        robots = sheet.robots + RobotPlace(Pose(20.0, 20.0, 0.0), name = "red"),
+        robots = sheet.robots + RobotPlacement(Pose(20.0, 20.0, 0.0), name = "red"),
         blocks = listOf(Block(rectangle(10.0, 10.0, 14.0, 14.0), name = "box")),
         marks = listOf(
             Mark(MarkFigure.Area(home), name = "home"),

@@ -8,7 +8,7 @@ import robotran.world.GoalCondition.NeverTouch
 import robotran.world.GoalCondition.Reach
 import robotran.world.GoalCondition.StayIn
 import robotran.world.GoalCondition.StayOut
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
@@ -19,7 +19,7 @@ import kotlin.test.assertSame
 class PlaceGoalTest {
     private val garage = rectangle(80.0, 30.0, 100.0, 50.0)
     private val box = Block(rectangle(20.0, 20.0, 26.0, 24.0), name = "box")
-    private val red = RobotPlace(Pose(20.0, 20.0, 0.0), name = "red")
+    private val red = RobotPlacement(Pose(20.0, 20.0, 0.0), name = "red")
 
     @Test
     fun `a region is reached when the pen is in it and stays reached`() = runTest {

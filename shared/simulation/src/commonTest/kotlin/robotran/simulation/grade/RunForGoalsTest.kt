@@ -17,7 +17,7 @@ import robotran.world.GoalCondition.PlaySound
 import robotran.world.GoalCondition.Reach
 import robotran.world.GoalCondition.StayIn
 import robotran.world.Paper
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.Template
 import robotran.world.TouchKind
 import robotran.world.Wall
@@ -36,7 +36,7 @@ class RunForGoalsTest {
     private val forward30 = ScriptedProgram { forward(30.0) }
 
     private fun world(vararg goals: Goal) =
-        World("A sheet", Paper(100.0, 80.0), listOf(RobotPlace(Pose(50.0, 40.0, 0.0))), goals = goals.toList(), timeLimit = 10)
+        World("A sheet", Paper(100.0, 80.0), listOf(RobotPlacement(Pose(50.0, 40.0, 0.0))), goals = goals.toList(), timeLimit = 10)
 
     private suspend fun grade(world: World, vararg programs: RcxProgram?): Grade {
         val session = Session(world, programs.map { RobotLoad(listOfNotNull(it)) }, loadPhysicsEngine())
@@ -106,7 +106,7 @@ class RunForGoalsTest {
 
     @Test
     fun `the programs of other robots are started too`() = runTest {
-        val red = RobotPlace(Pose(20.0, 20.0, 0.0), name = "red")
+        val red = RobotPlacement(Pose(20.0, 20.0, 0.0), name = "red")
         val world = world(Goal(Reach(Shape.Circle(Point(50.0, 20.0), 3.0), who = "red")))
         val two = world.copy(robots = world.robots + red)
         assertTrue(grade(two, ScriptedProgram { pause(3000) }, forward30).passed)

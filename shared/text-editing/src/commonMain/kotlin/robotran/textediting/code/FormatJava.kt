@@ -47,11 +47,11 @@ private class JavaLayout {
         return bracket.inside + extra
     }
 
-    private fun noteCode(content: String, pieces: List<CodePiece>, indent: Int) {
-        val code = pieces.filter { it.kind != PieceKind.COMMENT }
+    private fun noteCode(content: String, pieces: List<CodeToken>, indent: Int) {
+        val code = pieces.filter { it.kind != CodeTokenKind.COMMENT }
         if (code.isEmpty()) return
         val lineStart = if (continuation > 0 && content.first() != '{') indent - continuation else indent
-        for (piece in code.filter { it.kind == PieceKind.SIGN }) {
+        for (piece in code.filter { it.kind == CodeTokenKind.SIGN }) {
             when (val sign = content[piece.start]) {
                 '{' -> open.addLast(Bracket(sign, lineStart, lineStart + STEP))
                 '(', '[' -> open.addLast(Bracket(sign, lineStart, lineStart + 2 * STEP))
@@ -68,11 +68,11 @@ private class JavaLayout {
         }
     }
 
-    private fun continuationAfter(content: String, code: List<CodePiece>): Int {
+    private fun continuationAfter(content: String, code: List<CodeToken>): Int {
         if (open.lastOrNull()?.sign.let { it == '(' || it == '[' }) return 0
         val last = code.last()
         val end = content.substring(last.start, last.end)
-        val words = code.takeWhile { it.kind != PieceKind.SIGN || content[it.start] == '}' }.map { content.substring(it.start, it.end) }
+        val words = code.takeWhile { it.kind != CodeTokenKind.SIGN || content[it.start] == '}' }.map { content.substring(it.start, it.end) }
         val keyword = words.firstOrNull { it != "}" }
         return when {
             end == ";" || end == "{" || end == "}" || end == "," || end == ":" -> 0

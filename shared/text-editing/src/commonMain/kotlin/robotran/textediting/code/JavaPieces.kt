@@ -17,7 +17,7 @@ val JAVA_KEYWORDS: List<String> = (
 fun piecesOfJava(line: String, startsInComment: Boolean): LinePieces = JavaLine(line, startsInComment).pieces()
 
 private class JavaLine(private val line: String, private var isInComment: Boolean) {
-    private val pieces = mutableListOf<CodePiece>()
+    private val pieces = mutableListOf<CodeToken>()
     private var position = 0
 
     fun pieces(): LinePieces {
@@ -33,9 +33,9 @@ private class JavaLine(private val line: String, private var isInComment: Boolea
             isNameStart(character) -> takeWord()
             character.isDigit() || (character == '.' && line.getOrNull(position + 1)?.isDigit() == true) -> takeNumber()
             character == '"' || character == '\'' -> takeText(character)
-            line.startsWith("//", position) -> take(PieceKind.COMMENT, line.length)
+            line.startsWith("//", position) -> take(CodeTokenKind.COMMENT, line.length)
             line.startsWith("/*", position) -> takeComment("/*".length)
-            else -> take(PieceKind.SIGN, position + 1)
+            else -> take(CodeTokenKind.SIGN, position + 1)
         }
     }
 
@@ -43,25 +43,25 @@ private class JavaLine(private val line: String, private var isInComment: Boolea
         val end = endOf { isNamePart(it) }
         val word = line.substring(position, end)
         val kind = when (word) {
-            in KEYWORDS -> PieceKind.KEYWORD
-            in LejosApi.classNames -> PieceKind.KNOWN
-            else -> PieceKind.NAME
+            in KEYWORDS -> CodeTokenKind.KEYWORD
+            in LejosApi.classNames -> CodeTokenKind.KNOWN
+            else -> CodeTokenKind.NAME
         }
         take(kind, end)
     }
 
-    private fun takeNumber() = take(PieceKind.NUMBER, endOf { it.isLetterOrDigit() || it == '.' })
+    private fun takeNumber() = take(CodeTokenKind.NUMBER, endOf { it.isLetterOrDigit() || it == '.' })
 
     private fun takeText(mark: Char) {
         var end = position + 1
         while (end < line.length && line[end] != mark) end += if (line[end] == '\\') 2 else 1
-        take(PieceKind.TEXT, minOf(end + 1, line.length))
+        take(CodeTokenKind.TEXT, minOf(end + 1, line.length))
     }
 
     private fun takeComment(opening: Int) {
         val close = line.indexOf("*/", position + opening)
         isInComment = close < 0
-        take(PieceKind.COMMENT, if (close < 0) line.length else close + "*/".length)
+        take(CodeTokenKind.COMMENT, if (close < 0) line.length else close + "*/".length)
     }
 
     private inline fun endOf(belongs: (Char) -> Boolean): Int {
@@ -70,8 +70,8 @@ private class JavaLine(private val line: String, private var isInComment: Boolea
         return end
     }
 
-    private fun take(kind: PieceKind, end: Int) {
-        if (end > position) pieces += CodePiece(kind, position, end)
+    private fun take(kind: CodeTokenKind, end: Int) {
+        if (end > position) pieces += CodeToken(kind, position, end)
         position = end
     }
 }

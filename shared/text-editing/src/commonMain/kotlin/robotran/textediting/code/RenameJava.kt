@@ -6,14 +6,14 @@ import robotran.textediting.text.TextLines
 /** [source] with every name [old] written as [new], but for those in texts and comments. */
 fun renamedInJava(source: String, old: String, new: String): String {
     val lines = TextLines(source)
-    val pieces = CodePieces(lines, ProgramLanguage.JAVA)
+    val pieces = CodeTokens(lines, ProgramLanguage.JAVA)
     val result = StringBuilder()
     for (line in 0..<lines.count) {
         if (line > 0) result.append('\n')
         val text = lines.line(line)
         var done = 0
         for (piece in pieces.of(line)) {
-            val isName = piece.kind == PieceKind.NAME || piece.kind == PieceKind.KNOWN
+            val isName = piece.kind == CodeTokenKind.NAME || piece.kind == CodeTokenKind.KNOWN
             if (!isName || text.substring(piece.start, piece.end) != old) continue
             result.append(text, done, piece.start).append(new)
             done = piece.end

@@ -3,9 +3,9 @@ package robotran.textediting.complete
 import robotran.language.ProgramLanguage
 import robotran.textediting.api.ApiMember
 import robotran.textediting.api.LejosApi
-import robotran.textediting.code.CodePieces
+import robotran.textediting.code.CodeTokenKind
+import robotran.textediting.code.CodeTokens
 import robotran.textediting.code.JAVA_KEYWORDS
-import robotran.textediting.code.PieceKind
 import robotran.textediting.text.Draft
 
 /** What may stand where the caret is in a leJOS program; null if nothing is offered there. */
@@ -15,10 +15,10 @@ internal fun completeJava(draft: Draft, help: WordHelp, isWanted: Boolean): Comp
     val text = draft.lines.line(line)
     val lineStart = draft.lines.start(line)
     val column = caret - lineStart
-    val pieces = CodePieces(draft.lines, ProgramLanguage.JAVA).of(line)
+    val pieces = CodeTokens(draft.lines, ProgramLanguage.JAVA).of(line)
     val around = pieces.firstOrNull { column > it.start && column <= it.end }
     if (around != null && around.kind in SILENT) return null
-    val word = around?.takeIf { it.kind != PieceKind.SIGN }
+    val word = around?.takeIf { it.kind != CodeTokenKind.SIGN }
     val start = word?.start ?: column
     val typed = text.substring(start, column)
     val before = pieces.filter { it.end <= start }.map { text.substring(it.start, it.end) }
@@ -72,8 +72,8 @@ private fun completionOf(member: ApiMember): Completion {
 /** What a variable was declared as: the class that stands before its name. */
 private fun typeOfVariable(name: String, draft: Draft): String? {
     var before = ""
-    val pieces = CodePieces(draft.lines, ProgramLanguage.JAVA)
-    for (line in 0..<minOf(draft.lines.count, MOST_LINES)) {
+    val pieces = CodeTokens(draft.lines, ProgramLanguage.JAVA)
+    for (line in 0..<minOf(draft.lines.count, MAX_LINES)) {
         val text = draft.lines.line(line)
         if (name !in text) continue
         for (piece in pieces.of(line)) {
@@ -86,15 +86,15 @@ private fun typeOfVariable(name: String, draft: Draft): String? {
 }
 
 private fun namesIn(draft: Draft, writing: Int): List<Completion> {
-    val pieces = CodePieces(draft.lines, ProgramLanguage.JAVA)
+    val pieces = CodeTokens(draft.lines, ProgramLanguage.JAVA)
     val found = LinkedHashMap<String, Completion>()
     val here = draft.lines.lineOf(writing)
-    for (line in maxOf(0, here - MOST_LINES_AROUND)..minOf(draft.lines.count - 1, here + MOST_LINES_AROUND)) {
+    for (line in maxOf(0, here - MAX_LINES_AROUND)..minOf(draft.lines.count - 1, here + MAX_LINES_AROUND)) {
         val text = draft.lines.line(line)
         val inLine = pieces.of(line)
         inLine.forEachIndexed { place, piece ->
             val isMember = place > 0 && text[inLine[place - 1].start] == '.'
-            if (piece.kind != PieceKind.NAME || isMember || draft.lines.start(line) + piece.start == writing) return@forEachIndexed
+            if (piece.kind != CodeTokenKind.NAME || isMember || draft.lines.start(line) + piece.start == writing) return@forEachIndexed
             val name = text.substring(piece.start, piece.end)
             val isCalled = inLine.getOrNull(place + 1)?.let { text[it.start] == '(' } == true
             found.getOrPut(name) {
@@ -112,12 +112,12 @@ private val KEYWORD_ENDINGS = (
             "abstract class extends final implements import instanceof interface new package private protected public static " +
                 "synchronized throw throws"
         ).split(' ').associateWith { " " }
-).mapValues { WordEnding.of(it.value) }
+).mapValues { CompletionSuffix.of(it.value) }
 
-private val SILENT = setOf(PieceKind.COMMENT, PieceKind.TEXT, PieceKind.NUMBER)
+private val SILENT = setOf(CodeTokenKind.COMMENT, CodeTokenKind.TEXT, CodeTokenKind.NUMBER)
 
 /** Declarations further down are not looked for. */
-private const val MOST_LINES = 5_000
+private const val MAX_LINES = 5_000
 
 /** Names further away are not offered: this has to be quick at every key. */
-private const val MOST_LINES_AROUND = 1_000
+private const val MAX_LINES_AROUND = 1_000

@@ -2,8 +2,8 @@ package robotran.textediting.complete
 
 import robotran.language.ProgramLanguage
 import robotran.robolang.RobolangWords
-import robotran.textediting.code.CodePieces
-import robotran.textediting.code.PieceKind
+import robotran.textediting.code.CodeTokenKind
+import robotran.textediting.code.CodeTokens
 import robotran.textediting.text.Draft
 import robotran.textediting.text.isWordCharacter
 
@@ -13,11 +13,11 @@ internal fun completeRobolang(draft: Draft, help: WordHelp, isWanted: Boolean): 
     val line = draft.lines.lineOf(caret)
     val lineStart = draft.lines.start(line)
     val column = caret - lineStart
-    val pieces = CodePieces(draft.lines, ProgramLanguage.ROBOLANG).of(line)
+    val pieces = CodeTokens(draft.lines, ProgramLanguage.ROBOLANG).of(line)
     val text = draft.lines.line(line)
     val around = pieces.firstOrNull { column > it.start && column <= it.end }
-    val word = around?.takeIf { it.kind == PieceKind.NAME || it.kind == PieceKind.KEYWORD || it.kind == PieceKind.KNOWN }
-    if (around != null && word == null && around.kind != PieceKind.SIGN) return null
+    val word = around?.takeIf { it.kind == CodeTokenKind.NAME || it.kind == CodeTokenKind.KEYWORD || it.kind == CodeTokenKind.KNOWN }
+    if (around != null && word == null && around.kind != CodeTokenKind.SIGN) return null
     val start = word?.start ?: column
     val typed = text.substring(start, column)
     if (typed.isEmpty() && !isWanted) return null
@@ -39,13 +39,13 @@ internal fun completeRobolang(draft: Draft, help: WordHelp, isWanted: Boolean): 
     return if (items.isEmpty()) null else CompletionList(lineStart + start, items)
 }
 
-private fun words(words: List<String>, help: WordHelp, endings: Map<String, WordEnding>? = null) =
+private fun words(words: List<String>, help: WordHelp, endings: Map<String, CompletionSuffix>? = null) =
     words.map { word ->
         val completion = completionOf(word, endings?.get(word), help)
         completion.copy(asksOn = completion.inserted == "$word " && word in FOLLOWERS)
     }
 
-private fun valueWords(help: WordHelp, endings: Map<String, WordEnding>?) = words(VALUE_WORDS, help, endings)
+private fun valueWords(help: WordHelp, endings: Map<String, CompletionSuffix>?) = words(VALUE_WORDS, help, endings)
 
 private fun functions(help: WordHelp) = RobolangWords.functions.map { (name, parameters) ->
     val commas = ", ".repeat(parameters - 1)
@@ -54,16 +54,16 @@ private fun functions(help: WordHelp) = RobolangWords.functions.map { (name, par
 
 /** The names that the pupil has given, but for the one that is being written at [writing]. */
 private fun namesIn(draft: Draft, writing: Int): List<Completion> {
-    val pieces = CodePieces(draft.lines, ProgramLanguage.ROBOLANG)
+    val pieces = CodeTokens(draft.lines, ProgramLanguage.ROBOLANG)
     val found = LinkedHashMap<String, Completion>()
-    for (line in 0..<minOf(draft.lines.count, MOST_LINES)) {
+    for (line in 0..<minOf(draft.lines.count, MAX_LINES)) {
         if (!declares(draft, line)) continue
         val text = draft.lines.line(line)
         val inLine = pieces.of(line)
         inLine.forEachIndexed { place, piece ->
             val before = inLine.getOrNull(place - 1)?.let { text.substring(it.start, it.end).lowercase() }
             val isBeingWritten = draft.lines.start(line) + piece.start == writing
-            if (piece.kind != PieceKind.NAME || before !in DECLARING || isBeingWritten) return@forEachIndexed
+            if (piece.kind != CodeTokenKind.NAME || before !in DECLARING || isBeingWritten) return@forEachIndexed
             val name = text.substring(piece.start, piece.end)
             val isRoutine = before == "procedure" || before == "function"
             found.getOrPut(name.lowercase()) {
@@ -121,4 +121,4 @@ private val BLOCKS = listOf(
 )
 
 /** Names further down are not looked for. */
-private const val MOST_LINES = 5_000
+private const val MAX_LINES = 5_000

@@ -62,8 +62,8 @@ fun Draft.completed(list: CompletionList, chosen: Completion): Draft {
 /** Those of [candidates] that [typed] may become: first those that begin with it, then those that have it at the beginning of a part. */
 internal fun matching(typed: String, candidates: List<Completion>): List<Completion> {
     val (starting, others) = candidates.partition { it.label.startsWith(typed, ignoreCase = true) }
-    val inside = others.filter { typed.length >= LEAST_INSIDE && hasPart(it.label, typed) }
-    return (starting + inside).distinctBy { it.label to it.inserted }.take(MOST_ITEMS)
+    val inside = others.filter { typed.length >= MIN_INSIDE && hasPart(it.label, typed) }
+    return (starting + inside).distinctBy { it.label to it.inserted }.take(MAX_ITEMS)
 }
 
 private fun hasPart(label: String, typed: String): Boolean {
@@ -75,5 +75,5 @@ private fun hasPart(label: String, typed: String): Boolean {
     return false
 }
 
-private const val LEAST_INSIDE = 2
-private const val MOST_ITEMS = 60
+private const val MIN_INSIDE = 2
+private const val MAX_ITEMS = 60

@@ -23,7 +23,7 @@ internal val COMMAND_ENDINGS = mapOf(
     "function" to " ",
     "whenever" to " ",
     "robot" to " ",
-).mapValues { WordEnding.of(it.value) }
+).mapValues { CompletionSuffix.of(it.value) }
 
 /** What a word that follows another needs behind it, by that other. */
 internal val FOLLOWER_ENDINGS = mapOf(
@@ -31,7 +31,7 @@ internal val FOLLOWER_ENDINGS = mapOf(
     "wait" to mapOf("until" to " "),
     "for" to mapOf("each" to " "),
     "power" to mapOf("left" to " |5|", "right" to " |5|"),
-).mapValues { (_, endings) -> endings.mapValues { WordEnding.of(it.value) } }
+).mapValues { (_, endings) -> endings.mapValues { CompletionSuffix.of(it.value) } }
 
 /** What a word that is or makes a value needs behind it. */
 internal val VALUE_ENDINGS = mapOf(
@@ -43,4 +43,4 @@ internal val VALUE_ENDINGS = mapOf(
     "or" to " ",
     "not" to " ",
     "mod" to " ",
-).mapValues { WordEnding.of(it.value) }
+).mapValues { CompletionSuffix.of(it.value) }

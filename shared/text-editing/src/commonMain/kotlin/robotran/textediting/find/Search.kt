@@ -17,12 +17,12 @@ data class Search(
     val matchCase: Boolean = false,
     val wholeWords: Boolean = false,
 ) {
-    /** Where it stands in [source], one behind the other, at most [MOST_MATCHES]. */
+    /** Where it stands in [source], one behind the other, at most [MAX_MATCHES]. */
     fun matchesIn(source: String): List<TextSpan> {
         if (text.isEmpty()) return emptyList()
         val found = mutableListOf<TextSpan>()
         var place = source.indexOf(text, 0, ignoreCase = !matchCase)
-        while (place >= 0 && found.size < MOST_MATCHES) {
+        while (place >= 0 && found.size < MAX_MATCHES) {
             val span = TextSpan(place, place + text.length)
             val counts = !wholeWords || isWhole(source, span)
             if (counts) found += span
@@ -38,7 +38,7 @@ data class Search(
     }
 
     companion object {
-        const val MOST_MATCHES = 5_000
+        const val MAX_MATCHES = 5_000
     }
 }
 

@@ -1,19 +1,19 @@
 package robotran.tinyvm.classfile
 
 import robotran.tinyvm.config.TinyVmLimits
-import robotran.tinyvm.diagnostic.Refusal
+import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.messages.ClassFileMessages
 
 /** What came of reading a class file. */
 internal sealed interface ClassFileResult {
     class Read(val classFile: ClassFile) : ClassFileResult
 
-    class Refused(val refusal: Refusal) : ClassFileResult
+    class Rejected(val refusal: LinkError) : ClassFileResult
 }
 
 /** Reads [bytes], whatever they are; [expectedName] stands in the refusal, with dots. */
 internal fun readClassFile(bytes: ByteArray, expectedName: String, messages: ClassFileMessages): ClassFileResult {
-    fun refused(message: String) = ClassFileResult.Refused(Refusal(message, expectedName))
+    fun refused(message: String) = ClassFileResult.Rejected(LinkError(message, expectedName))
     if (bytes.size > TinyVmLimits.CLASS_FILE_BYTES) return refused(messages.classFileTooLong(TinyVmLimits.CLASS_FILE_BYTES))
     return try {
         val reader = ByteReader(bytes)

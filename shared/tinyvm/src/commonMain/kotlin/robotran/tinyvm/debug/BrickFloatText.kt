@@ -15,7 +15,7 @@ internal object BrickFloatText {
     private fun ofSize(size: Float): String = when {
         size == Float.POSITIVE_INFINITY -> "Infinity"
         size == 0f -> "0.0"
-        size >= LEAST_PLAIN && size < FIRST_WITH_EXPONENT -> plain(size, moved = 0)
+        size >= MIN_PLAIN && size < FIRST_WITH_EXPONENT -> plain(size, moved = 0)
         else -> withExponent(size)
     }
 
@@ -86,7 +86,7 @@ internal object BrickFloatText {
         return written.take(maxOf(0, whole)).ifEmpty { "0" } + "." + behind.ifEmpty { "0" }
     }
 
-    private const val LEAST_PLAIN = 1.0E-3f
+    private const val MIN_PLAIN = 1.0E-3f
     private const val FIRST_WITH_EXPONENT = 1.0E7f
     private const val BILLION = 1.0E9f
     private const val MILLION = 1_000_000f

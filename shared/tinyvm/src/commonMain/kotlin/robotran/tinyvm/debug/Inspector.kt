@@ -9,12 +9,12 @@ import robotran.rcxrom.program.VariableView
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.run.Frame
 import robotran.tinyvm.run.Heap
-import robotran.tinyvm.run.Machine
 import robotran.tinyvm.run.ThreadState
+import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
 
 /** Looks into a run as its source sees it. Looking changes nothing. */
-internal class Inspector(private val machine: Machine) {
+internal class Inspector(private val machine: VirtualMachine) {
     private val values = ValueTexts(machine)
 
     fun threadView(thread: VmThread, isCurrent: Boolean) = ThreadView(

@@ -5,7 +5,7 @@ internal class UnsoundCode : RuntimeException()
 
 internal fun unsound(): Nothing = throw UnsoundCode()
 
-/** What the verifier knows of all locals and operands before an instruction; see [ValueType]. */
+/** What the verifier knows of all locals and operands before an instruction; see [VerificationType]. */
 internal class FrameState(private val locals: IntArray, private val operands: IntArray, depth: Int) {
     /** How many operand words there are. */
     var depth: Int = depth
@@ -21,7 +21,7 @@ internal class FrameState(private val locals: IntArray, private val operands: In
     /** Pushes a value with its second word, if it has one. */
     fun pushValue(value: Int) {
         push(value)
-        if (ValueType.isWide(value)) push(ValueType.SECOND_WORD)
+        if (VerificationType.isWide(value)) push(VerificationType.SECOND_WORD)
     }
 
     fun pop(): Int {
@@ -31,20 +31,26 @@ internal class FrameState(private val locals: IntArray, private val operands: In
 
     /** Pops a value of exactly the kind [value], which is no reference. */
     fun popValue(value: Int) {
-        if (ValueType.isWide(value) && pop() != ValueType.SECOND_WORD) unsound()
+        if (VerificationType.isWide(value) && pop() != VerificationType.SECOND_WORD) unsound()
         if (pop() != value) unsound()
     }
 
     /** Pops a value that is one word by itself. */
-    fun popSingle(): Int = pop().also { if (ValueType.isWide(it) || it == ValueType.SECOND_WORD || it == ValueType.UNUSABLE) unsound() }
+    fun popSingle(): Int = pop().also {
+        if (VerificationType.isWide(it) || it == VerificationType.SECOND_WORD ||
+            it == VerificationType.UNUSABLE
+        ) {
+            unsound()
+        }
+    }
 
-    fun popReference(): Int = pop().also { if (!ValueType.isReference(it)) unsound() }
+    fun popReference(): Int = pop().also { if (!VerificationType.isReference(it)) unsound() }
 
     /** Pops two words that belong together, or two values of one word each; the lower first. */
     fun popPair(): Pair<Int, Int> {
-        if (depth > 0 && operands[depth - 1] == ValueType.SECOND_WORD) {
+        if (depth > 0 && operands[depth - 1] == VerificationType.SECOND_WORD) {
             pop()
-            return pop() to ValueType.SECOND_WORD
+            return pop() to VerificationType.SECOND_WORD
         }
         val upper = popSingle()
         return popSingle() to upper
@@ -60,12 +66,16 @@ internal class FrameState(private val locals: IntArray, private val operands: In
     /** Puts a value into [slot] and, if it has two words, the one behind it. */
     fun setLocal(slot: Int, value: Int) {
         setWord(slot, value)
-        if (ValueType.isWide(value)) setWord(slot + 1, ValueType.SECOND_WORD)
+        if (VerificationType.isWide(value)) setWord(slot + 1, VerificationType.SECOND_WORD)
     }
 
     private fun setWord(slot: Int, value: Int) {
         if (slot !in locals.indices) unsound()
-        if (slot > 0 && ValueType.isWide(locals[slot - 1]) && value != ValueType.SECOND_WORD) locals[slot - 1] = ValueType.UNUSABLE
+        if (slot > 0 && VerificationType.isWide(locals[slot - 1]) &&
+            value != VerificationType.SECOND_WORD
+        ) {
+            locals[slot - 1] = VerificationType.UNUSABLE
+        }
         locals[slot] = value
     }
 

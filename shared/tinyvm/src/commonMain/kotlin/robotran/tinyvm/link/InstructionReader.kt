@@ -4,14 +4,14 @@ import robotran.tinyvm.classfile.ByteReader
 import robotran.tinyvm.classfile.CodeEntry
 import robotran.tinyvm.classfile.DamagedClassFile
 import robotran.tinyvm.config.TinyVmLimits
-import robotran.tinyvm.messages.LackedFeature
 import robotran.tinyvm.messages.LinkMessages
+import robotran.tinyvm.messages.UnsupportedFeature
 
 /** Splits a method's code into instructions and refuses those that no TinyVM knows. */
 internal class InstructionReader(
     private val code: CodeEntry,
     private val messages: LinkMessages,
-    private val placeOf: (Int) -> Place,
+    private val placeOf: (Int) -> CodeLocation,
 ) {
     private val reader = ByteReader(code.bytes)
 
@@ -108,7 +108,7 @@ internal class InstructionReader(
         reader.unsignedByte()
         val local = reader.unsignedShort()
         val step = reader.signedShort()
-        if (local > TinyVmLimits.LOCALS) placeOf(place).refuse(messages.lacks(LackedFeature.MANY_LOCALS))
+        if (local > TinyVmLimits.LOCALS) placeOf(place).refuse(messages.lacks(UnsupportedFeature.MANY_LOCALS))
         return made(Opcode.IINC, place, local, step)
     }
 
@@ -126,16 +126,16 @@ internal class InstructionReader(
             (Opcode.IRETURN..Opcode.RETURN) + Opcode.ARRAYLENGTH + Opcode.ATHROW + Opcode.MONITORENTER + Opcode.MONITOREXIT
 
         /** Source: leJOS `CodeUtilities.java`. */
-        val LACKED: Map<Int, LackedFeature> = mapOf(
-            Opcode.TABLESWITCH to LackedFeature.SWITCH,
-            Opcode.LOOKUPSWITCH to LackedFeature.SWITCH,
-            Opcode.WIDE to LackedFeature.MANY_LOCALS,
-            Opcode.LDC_W to LackedFeature.MANY_CONSTANTS,
-            Opcode.GOTO_W to LackedFeature.FAR_JUMP,
-            Opcode.JSR_W to LackedFeature.FAR_JUMP,
-            Opcode.INVOKEDYNAMIC to LackedFeature.INVOKE_DYNAMIC,
-            114 to LackedFeature.DECIMAL_REMAINDER,
-            115 to LackedFeature.DECIMAL_REMAINDER,
-        ) + listOf(97, 101, 105, 109, 113, 117, 121, 123, 125, 127, 129, 131, 148).associateWith { LackedFeature.LONG_ARITHMETIC }
+        val LACKED: Map<Int, UnsupportedFeature> = mapOf(
+            Opcode.TABLESWITCH to UnsupportedFeature.SWITCH,
+            Opcode.LOOKUPSWITCH to UnsupportedFeature.SWITCH,
+            Opcode.WIDE to UnsupportedFeature.MANY_LOCALS,
+            Opcode.LDC_W to UnsupportedFeature.MANY_CONSTANTS,
+            Opcode.GOTO_W to UnsupportedFeature.FAR_JUMP,
+            Opcode.JSR_W to UnsupportedFeature.FAR_JUMP,
+            Opcode.INVOKEDYNAMIC to UnsupportedFeature.INVOKE_DYNAMIC,
+            114 to UnsupportedFeature.DECIMAL_REMAINDER,
+            115 to UnsupportedFeature.DECIMAL_REMAINDER,
+        ) + listOf(97, 101, 105, 109, 113, 117, 121, 123, 125, 127, 129, 131, 148).associateWith { UnsupportedFeature.LONG_ARITHMETIC }
     }
 }

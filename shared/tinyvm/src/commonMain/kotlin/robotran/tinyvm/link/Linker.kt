@@ -3,8 +3,8 @@ package robotran.tinyvm.link
 import robotran.tinyvm.classfile.CodeEntry
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.messages.Counted
-import robotran.tinyvm.messages.LackedFeature
 import robotran.tinyvm.messages.TinyVmMessages
+import robotran.tinyvm.messages.UnsupportedFeature
 
 /**
  * Links a program: its main class, and whatever that needs, of its own and of the library.
@@ -12,17 +12,17 @@ import robotran.tinyvm.messages.TinyVmMessages
  * @param nativeMethods whether there is a native method with this name: class, a dot, name and descriptor.
  */
 internal class Linker(
-    private val files: ClassFiles,
+    private val files: ClassPath,
     private val messages: TinyVmMessages,
     private val nativeMethods: (String) -> Boolean,
 ) {
     private val types = TypeTable(files, messages)
-    private val texts = TextTable()
+    private val texts = StringPool()
     private val budget = VerifierBudget(TinyVmLimits.VERIFIED_WORDS)
 
     /** @param mainClass where to begin, with slashes; null for the first class that has a main method. */
     fun link(mainClass: String?): LinkedProgram {
-        val start = Place(mainClass ?: files.ownNames.firstOrNull().orEmpty())
+        val start = CodeLocation(mainClass ?: files.ownNames.firstOrNull().orEmpty())
         val main = findMain(mainClass) ?: start.refuse(messages.noMainMethod())
         val exceptions = BuiltInException.entries.map { types.classNamed(it.className, start) }
         if (exceptions.any { !it.isA(types.throwable) }) start.unsound(messages)
@@ -46,7 +46,9 @@ internal class Linker(
         val name = names.firstOrNull { name ->
             files.find(name)?.methods?.any { it.name == MAIN && it.descriptor == MAIN_DESCRIPTOR } == true
         } ?: return null
-        return types.classNamed(name, Place(name)).methods.find { it.name == MAIN && it.descriptor == MAIN_DESCRIPTOR && it.isStatic }
+        return types.classNamed(name, CodeLocation(name)).methods.find {
+            it.name == MAIN && it.descriptor == MAIN_DESCRIPTOR && it.isStatic
+        }
     }
 
     /** Linking a body may bring in more classes, which come behind the others. */
@@ -56,7 +58,7 @@ internal class Linker(
     }
 
     private fun linkBody(method: LinkedMethod) {
-        val place = Place(method.owner.name, method.name)
+        val place = CodeLocation(method.owner.name, method.name)
         val entry = method.entry.code
         when {
             method.isNative -> {
@@ -72,7 +74,7 @@ internal class Linker(
         }
     }
 
-    private fun checkSizes(method: LinkedMethod, entry: CodeEntry, place: Place) {
+    private fun checkSizes(method: LinkedMethod, entry: CodeEntry, place: CodeLocation) {
         fun check(count: Int, limit: Int, counted: Counted) {
             if (count > limit) place.refuse(messages.tooMany(counted, limit))
         }
@@ -80,7 +82,7 @@ internal class Linker(
         check(entry.maxStack, TinyVmLimits.OPERANDS, Counted.OPERANDS)
         check(entry.handlers.size, TinyVmLimits.EXCEPTION_HANDLERS, Counted.HANDLERS)
         check(entry.bytes.size, TinyVmLimits.CODE_BYTES, Counted.CODE_BYTES)
-        if (method.owner.isInterface && !method.isStatic) place.refuse(messages.lacks(LackedFeature.INTERFACE_CODE))
+        if (method.owner.isInterface && !method.isStatic) place.refuse(messages.lacks(UnsupportedFeature.INTERFACE_CODE))
         if (entry.maxLocals < method.argumentWords) place.unsound(messages)
     }
 

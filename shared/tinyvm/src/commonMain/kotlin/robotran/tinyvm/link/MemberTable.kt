@@ -4,8 +4,8 @@ import robotran.tinyvm.classfile.Constant
 import robotran.tinyvm.classfile.FieldEntry
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.messages.Counted
-import robotran.tinyvm.messages.LackedFeature
 import robotran.tinyvm.messages.LinkMessages
+import robotran.tinyvm.messages.UnsupportedFeature
 
 /** Gives the fields and methods of classes their places. */
 internal class MemberTable(private val messages: LinkMessages) {
@@ -25,7 +25,7 @@ internal class MemberTable(private val messages: LinkMessages) {
     /** Gives the members of [linked], whose superclass has its own, their places. */
     fun place(linked: LinkedClass) {
         val file = linked.file
-        val place = Place(file.name)
+        val place = CodeLocation(file.name)
         if (file.fields.size > TinyVmLimits.FIELDS) place.refuse(messages.tooMany(Counted.FIELDS, TinyVmLimits.FIELDS))
         if (file.methods.size > TinyVmLimits.METHODS) place.refuse(messages.tooMany(Counted.METHODS, TinyVmLimits.METHODS))
         placeFields(linked)
@@ -72,19 +72,19 @@ internal class MemberTable(private val messages: LinkMessages) {
         }.takeIf { it !is InitialValue.Word || !isReferenceDescriptor(entry.descriptor) }
     }
 
-    private fun placeMethods(linked: LinkedClass, place: Place) {
+    private fun placeMethods(linked: LinkedClass, place: CodeLocation) {
         val virtual = linked.superclass?.virtualMethods.orEmpty().toMutableList()
         linked.methods = linked.file.methods.map { entry ->
             val signature = signatureNumbers.getOrPut(entry.name + entry.descriptor) { signatureNumbers.size }
             val method = LinkedMethod(linked, entry, allMethods.size, signature)
             allMethods += method
             if (method.argumentWords > TinyVmLimits.PARAMETERS) {
-                Place(linked.name, method.name).refuse(messages.tooMany(Counted.PARAMETERS, TinyVmLimits.PARAMETERS))
+                CodeLocation(linked.name, method.name).refuse(messages.tooMany(Counted.PARAMETERS, TinyVmLimits.PARAMETERS))
             }
             if (linked.isInterface && entry.code != null &&
                 entry.name != "<clinit>"
             ) {
-                place.refuse(messages.lacks(LackedFeature.INTERFACE_CODE))
+                place.refuse(messages.lacks(UnsupportedFeature.INTERFACE_CODE))
             }
             if (!method.isStatic && !method.isConstructor && !linked.isInterface) placeVirtual(method, virtual)
             method

@@ -3,26 +3,26 @@ package robotran.tinyvm.link
 import robotran.tinyvm.classfile.ConstantPool
 import robotran.tinyvm.classfile.MemberKind
 import robotran.tinyvm.classfile.MethodDescriptor
-import robotran.tinyvm.messages.LackedFeature
 import robotran.tinyvm.messages.LinkMessages
+import robotran.tinyvm.messages.UnsupportedFeature
 
 /** Finds what the instructions of a class name. */
 internal class Resolver(private val constants: ConstantPool, private val types: TypeTable, private val messages: LinkMessages) {
-    fun type(index: Int, place: Place): HeapType = types.typeNamed(constants.className(index), place)
+    fun type(index: Int, place: CodeLocation): HeapType = types.typeNamed(constants.className(index), place)
 
     /** The array whose elements are of the type at [index]. */
-    fun arrayOf(index: Int, place: Place): HeapType {
+    fun arrayOf(index: Int, place: CodeLocation): HeapType {
         val name = constants.className(index)
         return types.typeNamed(if (name.startsWith("[")) "[$name" else "[L$name;", place)
     }
 
     /** The array of numbers that `newarray` makes for [code]. */
-    fun numberArray(code: Int, place: Place): HeapType {
+    fun numberArray(code: Int, place: CodeLocation): HeapType {
         if (code !in FIRST_NUMBER_ARRAY until FIRST_NUMBER_ARRAY + NUMBER_ARRAYS.length) place.unsound(messages)
         return types.typeOf("[" + NUMBER_ARRAYS[code - FIRST_NUMBER_ARRAY], place)
     }
 
-    fun field(index: Int, isStatic: Boolean, place: Place): LinkedField {
+    fun field(index: Int, isStatic: Boolean, place: CodeLocation): LinkedField {
         val member = constants.member(index)
         if (member.kind != MemberKind.FIELD) place.unsound(messages)
         val owner = types.typeNamed(member.owner, place) as? LinkedClass ?: place.unsound(messages)
@@ -31,7 +31,7 @@ internal class Resolver(private val constants: ConstantPool, private val types: 
     }
 
     /** The method at [index]; its owner may be an array, which has the methods of Object. */
-    fun method(index: Int, isStatic: Boolean, place: Place): LinkedMethod {
+    fun method(index: Int, isStatic: Boolean, place: CodeLocation): LinkedMethod {
         val member = constants.member(index)
         if (member.kind == MemberKind.FIELD) place.unsound(messages)
         MethodDescriptor.of(member.descriptor)
@@ -45,8 +45,8 @@ internal class Resolver(private val constants: ConstantPool, private val types: 
     }
 
     /** Tests and casts work for classes only. */
-    fun testedType(index: Int, place: Place): LinkedClass =
-        type(index, place) as? LinkedClass ?: place.refuse(messages.lacks(LackedFeature.ARRAY_TEST))
+    fun testedType(index: Int, place: CodeLocation): LinkedClass =
+        type(index, place) as? LinkedClass ?: place.refuse(messages.lacks(UnsupportedFeature.ARRAY_TEST))
 
     private companion object {
         const val FIRST_NUMBER_ARRAY = 4

@@ -9,7 +9,7 @@ internal class Translator(
     private val entry: CodeEntry,
     private val code: ResolvedCode,
     private val types: TypeTable,
-    private val texts: TextTable,
+    private val texts: StringPool,
 ) {
     private val constants = method.owner.file.constants
     private val writer = CodeWriter()
@@ -32,7 +32,7 @@ internal class Translator(
     private fun handlers(positions: IntArray): IntArray = entry.handlers
         .filter { it.target in code.reached.indices && code.reached[it.target] != null && it.start < it.end }
         .flatMap { handler ->
-            val type = handler.catchType?.let { types.classNamed(it, Place(method.owner.name, method.name)).id } ?: CATCHES_ALL
+            val type = handler.catchType?.let { types.classNamed(it, CodeLocation(method.owner.name, method.name)).id } ?: CATCHES_ALL
             val end = minOf(handler.end, entry.bytes.size)
             listOf(positions[handler.start], positions[end], positions[handler.target], type)
         }.toIntArray()

@@ -6,7 +6,7 @@ import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.LinkMessages
 
 /** All classes and kinds of arrays of a program, each linked when it is first asked for. */
-internal class TypeTable(private val files: ClassFiles, private val messages: LinkMessages) {
+internal class TypeTable(private val files: ClassPath, private val messages: LinkMessages) {
     private val byDescriptor = HashMap<String, HeapType>()
     private val beingLinked = LinkedHashSet<String>()
     private val allTypes = ArrayList<HeapType>()
@@ -20,29 +20,29 @@ internal class TypeTable(private val files: ClassFiles, private val messages: Li
 
     val classes: List<LinkedClass> get() = allClasses
 
-    val root: LinkedClass get() = classNamed(ROOT, Place(ROOT))
+    val root: LinkedClass get() = classNamed(ROOT, CodeLocation(ROOT))
 
-    val throwable: LinkedClass get() = classNamed("java/lang/Throwable", Place(ROOT))
+    val throwable: LinkedClass get() = classNamed("java/lang/Throwable", CodeLocation(ROOT))
 
-    val text: LinkedClass get() = classNamed("java/lang/String", Place(ROOT))
+    val text: LinkedClass get() = classNamed("java/lang/String", CodeLocation(ROOT))
 
     /** The type of an object that [descriptor] names. */
-    fun typeOf(descriptor: String, place: Place): HeapType = byDescriptor[descriptor] ?: when (descriptor[0]) {
+    fun typeOf(descriptor: String, place: CodeLocation): HeapType = byDescriptor[descriptor] ?: when (descriptor[0]) {
         'L' -> classNamed(descriptor.substring(1, descriptor.length - 1), place)
         else -> arrayType(descriptor, place)
     }
 
     /** The type that a class constant names: a class by its name, an array by its descriptor. */
-    fun typeNamed(name: String, place: Place): HeapType = when {
+    fun typeNamed(name: String, place: CodeLocation): HeapType = when {
         !name.startsWith("[") -> classNamed(name, place)
         endOfType(name, 0) == name.length -> typeOf(name, place)
         else -> place.unsound(messages)
     }
 
     /** The class with the internal name [name]. */
-    fun classNamed(name: String, place: Place): LinkedClass = byDescriptor["L$name;"] as LinkedClass? ?: link(name, place)
+    fun classNamed(name: String, place: CodeLocation): LinkedClass = byDescriptor["L$name;"] as LinkedClass? ?: link(name, place)
 
-    private fun arrayType(descriptor: String, place: Place): ArrayType {
+    private fun arrayType(descriptor: String, place: CodeLocation): ArrayType {
         if (descriptor.takeWhile { it == '[' }.length > TinyVmLimits.ARRAY_DIMENSIONS) place.unsound(messages)
         val elementDescriptor = descriptor.drop(1)
         val element = if (isReferenceDescriptor(elementDescriptor)) typeOf(elementDescriptor, place) else null
@@ -51,9 +51,9 @@ internal class TypeTable(private val files: ClassFiles, private val messages: Li
         return ArrayType(allTypes.size, descriptor, element, root).also { add(it) }
     }
 
-    private fun link(name: String, place: Place): LinkedClass {
+    private fun link(name: String, place: CodeLocation): LinkedClass {
         val file = files.find(name) ?: place.refuse(messages.classMissing(name.replace('/', '.')))
-        val own = Place(name)
+        val own = CodeLocation(name)
         if (!beingLinked.add(name)) own.refuse(messages.classLoop(name.replace('/', '.')))
         if (beingLinked.size > TinyVmLimits.ANCESTORS) own.refuse(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
         if (file.superName == null && name != ROOT) own.unsound(messages)

@@ -3,8 +3,8 @@ package robotran.tinyvm.link
 import robotran.tinyvm.classfile.CodeEntry
 import robotran.tinyvm.classfile.DamagedClassFile
 import robotran.tinyvm.config.TinyVmLimits
-import robotran.tinyvm.messages.LackedFeature
 import robotran.tinyvm.messages.LinkMessages
+import robotran.tinyvm.messages.UnsupportedFeature
 
 /**
  * Follows all ways through a method and knows, before each instruction, what kind of value each local and operand holds. What it lets pass
@@ -19,7 +19,7 @@ internal class Verifier(
 ) {
     private val relations = TypeRelations(types)
     private val code = ResolvedCode(entry.bytes.size)
-    private val effects = Effects(method, types, relations, messages, code)
+    private val effects = TransferFunctions(method, types, relations, messages, code)
     private val contexts = SubroutineContexts()
     private val instructions = InstructionReader(entry, messages, ::placeOf).read()
     private val situations = HashMap<Int, FrameState>()
@@ -56,20 +56,20 @@ internal class Verifier(
         code.beginsStatement[place] = situation.depth == 0
         for ((handler, type) in handlers) {
             if (place in handler.start until handler.end) {
-                arrive(handler.target, context, situation.caught(ValueType.reference(type)))
+                arrive(handler.target, context, situation.caught(VerificationType.reference(type)))
             }
         }
         when (instruction.opcode) {
             Opcode.JSR -> {
                 val inner = contexts.enter(context, instruction.next)
-                    ?: placeOf(place).refuse(messages.lacks(LackedFeature.NESTED_FINALLY))
-                situation.push(ValueType.returnAddress(inner))
+                    ?: placeOf(place).refuse(messages.lacks(UnsupportedFeature.NESTED_FINALLY))
+                situation.push(VerificationType.returnAddress(inner))
                 arrive(instruction.operand, inner, situation)
             }
 
             Opcode.RET -> {
                 val address = situation.local(instruction.operand)
-                if (!ValueType.isReturnAddress(address)) unsound()
+                if (!VerificationType.isReturnAddress(address)) unsound()
                 arrive(contexts.returnPlace(-address), contexts.outer(-address), situation)
             }
 
@@ -90,12 +90,12 @@ internal class Verifier(
 
     private fun arrive(place: Int, context: Int, situation: FrameState) {
         if (place !in entry.bytes.indices || instructions[place] == null) unsound()
-        if (!budget.spend(situationWords)) placeOf(place).refuse(messages.lacks(LackedFeature.FAR_JUMP))
+        if (!budget.spend(situationWords)) placeOf(place).refuse(messages.lacks(UnsupportedFeature.FAR_JUMP))
         val key = context * entry.bytes.size + place
         val known = situations[key]
         if (known == null) {
             if (situations.size > TinyVmLimits.SITUATION_WORDS / situationWords) {
-                placeOf(place).refuse(messages.lacks(LackedFeature.NESTED_FINALLY))
+                placeOf(place).refuse(messages.lacks(UnsupportedFeature.NESTED_FINALLY))
             }
             situations[key] = situation.copy()
         } else if (!known.merge(situation, relations)) {
@@ -107,15 +107,15 @@ internal class Verifier(
     private fun firstSituation(): FrameState {
         val situation = FrameState(IntArray(entry.maxLocals), IntArray(entry.maxStack), 0)
         var slot = 0
-        if (!method.isStatic) situation.setLocal(slot++, ValueType.reference(method.owner))
+        if (!method.isStatic) situation.setLocal(slot++, VerificationType.reference(method.owner))
         for (parameter in method.types.parameters) {
             val isReference = isReferenceDescriptor(parameter)
-            val value = if (isReference) ValueType.reference(types.typeOf(parameter, placeOf(0))) else ValueType.ofLetter(parameter[0])
+            val value = if (isReference) VerificationType.reference(types.typeOf(parameter, placeOf(0))) else VerificationType.ofLetter(parameter[0])
             situation.setLocal(slot, value)
-            slot += if (ValueType.isWide(value)) 2 else 1
+            slot += if (VerificationType.isWide(value)) 2 else 1
         }
         return situation
     }
 
-    private fun placeOf(place: Int) = Place(method.owner.name, method.name, entry.lines.lineAt(place))
+    private fun placeOf(place: Int) = CodeLocation(method.owner.name, method.name, entry.lines.lineAt(place))
 }

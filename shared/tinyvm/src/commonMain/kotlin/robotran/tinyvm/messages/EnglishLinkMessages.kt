@@ -24,51 +24,51 @@ internal object EnglishLinkMessages : LinkMessages {
 
     override fun nativeMethod(name: String) = "The brick has no built-in method \"$name\". Write it in Java, without \"native\"."
 
-    override fun lacks(feature: LackedFeature) = when (feature) {
-        LackedFeature.SWITCH -> {
+    override fun lacks(feature: UnsupportedFeature) = when (feature) {
+        UnsupportedFeature.SWITCH -> {
             "The brick does not know \"switch\". Use \"if\" and \"else if\" instead."
         }
 
-        LackedFeature.LONG_ARITHMETIC -> {
+        UnsupportedFeature.LONG_ARITHMETIC -> {
             "The brick cannot calculate with long numbers or compare them. Turn them into int first: " +
                 "(int) time."
         }
 
-        LackedFeature.DECIMAL_REMAINDER -> {
+        UnsupportedFeature.DECIMAL_REMAINDER -> {
             "The brick knows % only for whole numbers."
         }
 
-        LackedFeature.FAR_JUMP -> {
+        UnsupportedFeature.FAR_JUMP -> {
             "This method is too long for the brick. Move parts of it into other methods."
         }
 
-        LackedFeature.MANY_LOCALS -> {
+        UnsupportedFeature.MANY_LOCALS -> {
             "A method can have at most 255 variables on the brick."
         }
 
-        LackedFeature.MANY_CONSTANTS -> {
+        UnsupportedFeature.MANY_CONSTANTS -> {
             "This class has too many different texts and large numbers for the brick. Move some into " +
                 "another class."
         }
 
-        LackedFeature.INVOKE_DYNAMIC -> {
+        UnsupportedFeature.INVOKE_DYNAMIC -> {
             "The brick does not know lambdas or newer ways to join texts. Compile for an older Java, or " +
                 "write a class."
         }
 
-        LackedFeature.ARRAY_TEST -> {
+        UnsupportedFeature.ARRAY_TEST -> {
             "The brick cannot test or cast arrays. Keep the array in a variable of its own type."
         }
 
-        LackedFeature.CLASS_LITERAL -> {
+        UnsupportedFeature.CLASS_LITERAL -> {
             "On the brick, classes are no objects: there is no \".class\"."
         }
 
-        LackedFeature.INTERFACE_CODE -> {
+        UnsupportedFeature.INTERFACE_CODE -> {
             "On the brick, an interface only names methods, it has no code in it."
         }
 
-        LackedFeature.NESTED_FINALLY -> {
+        UnsupportedFeature.NESTED_FINALLY -> {
             "Too many \"finally\" blocks are inside each other here. Move some into other methods."
         }
     }

@@ -31,48 +31,48 @@ internal object GermanLinkMessages : LinkMessages {
 
     override fun nativeMethod(name: String) = "Der Stein hat keine eingebaute Methode \"$name\". Schreib sie in Java, ohne \"native\"."
 
-    override fun lacks(feature: LackedFeature) = when (feature) {
-        LackedFeature.SWITCH -> {
+    override fun lacks(feature: UnsupportedFeature) = when (feature) {
+        UnsupportedFeature.SWITCH -> {
             "Der Stein kennt \"switch\" nicht. Nimm \"if\" und \"else if\"."
         }
 
-        LackedFeature.LONG_ARITHMETIC -> {
+        UnsupportedFeature.LONG_ARITHMETIC -> {
             "Der Stein kann mit long-Zahlen nicht rechnen und sie nicht vergleichen. Mach vorher ein int daraus: (int) time."
         }
 
-        LackedFeature.DECIMAL_REMAINDER -> {
+        UnsupportedFeature.DECIMAL_REMAINDER -> {
             "Der Stein kennt % nur für ganze Zahlen."
         }
 
-        LackedFeature.FAR_JUMP -> {
+        UnsupportedFeature.FAR_JUMP -> {
             "Diese Methode ist zu lang für den Stein. Verteil sie auf mehrere Methoden."
         }
 
-        LackedFeature.MANY_LOCALS -> {
+        UnsupportedFeature.MANY_LOCALS -> {
             "Eine Methode kann auf dem Stein höchstens 255 Variablen haben."
         }
 
-        LackedFeature.MANY_CONSTANTS -> {
+        UnsupportedFeature.MANY_CONSTANTS -> {
             "Diese Klasse hat zu viele verschiedene Texte und große Zahlen für den Stein. Verschieb ein paar in eine andere Klasse."
         }
 
-        LackedFeature.INVOKE_DYNAMIC -> {
+        UnsupportedFeature.INVOKE_DYNAMIC -> {
             "Der Stein kennt keine Lambdas und keine neueren Arten, Texte zu verbinden. Übersetz für ein älteres Java, oder schreib eine Klasse."
         }
 
-        LackedFeature.ARRAY_TEST -> {
+        UnsupportedFeature.ARRAY_TEST -> {
             "Der Stein kann Arrays nicht prüfen und nicht umwandeln. Behalt das Array in einer Variable seines eigenen Typs."
         }
 
-        LackedFeature.CLASS_LITERAL -> {
+        UnsupportedFeature.CLASS_LITERAL -> {
             "Auf dem Stein sind Klassen keine Objekte: Es gibt kein \".class\"."
         }
 
-        LackedFeature.INTERFACE_CODE -> {
+        UnsupportedFeature.INTERFACE_CODE -> {
             "Auf dem Stein nennt ein Interface nur Methoden, es steht kein Code darin."
         }
 
-        LackedFeature.NESTED_FINALLY -> {
+        UnsupportedFeature.NESTED_FINALLY -> {
             "Hier stehen zu viele \"finally\"-Blöcke ineinander. Verschieb ein paar in andere Methoden."
         }
     }

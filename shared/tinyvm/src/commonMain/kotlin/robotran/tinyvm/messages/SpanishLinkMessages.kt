@@ -30,48 +30,48 @@ internal object SpanishLinkMessages : LinkMessages {
 
     override fun nativeMethod(name: String) = "El ladrillo no trae ningún método \"$name\". Escríbelo en Java, sin \"native\"."
 
-    override fun lacks(feature: LackedFeature) = when (feature) {
-        LackedFeature.SWITCH -> {
+    override fun lacks(feature: UnsupportedFeature) = when (feature) {
+        UnsupportedFeature.SWITCH -> {
             "El ladrillo no conoce \"switch\". Usa \"if\" y \"else if\"."
         }
 
-        LackedFeature.LONG_ARITHMETIC -> {
+        UnsupportedFeature.LONG_ARITHMETIC -> {
             "El ladrillo no puede calcular con números long ni compararlos. Conviértelos antes en int: (int) time."
         }
 
-        LackedFeature.DECIMAL_REMAINDER -> {
+        UnsupportedFeature.DECIMAL_REMAINDER -> {
             "El ladrillo solo conoce % para números enteros."
         }
 
-        LackedFeature.FAR_JUMP -> {
+        UnsupportedFeature.FAR_JUMP -> {
             "Este método es demasiado largo para el ladrillo. Pasa partes a otros métodos."
         }
 
-        LackedFeature.MANY_LOCALS -> {
+        UnsupportedFeature.MANY_LOCALS -> {
             "En el ladrillo, un método puede tener como mucho 255 variables."
         }
 
-        LackedFeature.MANY_CONSTANTS -> {
+        UnsupportedFeature.MANY_CONSTANTS -> {
             "Esta clase tiene demasiados textos distintos y números grandes para el ladrillo. Pasa algunos a otra clase."
         }
 
-        LackedFeature.INVOKE_DYNAMIC -> {
+        UnsupportedFeature.INVOKE_DYNAMIC -> {
             "El ladrillo no conoce las lambdas ni las formas nuevas de unir textos. Compila para un Java más antiguo, o escribe una clase."
         }
 
-        LackedFeature.ARRAY_TEST -> {
+        UnsupportedFeature.ARRAY_TEST -> {
             "El ladrillo no puede comprobar ni convertir arrays. Guarda el array en una variable de su propio tipo."
         }
 
-        LackedFeature.CLASS_LITERAL -> {
+        UnsupportedFeature.CLASS_LITERAL -> {
             "En el ladrillo las clases no son objetos: no existe \".class\"."
         }
 
-        LackedFeature.INTERFACE_CODE -> {
+        UnsupportedFeature.INTERFACE_CODE -> {
             "En el ladrillo, una interfaz solo nombra métodos y no contiene código."
         }
 
-        LackedFeature.NESTED_FINALLY -> {
+        UnsupportedFeature.NESTED_FINALLY -> {
             "Aquí hay demasiados bloques \"finally\" unos dentro de otros. Pasa algunos a otros métodos."
         }
     }

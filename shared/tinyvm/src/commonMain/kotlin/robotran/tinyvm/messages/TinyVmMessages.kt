@@ -48,7 +48,7 @@ interface LinkMessages {
 
     fun nativeMethod(name: String): String
 
-    fun lacks(feature: LackedFeature): String
+    fun lacks(feature: UnsupportedFeature): String
 
     fun codeUnsound(): String
 }
@@ -57,7 +57,7 @@ interface LinkMessages {
 enum class Counted { CLASSES, ARRAY_TYPES, FIELDS, METHODS, LOCALS, OPERANDS, PARAMETERS, HANDLERS, CODE_BYTES, TEXT_CHARACTERS, ANCESTORS }
 
 /** What Java has and a TinyVM lacks. */
-enum class LackedFeature {
+enum class UnsupportedFeature {
     SWITCH,
     LONG_ARITHMETIC,
     DECIMAL_REMAINDER,

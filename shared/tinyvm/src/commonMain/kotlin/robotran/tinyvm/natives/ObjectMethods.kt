@@ -1,9 +1,9 @@
 package robotran.tinyvm.natives
 
 import robotran.tinyvm.link.BuiltInException
-import robotran.tinyvm.run.Machine
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.ThreadState
+import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
 import robotran.tinyvm.run.action
 
@@ -21,7 +21,7 @@ internal val objectMethods: Map<String, NativeMethod> = mapOf(
 )
 
 /** Lets [thread] give up the monitor [lock] and wait; 0 or null milliseconds are for ever. */
-private fun await(machine: Machine, thread: VmThread, lock: Int, milliseconds: Int?) {
+private fun await(machine: VirtualMachine, thread: VmThread, lock: Int, milliseconds: Int?) {
     when {
         !machine.monitors.isOwner(lock, thread) -> {
             machine.raise(thread, BuiltInException.ILLEGAL_MONITOR_STATE)
@@ -44,7 +44,7 @@ private fun await(machine: Machine, thread: VmThread, lock: Int, milliseconds: I
     }
 }
 
-private fun wake(machine: Machine, thread: VmThread, lock: Int, all: Boolean) {
+private fun wake(machine: VirtualMachine, thread: VmThread, lock: Int, all: Boolean) {
     if (machine.monitors.isOwner(lock, thread)) {
         machine.scheduler.notify(lock, all)
     } else {
@@ -53,7 +53,7 @@ private fun wake(machine: Machine, thread: VmThread, lock: Int, all: Boolean) {
 }
 
 /** Throws what an interrupted thread gets when it waits or sleeps. */
-internal fun interruptNow(machine: Machine, thread: VmThread) {
+internal fun interruptNow(machine: VirtualMachine, thread: VmThread) {
     thread.isInterrupted = false
     machine.raise(thread, BuiltInException.INTERRUPTED)
 }

@@ -27,7 +27,7 @@ internal class ArrayAddresses(private val heap: Heap, private val memory: RcxMem
     /** Does [work], which may look at or change the memory at [addresses]. */
     fun <T> around(addresses: List<Int>, work: () -> T): T {
         val touched = shown.values.filter { array -> addresses.any { it in array.address until array.end } }
-        charge((shown.size + touched.sumOf { it.length }) / MachineConstants.WORDS_IN_A_BYTECODE)
+        charge((shown.size + touched.sumOf { it.length }) / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
         touched.forEach { copyOut(it) }
         val result = work()
         touched.forEach { copyBack(it) }
@@ -41,7 +41,10 @@ internal class ArrayAddresses(private val heap: Heap, private val memory: RcxMem
 
     private fun show(array: Int, type: ArrayType): Shown {
         val elementBytes = brickBytesOf(type.elementDescriptor)
-        val length = minOf(heap.length(array), (MachineConstants.LAST_ARRAY_ADDRESS - MachineConstants.FIRST_ARRAY_ADDRESS) / elementBytes)
+        val length = minOf(
+            heap.length(array),
+            (VirtualMachineConstants.LAST_ARRAY_ADDRESS - VirtualMachineConstants.FIRST_ARRAY_ADDRESS) / elementBytes,
+        )
         val added = Shown(array, freeAddress(length * elementBytes), elementBytes, length)
         shown[array] = added
         return added
@@ -50,12 +53,16 @@ internal class ArrayAddresses(private val heap: Heap, private val memory: RcxMem
     /** Where [bytes] are free; if nowhere, the arrays that were shown last make room, so that those of the class library stay. */
     private fun freeAddress(bytes: Int): Int {
         while (true) {
-            var address = MachineConstants.FIRST_ARRAY_ADDRESS
+            var address = VirtualMachineConstants.FIRST_ARRAY_ADDRESS
             for (taken in shown.values.sortedBy { it.address }) {
                 if (address + bytes < taken.address) break
                 address = (taken.end + 2) and 1.inv()
             }
-            if (shown.size < MachineConstants.SHOWN_ARRAYS && address + bytes <= MachineConstants.LAST_ARRAY_ADDRESS) return address
+            if (shown.size < VirtualMachineConstants.SHOWN_ARRAYS &&
+                address + bytes <= VirtualMachineConstants.LAST_ARRAY_ADDRESS
+            ) {
+                return address
+            }
             shown -= shown.keys.last()
         }
     }

@@ -3,7 +3,7 @@ package robotran.tinyvm.run
 import robotran.tinyvm.link.BuiltInException
 
 /** Finds elements of arrays in the heap. */
-internal class ArrayAddressing(machine: Machine, private val arithmetic: QuirkyArithmetic) {
+internal class ArrayAddressing(machine: VirtualMachine, private val arithmetic: QuirkyArithmetic) {
     private val words = machine.heap.words
 
     /** The place of an element, 0 if [array] is null, negative if [index] is outside. */

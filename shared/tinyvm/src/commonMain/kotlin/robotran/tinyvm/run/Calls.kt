@@ -12,7 +12,7 @@ import robotran.tinyvm.link.Translator
  * @param uncaught told of an exception that nobody in a thread catches, before the thread's frames are gone.
  */
 internal class Calls(
-    private val machine: Machine,
+    private val machine: VirtualMachine,
     private val natives: Array<NativeMethod?>,
     private val uncaught: (VmThread, Int) -> Unit,
 ) {
@@ -119,7 +119,11 @@ internal class Calls(
 
     private fun targetOf(frame: Frame, exception: Int): Int {
         val handlers = frame.body.handlers
-        if (handlers.size > MachineConstants.WORDS_IN_A_BYTECODE) machine.charge(handlers.size / MachineConstants.WORDS_IN_A_BYTECODE)
+        if (handlers.size >
+            VirtualMachineConstants.WORDS_IN_A_BYTECODE
+        ) {
+            machine.charge(handlers.size / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
+        }
         val at = frame.next - 1
         for (index in handlers.indices step HANDLER_NUMBERS) {
             if (at < handlers[index] || at >= handlers[index + 1]) continue

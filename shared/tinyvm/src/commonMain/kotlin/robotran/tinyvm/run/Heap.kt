@@ -16,7 +16,7 @@ import robotran.tinyvm.link.brickBytesOf
  */
 internal class Heap(private val types: List<HeapType>, private val mode: TinyVmMode, private val bytes: Int) {
     val words = IntArray(
-        if (mode == TinyVmMode.BRICK) bytes + FIRST_OBJECT else MachineConstants.FORGIVING_HEAP_WORDS,
+        if (mode == TinyVmMode.BRICK) bytes + FIRST_OBJECT else VirtualMachineConstants.FORGIVING_HEAP_WORDS,
     )
     private val begins = BitSet(words.size)
     private val marked = BitSet(words.size)
@@ -76,7 +76,7 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
         roots(::mark)
         while (!toVisit.isEmpty) visit(toVisit.pop())
         free = sweep()
-        return free.words >= words.size / MachineConstants.LEAST_FREED_PART
+        return free.words >= words.size / VirtualMachineConstants.MIN_FREED_PART
     }
 
     fun wasKept(reference: Int): Boolean = marked[reference]

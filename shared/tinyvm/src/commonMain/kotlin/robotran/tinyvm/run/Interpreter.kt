@@ -7,7 +7,7 @@ import robotran.tinyvm.link.Operation
  * Executes the operations of one thread until the budget is used up, it cannot go on, or it is to pause before a statement. The verifier
  * has seen to it that no operation meets anything it cannot work on, so nothing is checked here that depends on the code alone.
  */
-internal class Interpreter(private val machine: Machine, private val calls: Calls) {
+internal class Interpreter(private val machine: VirtualMachine, private val calls: Calls) {
     private val words = machine.heap.words
     private val statics = machine.statics
     private val methods = machine.program.methods.toTypedArray()

@@ -4,13 +4,13 @@ package robotran.tinyvm.run
 internal fun interface NativeMethod {
     /**
      * Does it for [thread], whose stack holds the arguments from [first] on, `this` among them, long and double in two words of which
-     * the first counts. Returns the result's word, anything if there is none. It throws by [Machine.raise].
+     * the first counts. Returns the result's word, anything if there is none. It throws by [VirtualMachine.raise].
      */
-    fun call(machine: Machine, thread: VmThread, first: Int): Int
+    fun call(machine: VirtualMachine, thread: VmThread, first: Int): Int
 }
 
 /** A method that returns nothing. */
-internal fun action(act: (machine: Machine, thread: VmThread, first: Int) -> Unit) = NativeMethod { machine, thread, first ->
+internal fun action(act: (machine: VirtualMachine, thread: VmThread, first: Int) -> Unit) = NativeMethod { machine, thread, first ->
     act(machine, thread, first)
     0
 }

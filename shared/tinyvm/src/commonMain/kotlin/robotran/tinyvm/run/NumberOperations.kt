@@ -3,7 +3,7 @@ package robotran.tinyvm.run
 import robotran.tinyvm.link.Operation
 
 /** The operations on numbers and on the stack that are too seldom for the interpreter's loop. None of them throws. */
-internal class NumberOperations(machine: Machine, private val arithmetic: QuirkyArithmetic) {
+internal class NumberOperations(machine: VirtualMachine, private val arithmetic: QuirkyArithmetic) {
     private val statics = machine.statics
 
     /** Executes [operation], behind which `next` of [frame] is; false if it is not among these. */

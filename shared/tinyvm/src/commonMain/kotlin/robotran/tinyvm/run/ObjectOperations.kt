@@ -6,7 +6,7 @@ import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.Operation
 
 /** The operations on objects and arrays that are too seldom for the interpreter's loop. */
-internal class ObjectOperations(private val machine: Machine, private val calls: Calls, private val places: ArrayAddressing) {
+internal class ObjectOperations(private val machine: VirtualMachine, private val calls: Calls, private val places: ArrayAddressing) {
     private val words = machine.heap.words
     private val types = machine.program.types.toTypedArray()
     private val tests = TypeTests(machine)

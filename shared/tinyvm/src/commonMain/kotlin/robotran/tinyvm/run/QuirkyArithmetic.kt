@@ -4,7 +4,7 @@ import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmMode
 
 /** Where a brick calculates otherwise than the Java language, each in the rare case only that makes a difference. */
-internal class QuirkyArithmetic(private val machine: Machine) {
+internal class QuirkyArithmetic(private val machine: VirtualMachine) {
     private val isBrick = machine.mode == TinyVmMode.BRICK
 
     /** What a [divisor] that does not fit 16 bits counts as. */
@@ -27,9 +27,9 @@ internal class QuirkyArithmetic(private val machine: Machine) {
         return if (isBrick) value.toShort().toInt() else value and 0xFFFF
     }
 
-    /** What comparing with something that is no number gives, if the Java language says [usual]. */
-    fun compareWithoutNumber(usual: Int): Int {
+    /** What comparing with something that is no number gives, if the Java language says [default]. */
+    fun compareWithoutNumber(default: Int): Int {
         machine.remark(Quirk.NOT_A_NUMBER)
-        return if (isBrick) 0 else usual
+        return if (isBrick) 0 else default
     }
 }

@@ -3,7 +3,7 @@ package robotran.tinyvm.run
 import robotran.tinyvm.link.LinkedClass
 
 /** What a thread does before the operations of its methods: its first call, and throwing what it was woken with. */
-internal class ThreadStarter(private val machine: Machine, private val calls: Calls) {
+internal class ThreadStarter(private val machine: VirtualMachine, private val calls: Calls) {
     /** Calls the first method of [thread]. */
     fun begin(thread: VmThread) {
         val main = machine.program.main

@@ -6,7 +6,7 @@ import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.LinkedClass
 
 /** Asks objects what they are. */
-internal class TypeTests(private val machine: Machine) {
+internal class TypeTests(private val machine: VirtualMachine) {
     private val types = machine.program.types
     private val isBrick = machine.mode == TinyVmMode.BRICK
 

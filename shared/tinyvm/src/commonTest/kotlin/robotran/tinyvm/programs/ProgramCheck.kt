@@ -12,7 +12,7 @@ import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.EnglishTinyVmMessages
-import robotran.tinyvm.messages.LackedFeature
+import robotran.tinyvm.messages.UnsupportedFeature
 import kotlin.io.encoding.Base64
 
 /** The class files of the library by their names with slashes. */
@@ -46,21 +46,21 @@ internal fun differences(path: String, source: String, classes: Map<String, Byte
 private fun differences(expected: Expectations, result: TinyVmResult, speed: TinyVmSpeed): List<String> =
     when (result) {
         is TinyVmResult.Ready -> differences(expected, WatchedBrick(result.program, expected.events), speed)
-        is TinyVmResult.Refused -> if (isExpected(expected, result)) emptyList() else listOf("it is refused: ${result.refusal}")
+        is TinyVmResult.Rejected -> if (isExpected(expected, result)) emptyList() else listOf("it is refused: ${result.refusal}")
     }
 
-private fun isExpected(expected: Expectations, result: TinyVmResult.Refused): Boolean = expected.refused.any { (line, instruction) ->
+private fun isExpected(expected: Expectations, result: TinyVmResult.Rejected): Boolean = expected.refused.any { (line, instruction) ->
     (line == 0 || line == result.refusal.sourceLine) && result.refusal.methodName != null &&
         result.refusal.message in messagesFor(instruction)
 }
 
 private fun messagesFor(instruction: String): List<String> = when {
-    instruction.endsWith("switch") -> listOf(LackedFeature.SWITCH)
-    instruction.endsWith("rem") && instruction != "lrem" -> listOf(LackedFeature.DECIMAL_REMAINDER)
-    instruction == "ldc_w" -> listOf(LackedFeature.MANY_CONSTANTS)
-    instruction == "checkcast" || instruction == "instanceof" -> listOf(LackedFeature.ARRAY_TEST)
+    instruction.endsWith("switch") -> listOf(UnsupportedFeature.SWITCH)
+    instruction.endsWith("rem") && instruction != "lrem" -> listOf(UnsupportedFeature.DECIMAL_REMAINDER)
+    instruction == "ldc_w" -> listOf(UnsupportedFeature.MANY_CONSTANTS)
+    instruction == "checkcast" || instruction == "instanceof" -> listOf(UnsupportedFeature.ARRAY_TEST)
     instruction == "wide" -> return listOf(EnglishTinyVmMessages.tooMany(Counted.LOCALS, TinyVmLimits.LOCALS))
-    else -> listOf(LackedFeature.LONG_ARITHMETIC)
+    else -> listOf(UnsupportedFeature.LONG_ARITHMETIC)
 }.map { EnglishTinyVmMessages.lacks(it) }
 
 /** How long a brick computes is not said, so that its end is looked at only where computing takes hardly any time. */

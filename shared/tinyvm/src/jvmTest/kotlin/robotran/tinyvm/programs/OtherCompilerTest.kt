@@ -17,7 +17,7 @@ class OtherCompilerTest {
             compiledByJdk(path, source)?.let { path to compare(path, it, Expectations(source)) }
         }
         assertEquals("", compared.flatMap { it.second }.joinToString("\n"))
-        assertTrue(compared.size >= LEAST_COMPARED, "only ${compared.size} programs were compared")
+        assertTrue(compared.size >= MIN_COMPARED, "only ${compared.size} programs were compared")
     }
 
     /** Those that neither the compiler nor the machine refuses. */
@@ -48,6 +48,6 @@ class OtherCompilerTest {
 
     private companion object {
         const val LONGEST = 60_000L
-        const val LEAST_COMPARED = 100
+        const val MIN_COMPARED = 100
     }
 }

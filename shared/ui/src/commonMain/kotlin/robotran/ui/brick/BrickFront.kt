@@ -19,7 +19,7 @@ import robotran.rcxrom.state.BrickState
 import robotran.ui.resources.Res
 import robotran.ui.resources.brick
 import robotran.world.PortSensor
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 
 /**
  * The face of an RCX, with four buttons that are pressed and released one by one, by any number of fingers at once.
@@ -35,7 +35,7 @@ internal fun BrickFront(
     onPress: (BrickButton) -> Unit,
     onRelease: (BrickButton) -> Unit,
     modifier: Modifier = Modifier,
-    ports: List<List<PortSensor>> = RobotPlace.PENBOT_PORTS,
+    ports: List<List<PortSensor>> = RobotPlacement.PENBOT_PORTS,
     onTouch: (Int, Boolean) -> Unit = { _, _ -> },
 ) {
     val description = stringResource(Res.string.brick)
@@ -68,7 +68,7 @@ internal fun BrickFront(
 internal const val BRICK_ASPECT = BrickPlan.WIDTH / BrickPlan.HEIGHT
 
 /** The least width at which every button is still large enough for a finger. */
-internal val LEAST_BRICK_WIDTH = Dp(BrickPlan.WIDTH * BrickPlan.LEAST_UNIT)
+internal val MIN_BRICK_WIDTH = Dp(BrickPlan.WIDTH * BrickPlan.MIN_UNIT)
 
 private fun Modifier.at(place: Rect, unit: Dp): Modifier =
     offset(unit * place.left, unit * place.top).size(unit * place.width, unit * place.height)

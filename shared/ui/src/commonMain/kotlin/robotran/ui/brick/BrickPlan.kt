@@ -10,7 +10,7 @@ internal object BrickPlan {
     const val HEIGHT = 424f
 
     /** A button is 52 units high; the brick must not be drawn smaller than this share of a dp a unit, or fingers miss it. */
-    const val LEAST_UNIT = 48f / 52f
+    const val MIN_UNIT = 48f / 52f
 
     const val CORNER = 18f
     val INFRARED_WINDOW = Rect(72f, 14f, 192f, 50f)

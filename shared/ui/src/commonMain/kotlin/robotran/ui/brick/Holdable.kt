@@ -25,29 +25,29 @@ import androidx.compose.ui.input.pointer.pointerInput
 internal fun Modifier.holdable(onPress: () -> Unit, onRelease: () -> Unit): Modifier {
     val press = rememberUpdatedState(onPress)
     val release = rememberUpdatedState(onRelease)
-    val hold = remember { Hold({ press.value() }, { release.value() }) }
+    val hold = remember { PressTracker({ press.value() }, { release.value() }) }
     DisposableEffect(hold) { onDispose { hold.letGo() } }
     return pointerInput(hold) {
         awaitEachGesture {
             awaitFirstDown(requireUnconsumed = false).consume()
-            hold.down(Hold.Source.POINTER)
+            hold.down(PressTracker.Source.POINTER)
             try {
                 do {
                     val event = awaitPointerEvent()
                     event.changes.forEach { it.consume() }
                 } while (event.changes.any { it.pressed })
             } finally {
-                hold.up(Hold.Source.POINTER)
+                hold.up(PressTracker.Source.POINTER)
             }
         }
     }
-        .onFocusChanged { if (!it.isFocused) hold.up(Hold.Source.KEY) }
+        .onFocusChanged { if (!it.isFocused) hold.up(PressTracker.Source.KEY) }
         .onKeyEvent { hold.onKey(it) }
         .focusable()
 }
 
 /** Who holds a button down; it is released when the last one lets go. */
-private class Hold(private val onPress: () -> Unit, private val onRelease: () -> Unit) {
+private class PressTracker(private val onPress: () -> Unit, private val onRelease: () -> Unit) {
     enum class Source { POINTER, KEY }
 
     private val sources = mutableSetOf<Source>()

@@ -30,8 +30,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.ui.theme.AppDialog
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /** A dialog over the workshop: what it is about, [content], and what can be done below; Escape and a touch beside it close it. */
@@ -70,7 +70,7 @@ internal fun DialogFrame(
 internal fun MainButton(words: String, tag: String, enabled: Boolean = true, onClick: () -> Unit) {
     Button(
         onClick,
-        Modifier.heightIn(min = Measures.TARGET).focusRing(24.dp).testTag(tag),
+        Modifier.heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
         enabled = enabled,
         colors = ButtonDefaults.buttonColors(MaterialTheme.colorScheme.primary, MaterialTheme.colorScheme.onPrimary),
     ) { Text(words, fontSize = 16.sp) }
@@ -81,7 +81,7 @@ internal fun MainButton(words: String, tag: String, enabled: Boolean = true, onC
 internal fun OtherButton(words: String, tag: String, onClick: () -> Unit) {
     TextButton(
         onClick,
-        Modifier.heightIn(min = Measures.TARGET).focusRing(24.dp).testTag(tag),
+        Modifier.heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
         colors = ButtonDefaults.textButtonColors(contentColor = LocalRobotranColours.current.onPane),
     ) { Text(words, fontSize = 16.sp) }
 }
@@ -90,5 +90,5 @@ internal fun OtherButton(words: String, tag: String, onClick: () -> Unit) {
 @Composable
 internal fun Explanation(words: String, modifier: Modifier = Modifier, bad: Boolean = false) {
     val colours = LocalRobotranColours.current
-    Text(words, modifier, color = if (bad) colours.mistake else colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
+    Text(words, modifier, color = if (bad) colours.error else colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
 }

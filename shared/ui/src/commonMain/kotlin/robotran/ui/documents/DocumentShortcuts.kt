@@ -16,8 +16,8 @@ fun documentShortcut(event: KeyEvent): DocumentEvent? {
     val held = (event.isCtrlPressed || event.isMetaPressed) && !event.isAltPressed
     if (event.type != KeyEventType.KeyDown || !held) return null
     return when (event.key) {
-        Key.S -> if (event.isShiftPressed) DocumentEvent.SaveAsWanted else DocumentEvent.SaveWanted
-        Key.O -> if (event.isShiftPressed) DocumentEvent.WorksWanted else DocumentEvent.OpenWanted
+        Key.S -> if (event.isShiftPressed) DocumentEvent.SaveAsRequested else DocumentEvent.SaveRequested
+        Key.O -> if (event.isShiftPressed) DocumentEvent.ProjectListRequested else DocumentEvent.OpenRequested
         else -> null
     }
 }

@@ -47,14 +47,14 @@ import robotran.workshop.state.DocumentState
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun KeepingBanner(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modifier: Modifier = Modifier) {
-    val trouble = state.trouble?.takeIf { state.warningShown } ?: return
+    val error = state.error?.takeIf { state.warningShown } ?: return
     val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     Row(
         modifier
-            .widthIn(max = MOST_WIDTH)
+            .widthIn(max = MAX_WIDTH)
             .fillMaxWidth()
-            .background(colours.mistakePane, SHAPE)
+            .background(colours.errorPane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
             // What lies under it is not touched through it.
             .pointerInput(Unit) { }
@@ -63,24 +63,24 @@ internal fun KeepingBanner(state: DocumentState, onEvent: (DocumentEvent) -> Uni
         FlowRow(
             Modifier
                 .weight(1f)
-                .scrollHint(scroll, Orientation.Vertical, colours.mistakePane, colours.onPane)
+                .scrollHint(scroll, Orientation.Vertical, colours.errorPane, colours.onPane)
                 .verticalScroll(scroll)
                 .padding(start = 16.dp, top = 4.dp, bottom = 4.dp),
             Arrangement.spacedBy(8.dp),
             Arrangement.Center,
         ) {
             Text(
-                "⚠ ${wordsFor(trouble)}",
+                "⚠ ${wordsFor(error)}",
                 Modifier.align(Alignment.CenterVertically).padding(vertical = 8.dp).semantics { liveRegion = LiveRegionMode.Assertive },
                 color = colours.onPane,
                 fontSize = 16.sp,
                 lineHeight = 22.sp,
             )
-            if (trouble != AutosaveError.TooLong) {
-                OtherButton(stringResource(Res.string.documents_save_as), "trouble-save-as") { onEvent(DocumentEvent.SaveAsWanted) }
+            if (error != AutosaveError.TooLong) {
+                OtherButton(stringResource(Res.string.documents_save_as), "trouble-save-as") { onEvent(DocumentEvent.SaveAsRequested) }
             }
-            if (trouble == AutosaveError.Full) {
-                OtherButton(stringResource(Res.string.documents_my_work), "trouble-my-work") { onEvent(DocumentEvent.WorksWanted) }
+            if (error == AutosaveError.Full) {
+                OtherButton(stringResource(Res.string.documents_my_work), "trouble-my-work") { onEvent(DocumentEvent.ProjectListRequested) }
             }
         }
         IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "trouble-close", { onEvent(DocumentEvent.WarningShown(false)) })
@@ -88,11 +88,11 @@ internal fun KeepingBanner(state: DocumentState, onEvent: (DocumentEvent) -> Uni
 }
 
 @Composable
-private fun wordsFor(trouble: AutosaveError): String = when (trouble) {
+private fun wordsFor(error: AutosaveError): String = when (error) {
     AutosaveError.Full -> stringResource(Res.string.documents_trouble_full)
     AutosaveError.TooLong -> stringResource(Res.string.documents_trouble_long)
-    is AutosaveError.Failed -> stringResource(Res.string.documents_trouble_failed, trouble.reason)
+    is AutosaveError.Failed -> stringResource(Res.string.documents_trouble_failed, error.reason)
 }
 
 private val SHAPE = RoundedCornerShape(12.dp)
-private val MOST_WIDTH = 560.dp
+private val MAX_WIDTH = 560.dp

@@ -43,7 +43,7 @@ internal fun LinkAsQrCode(link: String) {
 private fun QrCodeView(code: QrCode) {
     val words = stringResource(Res.string.documents_qr_code)
     Canvas(
-        Modifier.widthIn(max = MOST_SIDE).fillMaxWidth().aspectRatio(1f).testTag("qr-code").semantics {
+        Modifier.widthIn(max = MAX_SIDE).fillMaxWidth().aspectRatio(1f).testTag("qr-code").semantics {
             role = Role.Image
             contentDescription = words
         },
@@ -66,4 +66,4 @@ private fun DrawScope.drawQrCode(code: QrCode) {
     }
 }
 
-private val MOST_SIDE = 360.dp
+private val MAX_SIDE = 360.dp

@@ -67,8 +67,8 @@ internal fun ShareFileDialog(onEvent: (DocumentEvent) -> Unit) {
         close,
         buttons = {
             OtherButton(stringResource(Res.string.documents_close), "document-cancel", close)
-            OtherButton(stringResource(Res.string.documents_share_site), "share-site") { onEvent(DocumentEvent.SiteWanted) }
-            MainButton(stringResource(Res.string.documents_save_as), "share-save-as") { onEvent(DocumentEvent.SaveAsWanted) }
+            OtherButton(stringResource(Res.string.documents_share_site), "share-site") { onEvent(DocumentEvent.SiteRequested) }
+            MainButton(stringResource(Res.string.documents_save_as), "share-save-as") { onEvent(DocumentEvent.SaveAsRequested) }
         },
     ) { Explanation(stringResource(Res.string.documents_share_no_site)) }
 }
@@ -83,7 +83,7 @@ private fun LinkItself(link: String) {
         Modifier.fillMaxWidth().testTag("link-text"),
         readOnly = true,
         label = { Text(stringResource(Res.string.documents_link_label)) },
-        maxLines = MOST_LINES,
+        maxLines = MAX_LINES,
         colors = fieldColours(),
     )
     val length = stringResource(Res.string.documents_share_length, link.length)
@@ -92,7 +92,7 @@ private fun LinkItself(link: String) {
     LinkAsQrCode(link)
 }
 
-private const val MOST_LINES = 3
+private const val MAX_LINES = 3
 
 /** What mail programs and messengers were seen to break. */
 private const val LONG = 2_000

@@ -67,7 +67,7 @@ internal fun PasteLinkDialog(dialog: DocumentDialog.PastingLink, onEvent: (Docum
         onDone = { onEvent(DocumentEvent.LinkOpened(link.text)) },
         onEvent = onEvent,
         help = stringResource(Res.string.documents_paste_help),
-        trouble = dialog.trouble,
+        error = dialog.error,
     )
 }
 
@@ -82,7 +82,7 @@ private fun TextDialog(
     onDone: () -> Unit,
     onEvent: (DocumentEvent) -> Unit,
     help: String? = null,
-    trouble: String? = null,
+    error: String? = null,
 ) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     val mayBeDone = value.text.isNotBlank()
@@ -95,10 +95,10 @@ private fun TextDialog(
         },
     ) {
         if (help != null) Explanation(help)
-        OneLine(value, onValue, label, trouble != null) { if (mayBeDone) onDone() }
-        if (trouble != null) {
+        OneLine(value, onValue, label, error != null) { if (mayBeDone) onDone() }
+        if (error != null) {
             val told = Modifier.testTag("document-trouble").semantics { liveRegion = LiveRegionMode.Polite }
-            Explanation(trouble, told, bad = true)
+            Explanation(error, told, bad = true)
         }
     }
 }

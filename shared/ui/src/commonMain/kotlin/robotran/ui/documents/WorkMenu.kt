@@ -40,8 +40,8 @@ import robotran.ui.resources.documents_menu
 import robotran.ui.resources.documents_not_kept
 import robotran.ui.resources.documents_unsaved
 import robotran.ui.resources.documents_untitled
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentState
@@ -86,7 +86,7 @@ internal fun WorkMenuEntry(state: DocumentState, onClick: () -> Unit) {
             )
         },
         onClick = onClick,
-        modifier = Modifier.heightIn(min = Measures.TARGET).testTag("work-menu").semantics {
+        modifier = Modifier.heightIn(min = Dimensions.TARGET).testTag("work-menu").semantics {
             contentDescription = words
             if (condition != null) stateDescription = condition
         },
@@ -96,7 +96,7 @@ internal fun WorkMenuEntry(state: DocumentState, onClick: () -> Unit) {
 
 /** What is wrong with how the work is kept, in a sign before its name; null if nothing is. */
 private fun signOf(state: DocumentState): String? = when {
-    state.trouble != null -> "⚠"
+    state.error != null -> "⚠"
     state.fileName != null && !state.saved -> "●"
     else -> null
 }
@@ -104,7 +104,7 @@ private fun signOf(state: DocumentState): String? = when {
 /** The same in words. */
 @Composable
 internal fun conditionOf(state: DocumentState): String? = when {
-    state.trouble != null -> stringResource(Res.string.documents_not_kept)
+    state.error != null -> stringResource(Res.string.documents_not_kept)
     state.fileName != null && !state.saved -> stringResource(Res.string.documents_unsaved)
     else -> null
 }
@@ -118,7 +118,7 @@ private fun WorkName(state: DocumentState, onClick: () -> Unit) {
     Row(
         Modifier
             .testTag("work-menu")
-            .heightIn(min = Measures.TARGET)
+            .heightIn(min = Dimensions.TARGET)
             .clip(RoundedCornerShape(12.dp))
             .focusRing()
             .clickable(role = Role.DropdownList, onClick = onClick)

@@ -25,8 +25,8 @@ import robotran.ui.resources.documents_replay
 import robotran.ui.resources.documents_save
 import robotran.ui.resources.documents_save_as
 import robotran.ui.resources.documents_share
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.platform.FileKind
 import robotran.workshop.state.DocumentState
@@ -42,25 +42,25 @@ internal fun WorkMenuItems(
         close()
         onEvent(event)
     }
-    if (state.trouble != null) {
+    if (state.error != null) {
         WorkMenuItem(Res.string.documents_not_kept, "trouble", "⚠ ") { choose(DocumentEvent.WarningShown(true)) }
         HorizontalDivider(color = LocalRobotranColours.current.line)
     }
-    WorkMenuItem(Res.string.documents_new, "new") { choose(DocumentEvent.NewWanted) }
-    WorkMenuItem(Res.string.documents_my_work, "my-work") { choose(DocumentEvent.WorksWanted) }
-    WorkMenuItem(Res.string.documents_open, "open") { choose(DocumentEvent.OpenWanted) }
-    WorkMenuItem(Res.string.documents_open_link, "open-link") { choose(DocumentEvent.LinkPastingWanted) }
+    WorkMenuItem(Res.string.documents_new, "new") { choose(DocumentEvent.NewRequested) }
+    WorkMenuItem(Res.string.documents_my_work, "my-work") { choose(DocumentEvent.ProjectListRequested) }
+    WorkMenuItem(Res.string.documents_open, "open") { choose(DocumentEvent.OpenRequested) }
+    WorkMenuItem(Res.string.documents_open_link, "open-link") { choose(DocumentEvent.LinkPastingRequested) }
     HorizontalDivider(color = LocalRobotranColours.current.line)
-    WorkMenuItem(Res.string.documents_rename, "rename") { choose(DocumentEvent.RenameWanted) }
-    if (state.fileName != null) WorkMenuItem(Res.string.documents_save, "save") { choose(DocumentEvent.SaveWanted) }
-    WorkMenuItem(Res.string.documents_save_as, "save-as") { choose(DocumentEvent.SaveAsWanted) }
-    WorkMenuItem(Res.string.documents_share, "share-link") { choose(DocumentEvent.LinkWanted) }
+    WorkMenuItem(Res.string.documents_rename, "rename") { choose(DocumentEvent.RenameRequested) }
+    if (state.fileName != null) WorkMenuItem(Res.string.documents_save, "save") { choose(DocumentEvent.SaveRequested) }
+    WorkMenuItem(Res.string.documents_save_as, "save-as") { choose(DocumentEvent.SaveAsRequested) }
+    WorkMenuItem(Res.string.documents_share, "share-link") { choose(DocumentEvent.LinkRequested) }
     HorizontalDivider(color = LocalRobotranColours.current.line)
-    WorkMenuItem(Res.string.documents_picture, "picture") { choose(DocumentEvent.PictureWanted(FileKind.PNG)) }
-    WorkMenuItem(Res.string.documents_drawing, "drawing") { choose(DocumentEvent.PictureWanted(FileKind.SVG)) }
-    WorkMenuItem(Res.string.documents_replay, "replay") { choose(DocumentEvent.ReplayWanted) }
-    WorkMenuItem(Res.string.documents_program_file, "program-file") { choose(DocumentEvent.ProgramFileWanted) }
-    WorkMenuItem(Res.string.documents_kit, "kit") { choose(DocumentEvent.KitWanted) }
+    WorkMenuItem(Res.string.documents_picture, "picture") { choose(DocumentEvent.PictureRequested(FileKind.PNG)) }
+    WorkMenuItem(Res.string.documents_drawing, "drawing") { choose(DocumentEvent.PictureRequested(FileKind.SVG)) }
+    WorkMenuItem(Res.string.documents_replay, "replay") { choose(DocumentEvent.ReplayRequested) }
+    WorkMenuItem(Res.string.documents_program_file, "program-file") { choose(DocumentEvent.ProgramFileRequested) }
+    WorkMenuItem(Res.string.documents_kit, "kit") { choose(DocumentEvent.KitRequested) }
 }
 
 @Composable
@@ -68,6 +68,6 @@ private fun WorkMenuItem(words: StringResource, tag: String, sign: String = "", 
     DropdownMenuItem(
         text = { Text(sign + stringResource(words), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
         onClick = onClick,
-        modifier = Modifier.heightIn(min = Measures.TARGET).testTag("work-$tag"),
+        modifier = Modifier.heightIn(min = Dimensions.TARGET).testTag("work-$tag"),
     )
 }

@@ -36,26 +36,26 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.documents_delete
 import robotran.ui.resources.documents_work_file
 import robotran.ui.resources.documents_work_now
-import robotran.ui.sheet.PictureRoom
+import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.DocumentEvent
-import robotran.workshop.state.ShownWork
+import robotran.workshop.state.ProjectListEntry
 
 /** One of all works: a picture of its sheet, what it is called, its world and programs, and when it was kept. A touch opens it. */
 @Composable
-internal fun WorkRow(work: ShownWork, onEvent: (DocumentEvent) -> Unit) {
+internal fun WorkRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit) {
     Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
         Row(
             Modifier
                 .weight(1f)
-                .heightIn(min = Measures.TARGET)
+                .heightIn(min = Dimensions.TARGET)
                 .clip(RoundedCornerShape(12.dp))
                 .focusRing()
-                .clickable(role = Role.Button) { onEvent(DocumentEvent.WorkOpened(work.entry.id)) }
+                .clickable(role = Role.Button) { onEvent(DocumentEvent.SavedProjectChosen(work.entry.id)) }
                 .testTag("work-${work.entry.id}")
                 .padding(8.dp),
             Arrangement.spacedBy(12.dp),
@@ -80,25 +80,25 @@ internal fun WorkRow(work: ShownWork, onEvent: (DocumentEvent) -> Unit) {
         }
         if (!work.isOpen) {
             RoundButton(Cross, stringResource(Res.string.documents_delete, nameOf(work)), "delete-${work.entry.id}") {
-                onEvent(DocumentEvent.WorkDeletionWanted(work.entry.id))
+                onEvent(DocumentEvent.ProjectDeletionRequested(work.entry.id))
             }
         }
     }
 }
 
 @Composable
-private fun timeOf(work: ShownWork): String {
+private fun timeOf(work: ProjectListEntry): String {
     val time = if (work.isOpen) stringResource(Res.string.documents_work_now) else work.time
     return work.entry.fileName?.let { stringResource(Res.string.documents_work_file, time, it) } ?: time
 }
 
 /** The world's title stands beside it, so it has no words of its own. */
 @Composable
-private fun SheetPicture(work: ShownWork) {
+private fun SheetPicture(work: ProjectListEntry) {
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
     val key = "${work.entry.id} ${work.entry.keptAt}"
-    val room = with(LocalDensity.current) { PictureRoom.of(PICTURE_WIDTH.roundToPx(), PICTURE_HEIGHT.roundToPx(), density) }
+    val room = with(LocalDensity.current) { PictureBounds.of(PICTURE_WIDTH.roundToPx(), PICTURE_HEIGHT.roundToPx(), density) }
     val picture by produceState(pictures.ready(key, sheetColours, room), key, work.world, sheetColours, room) {
         work.world?.let { value = pictures.of(key, it, sheetColours, room) }
     }

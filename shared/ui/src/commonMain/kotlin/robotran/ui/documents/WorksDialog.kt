@@ -29,18 +29,18 @@ import robotran.ui.resources.documents_works_loading
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
-import robotran.workshop.state.ShownWork
+import robotran.workshop.state.ProjectListEntry
 
 /** All works: a touch opens one, the cross beside it forgets it once that is confirmed. */
 @Composable
-internal fun WorksDialog(dialog: DocumentDialog.Works, onEvent: (DocumentEvent) -> Unit) {
+internal fun WorksDialog(dialog: DocumentDialog.ProjectList, onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     DialogFrame(
         stringResource(Res.string.documents_my_work),
         close,
         buttons = {
             OtherButton(stringResource(Res.string.documents_close), "document-cancel", close)
-            MainButton(stringResource(Res.string.documents_new), "works-new") { onEvent(DocumentEvent.NewWanted) }
+            MainButton(stringResource(Res.string.documents_new), "works-new") { onEvent(DocumentEvent.NewRequested) }
         },
     ) {
         val works = dialog.works
@@ -59,18 +59,22 @@ internal fun WorksDialog(dialog: DocumentDialog.Works, onEvent: (DocumentEvent) 
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Deleting(work: ShownWork, onEvent: (DocumentEvent) -> Unit) {
+private fun Deleting(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit) {
     Column(Modifier.fillMaxWidth().padding(horizontal = 12.dp), Arrangement.spacedBy(4.dp)) {
         Explanation(
             stringResource(Res.string.documents_delete_question, nameOf(work)),
             Modifier.semantics { liveRegion = LiveRegionMode.Polite },
         )
         FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) {
-            OtherButton(stringResource(Res.string.documents_delete_yes), "delete-yes") { onEvent(DocumentEvent.WorkDeletionAnswered(true)) }
-            MainButton(stringResource(Res.string.documents_delete_no), "delete-no") { onEvent(DocumentEvent.WorkDeletionAnswered(false)) }
+            OtherButton(stringResource(Res.string.documents_delete_yes), "delete-yes") {
+                onEvent(DocumentEvent.ProjectDeletionAnswered(true))
+            }
+            MainButton(stringResource(Res.string.documents_delete_no), "delete-no") {
+                onEvent(DocumentEvent.ProjectDeletionAnswered(false))
+            }
         }
     }
 }
 
 @Composable
-internal fun nameOf(work: ShownWork) = work.entry.name.ifEmpty { stringResource(Res.string.documents_untitled) }
+internal fun nameOf(work: ProjectListEntry) = work.entry.name.ifEmpty { stringResource(Res.string.documents_untitled) }

@@ -92,9 +92,9 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
 private fun valueText(line: ChartLine, time: Long): String {
     if (line.size == 0) return ""
     val piece = line.pieceAt(time)
-    val least = line.least(piece)
+    val min = line.min(piece)
     val greatest = line.greatest(piece)
-    return if (least == greatest) signed(line, least) else "${signed(line, least)}–${signed(line, greatest)}"
+    return if (min == greatest) signed(line, min) else "${signed(line, min)}–${signed(line, greatest)}"
 }
 
 /** Of a motor the power that programs, the ROM and the brick's ports count from 0 to 7, with a sign for the direction; 0 without one if it is not driven. */
@@ -132,17 +132,17 @@ private fun DrawScope.drawValues(line: ChartLine, window: ChartWindow, colour: C
     var before = Float.NaN
     var piece = first
     while (piece <= last) {
-        var least = line.least(piece)
+        var min = line.min(piece)
         var greatest = line.greatest(piece)
         for (other in piece + 1..<minOf(piece + stride, last + 1)) {
-            least = minOf(least, line.least(other))
+            min = minOf(min, line.min(other))
             greatest = maxOf(greatest, line.greatest(other))
         }
         val x = window.shareOf(piece * line.step) * size.width
         val next = (window.shareOf((piece + stride) * line.step) * size.width).coerceAtMost(size.width)
         val isFromTop = !before.isNaN() && before <= y(greatest)
-        val enter = if (isFromTop) y(greatest) else y(least)
-        val leave = if (isFromTop) y(least) else y(greatest)
+        val enter = if (isFromTop) y(greatest) else y(min)
+        val leave = if (isFromTop) y(min) else y(greatest)
         if (before.isNaN()) path.moveTo(x, enter) else path.lineTo(x, enter)
         path.lineTo(x, leave)
         path.lineTo(next, leave)

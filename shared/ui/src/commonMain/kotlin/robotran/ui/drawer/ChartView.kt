@@ -57,7 +57,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                 }
             }
             QuietButton(RunIcon.LESS, stringResource(Res.string.run_chart_coarser), "chart-coarser", { zoom-- }, enabled = zoom > 0)
-            QuietButton(RunIcon.MORE, stringResource(Res.string.run_chart_finer), "chart-finer", { zoom++ }, enabled = zoom < MOST_ZOOM)
+            QuietButton(RunIcon.MORE, stringResource(Res.string.run_chart_finer), "chart-finer", { zoom++ }, enabled = zoom < MAX_ZOOM)
         }
         if (shown.isEmpty()) return EmptyDrawer(Res.string.run_chart_all_hidden, Modifier.fillMaxWidth())
         Column(Modifier.weight(1f).fillMaxWidth().verticalScroll(rememberScrollState())) {
@@ -99,30 +99,30 @@ internal data class ChartWindow(val from: Long, val until: Long) {
     fun timeAt(share: Float): Long = from + ((until - from) * share.coerceIn(0f, 1f)).toLong()
 
     companion object {
-        /** [length] divided by two as often as [zoom] says, around [time]; never less than [LEAST]. */
+        /** [length] divided by two as often as [zoom] says, around [time]; never less than [MIN]. */
         fun around(time: Long, length: Long, zoom: Int): ChartWindow {
-            val whole = maxOf(length, LEAST)
-            val width = maxOf(LEAST, whole shr zoom)
+            val whole = maxOf(length, MIN)
+            val width = maxOf(MIN, whole shr zoom)
             val from = (time - width / 2).coerceIn(0, whole - width)
             return ChartWindow(from, from + width)
         }
 
         /** Milliseconds. */
-        const val LEAST = 500L
+        const val MIN = 500L
     }
 }
 
 /** The least and the greatest value that [line] has, at least a little apart. */
 internal fun rangeOf(line: ChartLine): IntRange {
-    if (line.lane.isMotor) return -MOST_POWER..MOST_POWER
-    var least = 0
+    if (line.lane.isMotor) return -MAX_POWER..MAX_POWER
+    var min = 0
     var greatest = 1
     for (piece in 0..<line.size) {
-        least = minOf(least, line.least(piece))
+        min = minOf(min, line.min(piece))
         greatest = maxOf(greatest, line.greatest(piece))
     }
-    return least..greatest
+    return min..greatest
 }
 
-private const val MOST_ZOOM = 8
-private const val MOST_POWER = 8
+private const val MAX_ZOOM = 8
+private const val MAX_POWER = 8

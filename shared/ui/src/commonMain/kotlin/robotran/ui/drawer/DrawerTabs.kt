@@ -38,8 +38,8 @@ import robotran.ui.resources.run_drawer_two
 import robotran.ui.runbar.QuietButton
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.word
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.DrawerTab
@@ -97,7 +97,7 @@ private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, inset: Dp, o
             .focusRing(8.dp)
             .clip(RoundedCornerShape(8.dp))
             .selectable(selected, role = Role.Tab, onClick = onClick)
-            .defaultMinSize(Measures.TARGET, Measures.TARGET)
+            .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
             .drawBehind {
                 if (!selected) return@drawBehind
                 val height = 4.dp.toPx()

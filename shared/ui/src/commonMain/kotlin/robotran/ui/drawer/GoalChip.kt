@@ -34,8 +34,8 @@ import robotran.ui.resources.run_goals_count
 import robotran.ui.resources.run_tab_goals
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconView
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.DrawerTab
@@ -72,7 +72,7 @@ internal fun GoalChip(goals: List<GoalProgress>, onEvent: (RunEvent) -> Unit, mo
             .background(colours.pane)
             .border(BorderStroke(1.dp, if (count.allMet) colours.onPane else colours.line), RoundedCornerShape(CORNER))
             .clickable(role = Role.Button) { onEvent(RunEvent.DrawerChosen(DrawerTab.GOALS)) }
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(horizontal = 16.dp, vertical = 8.dp)
             .semantics(mergeDescendants = true) {
                 liveRegion = LiveRegionMode.Polite
@@ -81,7 +81,7 @@ internal fun GoalChip(goals: List<GoalProgress>, onEvent: (RunEvent) -> Unit, mo
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        RunIconView(icon, side = 18.dp, colour = if (icon == RunIcon.CLOSE) colours.mistake else colours.onPane)
+        RunIconView(icon, side = 18.dp, colour = if (icon == RunIcon.CLOSE) colours.error else colours.onPane)
         SteadySize(shown, if (isShort) listOf(longest) else listOf(longest, allMet), alignment = Alignment.CenterStart) {
             val told = if (isShort) Modifier.clearAndSetSemantics { } else Modifier
             Text(it, told, color = colours.onPane, fontSize = 16.sp, lineHeight = 20.sp, fontWeight = FontWeight.Medium)

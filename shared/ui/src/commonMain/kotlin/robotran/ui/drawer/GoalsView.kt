@@ -64,7 +64,7 @@ private fun GoalRow(goal: GoalProgress) {
         Modifier.testTag("goal").semantics(mergeDescendants = true) { stateDescription = word },
         Arrangement.spacedBy(12.dp),
     ) {
-        val colour = if (goal.status == GoalStatus.FAILED) colours.mistake else colours.onPane
+        val colour = if (goal.status == GoalStatus.FAILED) colours.error else colours.onPane
         RunIconView(iconFor(goal.status), Modifier.padding(top = 2.dp), colour = colour)
         Column(verticalArrangement = Arrangement.spacedBy(6.dp)) {
             Text(goal.sentence, color = colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
@@ -76,7 +76,7 @@ private fun GoalRow(goal: GoalProgress) {
                     trackColor = colours.line,
                     drawStopIndicator = { },
                 )
-                val wordColour = if (goal.status == GoalStatus.FAILED) colours.mistake else colours.quiet
+                val wordColour = if (goal.status == GoalStatus.FAILED) colours.error else colours.quiet
                 // Told as the row's state, so that nobody hears it twice.
                 Text(word, Modifier.clearAndSetSemantics { }, color = wordColour, fontSize = 14.sp)
             }

@@ -169,7 +169,7 @@ private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
         Text(
             if (troubled) "! ${entry.meaning}" else entry.meaning,
             Modifier.weight(1.4f),
-            style = if (troubled) style.copy(color = colours.mistake) else style,
+            style = if (troubled) style.copy(color = colours.error) else style,
         )
         if (showsCode) {
             val quiet = style.copy(color = colours.quiet)

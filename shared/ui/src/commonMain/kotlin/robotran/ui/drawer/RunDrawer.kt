@@ -45,9 +45,9 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_drawer_height
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.DrawerTab
@@ -56,17 +56,17 @@ import robotran.workshop.state.RunPaneState
 /**
  * The drawer under the world: its names are always seen; one that is touched slides up what it holds, which can be made higher or lower.
  *
- * @param most how high it may become.
+ * @param max how high it may become.
  */
 @Composable
 internal fun RunDrawer(
     state: RunPaneState,
     onEvent: (RunEvent) -> Unit,
     modifier: Modifier = Modifier,
-    most: Dp = 560.dp,
+    max: Dp = 560.dp,
 ) {
     val colours = LocalRobotranColours.current
-    var height by rememberSaveable { mutableFloatStateOf(USUAL_HEIGHT) }
+    var height by rememberSaveable { mutableFloatStateOf(DEFAULT_HEIGHT) }
     Column(
         modifier
             .testTag("drawer")
@@ -78,8 +78,8 @@ internal fun RunDrawer(
         if (tab == null) {
             DrawerTabs(null, { onEvent(RunEvent.DrawerChosen(it)) })
         } else {
-            DrawerGrip(height, most.value, { height = it })
-            val shownHeight = height.coerceIn(LEAST_HEIGHT, maxOf(LEAST_HEIGHT, most.value)).dp
+            DrawerGrip(height, max.value, { height = it })
+            val shownHeight = height.coerceIn(MIN_HEIGHT, maxOf(MIN_HEIGHT, max.value)).dp
             OneOrTwo(tab, state, onEvent, shownHeight)
         }
         HorizontalDivider(color = colours.line)
@@ -91,7 +91,7 @@ internal fun RunDrawer(
 private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (RunEvent) -> Unit, height: Dp) {
     val colours = LocalRobotranColours.current
     BoxWithConstraints(Modifier.fillMaxWidth()) {
-        val hasRoom = maxWidth >= LEAST_WIDTH_FOR_TWO * LocalDensity.current.fontScale
+        val hasRoom = maxWidth >= MIN_WIDTH_FOR_TWO * LocalDensity.current.fontScale
         val beside = state.drawer.beside.takeIf { hasRoom }
         val showTwo = { onEvent(RunEvent.DrawerBesideChosen(if (tab == DrawerTab.CHART) DrawerTab.LOG else DrawerTab.CHART)) }
         Row(Modifier.fillMaxWidth()) {
@@ -101,7 +101,7 @@ private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (RunEvent) ->
                 DrawerContent(tab, state, onEvent, Modifier.fillMaxWidth().height(height))
             }
             if (beside != null) {
-                VerticalDivider(Modifier.height(height + Measures.TARGET), color = colours.line)
+                VerticalDivider(Modifier.height(height + Dimensions.TARGET), color = colours.line)
                 Column(Modifier.weight(1f)) {
                     BesideTabs(beside, { onEvent(RunEvent.DrawerBesideChosen(it)) })
                     HorizontalDivider(color = colours.line)
@@ -137,11 +137,11 @@ private fun DrawerContent(tab: DrawerTab, state: RunPaneState, onEvent: (RunEven
 
 /** Makes the drawer higher or lower: dragged, or with the arrow keys. */
 @Composable
-private fun DrawerGrip(height: Float, most: Float, onHeight: (Float) -> Unit) {
+private fun DrawerGrip(height: Float, max: Float, onHeight: (Float) -> Unit) {
     val colours = LocalRobotranColours.current
     val description = stringResource(Res.string.run_drawer_height)
     val now by rememberUpdatedState(height)
-    val range = LEAST_HEIGHT..maxOf(LEAST_HEIGHT + 1, most)
+    val range = MIN_HEIGHT..maxOf(MIN_HEIGHT + 1, max)
     val density = LocalDensity.current.density
     val move = { change: Float -> onHeight((now + change).coerceIn(range)) }
     val drag = rememberDraggableState { move(-it / density) }
@@ -177,8 +177,8 @@ private fun DrawerGrip(height: Float, most: Float, onHeight: (Float) -> Unit) {
 }
 
 /** From this width on there is room for two at usual text size. */
-private val LEAST_WIDTH_FOR_TWO = 720.dp
-private const val USUAL_HEIGHT = 240f
-private const val LEAST_HEIGHT = 120f
+private val MIN_WIDTH_FOR_TWO = 720.dp
+private const val DEFAULT_HEIGHT = 240f
+private const val MIN_HEIGHT = 120f
 private const val MOTION_MILLISECONDS = 150
 private val STEPS = mapOf(Key.DirectionUp to 24f, Key.DirectionDown to -24f)

@@ -28,8 +28,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.task
 import robotran.ui.resources.task_hide
 import robotran.ui.resources.task_show
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState
@@ -61,7 +61,7 @@ private fun TaskChip(shown: Boolean, onShow: (Boolean) -> Unit) {
             .background(colours.pane)
             .border(BorderStroke(1.dp, if (shown) colours.onPane else colours.line), RoundedCornerShape(CORNER))
             .toggleable(shown, role = Role.Button, onValueChange = onShow)
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(horizontal = 16.dp, vertical = 8.dp)
             .semantics(mergeDescendants = true) { contentDescription = help },
         Alignment.Center,

@@ -48,8 +48,8 @@ import robotran.ui.resources.run_variables_empty
 import robotran.ui.resources.run_variables_none
 import robotran.ui.runbar.Chip
 import robotran.ui.runbar.SectionName
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.codeStyle
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
@@ -105,7 +105,7 @@ private fun Frame(frame: CallFrame, selected: Boolean, place: Int, onClick: () -
             .background(if (selected) colours.runningLine else colours.pane)
             .selectable(selected, role = Role.RadioButton, onClick = onClick)
             .fillMaxWidth()
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(horizontal = 12.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {

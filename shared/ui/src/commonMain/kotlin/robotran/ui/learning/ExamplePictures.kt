@@ -9,7 +9,7 @@ import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.projects.PENBOT_CALIBRATION
 import robotran.rcxrom.program.RcxProgram
-import robotran.ui.sheet.PictureRoom
+import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
 import robotran.workshop.examples.examples
@@ -23,11 +23,11 @@ internal object ExamplePictures : CardPictures<String> {
     private val pictures = SheetPictures()
     private val reader = ProgramCompiler(PENBOT_CALIBRATION)
 
-    override fun ready(subject: String, colours: SheetColours, room: PictureRoom): ImageBitmap? =
+    override fun ready(subject: String, colours: SheetColours, room: PictureBounds): ImageBitmap? =
         pictures.ready(twinOf(subject) ?: subject, colours, room)
 
     /** The picture of the example called [subject]: of the sheet as it is before it has run if the compiler cannot be loaded. */
-    override suspend fun of(subject: String, colours: SheetColours, room: PictureRoom): ImageBitmap {
+    override suspend fun of(subject: String, colours: SheetColours, room: PictureBounds): ImageBitmap {
         val name = twinOf(subject) ?: subject
         return pictures.of(name, BuiltInWorlds.plain, colours, room) { programOf(name) }
     }

@@ -35,8 +35,8 @@ import robotran.workshop.examples.examples
 /** All programs that come with the app, with what they draw; first those in the language [current], which one works in. */
 @Composable
 internal fun ExamplesPage(current: ProgramLanguage, onEvent: (LearningEvent) -> Unit) {
-    val scale = LocalDensity.current.fontScale.coerceAtMost(MOST_SCALE)
-    Page(stringResource(Res.string.learning_examples), "examples-page", { onEvent(LearningEvent.PageLeft) }, mostWidth = 1280.dp) {
+    val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
+    Page(stringResource(Res.string.learning_examples), "examples-page", { onEvent(LearningEvent.PageLeft) }, maxWidth = 1280.dp) {
         LazyVerticalGrid(
             columns = GridCells.Adaptive(CARD_WIDTH * scale),
             modifier = Modifier.fillMaxSize().testTag("example-cards"),
@@ -79,5 +79,5 @@ private val ProgramLanguage.title: StringResource
     }
 
 private val CARD_WIDTH = 200.dp
-private const val MOST_SCALE = 1.4f
+private const val MAX_SCALE = 1.4f
 private const val PICTURE_ASPECT = 4f / 3f

@@ -50,7 +50,7 @@ import robotran.workshop.state.LearningPage
 @Composable
 internal fun FirstRunPage(onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    Page(stringResource(Res.string.learning_welcome_title), "first-run", { onEvent(LearningEvent.PageLeft) }, mostWidth = 960.dp) {
+    Page(stringResource(Res.string.learning_welcome_title), "first-run", { onEvent(LearningEvent.PageLeft) }, maxWidth = 960.dp) {
         Column(Modifier.verticalScroll(rememberScrollState()).padding(24.dp), Arrangement.spacedBy(24.dp)) {
             Text(stringResource(Res.string.learning_welcome), color = colours.onPane, fontSize = 20.sp, lineHeight = 28.sp)
             ThingsToTry(onEvent)
@@ -73,7 +73,7 @@ private fun ThingsToTry(onEvent: (LearningEvent) -> Unit) {
 
 @Composable
 private fun Things(onEvent: (LearningEvent) -> Unit, modifier: Modifier) {
-    Thing(
+    ElementRef(
         PLAY_ICON,
         stringResource(Res.string.learning_try_square),
         stringResource(Res.string.learning_try_square_help),
@@ -81,25 +81,33 @@ private fun Things(onEvent: (LearningEvent) -> Unit, modifier: Modifier) {
         modifier,
         isFirst = true,
     ) { onEvent(LearningEvent.SquareTried) }
-    Thing(
+    ElementRef(
         Icon.BOOK,
         stringResource(Res.string.learning_try_tutorial),
         stringResource(Res.string.learning_try_tutorial_help),
         "try-tutorial",
         modifier,
     ) { onEvent(LearningEvent.TutorialBegun) }
-    Thing(
+    ElementRef(
         Icon.WORLDS,
         stringResource(Res.string.learning_try_worlds),
         stringResource(Res.string.learning_try_worlds_help),
         "try-worlds",
         modifier,
-    ) { onEvent(LearningEvent.PageWanted(LearningPage.WORLDS)) }
+    ) { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
 }
 
 /** One thing to try; the first is the one to begin with. */
 @Composable
-private fun Thing(icon: Icon, title: String, help: String, tag: String, modifier: Modifier, isFirst: Boolean = false, onClick: () -> Unit) {
+private fun ElementRef(
+    icon: Icon,
+    title: String,
+    help: String,
+    tag: String,
+    modifier: Modifier,
+    isFirst: Boolean = false,
+    onClick: () -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val onGround = if (isFirst) RobotranColours.ON_YELLOW else colours.onPane
     Surface(

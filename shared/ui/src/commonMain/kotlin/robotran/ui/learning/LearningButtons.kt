@@ -21,8 +21,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
@@ -65,7 +65,7 @@ internal fun ButtonSize(text: String) = Box(Modifier.large().padding(PADDING), A
 @Composable
 private fun Words(text: String) = Text(text, fontSize = 16.sp, fontWeight = FontWeight.Medium, textAlign = TextAlign.Center)
 
-private fun Modifier.large() = defaultMinSize(Measures.TARGET, Measures.TARGET)
+private fun Modifier.large() = defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
 
 private val CORNER = 12.dp
 private val PADDING = PaddingValues(horizontal = 16.dp, vertical = 8.dp)

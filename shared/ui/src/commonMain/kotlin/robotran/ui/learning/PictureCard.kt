@@ -28,7 +28,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.ui.sheet.PictureRoom
+import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
@@ -36,10 +36,10 @@ import robotran.ui.theme.focusRing
 /** Where the pictures of cards come from. */
 internal interface CardPictures<T> {
     /** The picture of [subject] if it has been drawn. */
-    fun ready(subject: T, colours: SheetColours, room: PictureRoom): ImageBitmap?
+    fun ready(subject: T, colours: SheetColours, room: PictureBounds): ImageBitmap?
 
     /** The picture of [subject], drawn if it was not. */
-    suspend fun of(subject: T, colours: SheetColours, room: PictureRoom): ImageBitmap
+    suspend fun of(subject: T, colours: SheetColours, room: PictureBounds): ImageBitmap
 }
 
 /**
@@ -82,7 +82,7 @@ private fun <T : Any> CardPicture(subject: T, pictures: CardPictures<T>, modifie
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
     BoxWithConstraints(modifier, Alignment.Center) {
-        val room = PictureRoom.of(constraints.maxWidth, constraints.maxHeight, LocalDensity.current.density)
+        val room = PictureBounds.of(constraints.maxWidth, constraints.maxHeight, LocalDensity.current.density)
         val picture by produceState(pictures.ready(subject, sheetColours, room), subject, sheetColours, room) {
             value = pictures.of(subject, sheetColours, room)
         }

@@ -43,17 +43,17 @@ import robotran.workshop.state.LearningPage
 import robotran.workshop.state.TutorialState
 
 /**
- * All that can be done with a step, under its text: try it or run it, begin it again, leave the tutorial, go on. Where all of it would be higher than [most],
+ * All that can be done with a step, under its text: try it or run it, begin it again, leave the tutorial, go on. Where all of it would be higher than [max],
  * what is done seldom is in a menu.
  *
  * @param isBroad whether there may be room for all beside each other.
  */
 @Composable
-internal fun TutorialFoot(tutorial: TutorialState, done: Boolean, isBroad: Boolean, most: Dp, onEvent: (WorkshopEvent) -> Unit) {
+internal fun TutorialFoot(tutorial: TutorialState, done: Boolean, isBroad: Boolean, max: Dp, onEvent: (WorkshopEvent) -> Unit) {
     SubcomposeLayout(Modifier.fillMaxWidth()) { constraints ->
         val room = Constraints.fixedWidth(constraints.maxWidth)
         val likeAll = subcompose(FootPart.LIKE_ALL) { LikeAll(tutorial, isBroad) }.single().measure(room)
-        val isSlim = likeAll.height > most.roundToPx()
+        val isSlim = likeAll.height > max.roundToPx()
         val foot = subcompose(FootPart.FOOT) { Buttons(tutorial, done, isBroad, isSlim, onEvent) }.single().measure(room)
         layout(foot.width, foot.height) { foot.place(0, 0) }
     }
@@ -152,7 +152,7 @@ private fun Previous(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
 private fun Next(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEvent) -> Unit) {
     val words = stringResource(tutorial.onward)
     val next = {
-        onEvent(if (tutorial.isAtEnd) LearningEvent.PageWanted(LearningPage.WORLDS) else LearningEvent.StepChosen(tutorial.step + 1))
+        onEvent(if (tutorial.isAtEnd) LearningEvent.PageRequested(LearningPage.WORLDS) else LearningEvent.StepChosen(tutorial.step + 1))
     }
     if (done) PrimaryButton(words, "next-step", next) else SecondButton(words, "next-step", next)
 }

@@ -43,13 +43,13 @@ internal fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit
     val title = stringResource(Res.string.learning_tutorial)
     BoxWithConstraints(modifier.background(colours.pane).testTag("tutorial").semantics { paneTitle = title }) {
         val isBroad = maxWidth >= BROAD * LocalDensity.current.fontScale
-        val mostFoot = maxHeight * FOOT_SHARE
+        val maxFoot = maxHeight * FOOT_SHARE
         Column(Modifier.fillMaxSize()) {
             TutorialStrip(state, onEvent)
             HorizontalDivider(color = colours.line)
             key(tutorial.step) { Step(state, tutorial, isBroad, onEvent, Modifier.weight(1f)) }
             HorizontalDivider(color = colours.line)
-            TutorialFoot(tutorial, state.isStepDone, isBroad, mostFoot, onEvent)
+            TutorialFoot(tutorial, state.isStepDone, isBroad, maxFoot, onEvent)
         }
     }
 }

@@ -48,8 +48,8 @@ import robotran.ui.resources.learning_step_named_done
 import robotran.ui.resources.learning_step_of
 import robotran.ui.resources.learning_steps_done
 import robotran.ui.resources.learning_unfold
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
@@ -71,7 +71,7 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
                 Modifier
                     .testTag("tutorial-steps")
                     .fillMaxWidth()
-                    .defaultMinSize(minHeight = Measures.TARGET)
+                    .defaultMinSize(minHeight = Dimensions.TARGET)
                     .focusRing()
                     .clickable(role = Role.DropdownList) { choosing = true }
                     .padding(horizontal = 12.dp, vertical = 6.dp),
@@ -102,7 +102,7 @@ private fun ReturnStrip(state: LearningState, tutorial: TutorialState, onEvent: 
             Modifier
                 .weight(1f)
                 .testTag("tutorial-return")
-                .defaultMinSize(minHeight = Measures.TARGET)
+                .defaultMinSize(minHeight = Dimensions.TARGET)
                 .focusRing()
                 .clickable(role = Role.Button) {
                     onEvent(LearningEvent.StepTried)
@@ -140,7 +140,7 @@ private fun StepList(state: LearningState, shown: Boolean, onClose: () -> Unit, 
                     onClose()
                     onEvent(LearningEvent.StepChosen(place))
                 },
-                modifier = Modifier.testTag("tutorial-step-${place + 1}").heightIn(min = Measures.TARGET),
+                modifier = Modifier.testTag("tutorial-step-${place + 1}").heightIn(min = Dimensions.TARGET),
                 trailingIcon = if (done) ({ SmallIcon(DONE_ICON, colours.onPane) }) else null,
             )
         }

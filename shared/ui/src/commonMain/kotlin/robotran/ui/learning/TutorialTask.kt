@@ -90,10 +90,10 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
 private fun Helps(tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
         Help(tutorial.hintShown, Res.string.learning_hint, Res.string.learning_hint_hide, "hint-wanted") {
-            onEvent(LearningEvent.HintWanted(it))
+            onEvent(LearningEvent.HintRequested(it))
         }
         Help(tutorial.solutionShown, Res.string.learning_show_me, Res.string.learning_back_to_mine, "solution-wanted") {
-            onEvent(LearningEvent.SolutionWanted(it))
+            onEvent(LearningEvent.SolutionRequested(it))
         }
     }
 }

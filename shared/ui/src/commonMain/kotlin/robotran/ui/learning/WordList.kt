@@ -29,8 +29,8 @@ import robotran.learning.WordHelp
 import robotran.ui.parts.RadioMark
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_help_java
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.codeStyle
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.LearningEvent
@@ -44,7 +44,7 @@ internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
         WordHelp.words(code).mapNotNull { WordHelp.of(state.language, code, it) }
     }
     LazyColumn(Modifier.testTag("help-words")) {
-        item(key = "languages") { Languages(code) { onEvent(LearningEvent.WordsWanted(it)) } }
+        item(key = "languages") { Languages(code) { onEvent(LearningEvent.WordsRequested(it)) } }
         items(words, key = { it.word }) { help -> Word(help) { onEvent(LearningEvent.WordChosen(help.word)) } }
     }
 }
@@ -59,7 +59,7 @@ private fun Languages(chosen: ProgramLanguage, onChoose: (ProgramLanguage) -> Un
             Row(
                 Modifier
                     .testTag("help-${language.name.lowercase()}")
-                    .defaultMinSize(minHeight = Measures.TARGET)
+                    .defaultMinSize(minHeight = Dimensions.TARGET)
                     .focusRing()
                     .selectable(selected, role = Role.RadioButton) { onChoose(language) }
                     .padding(end = 12.dp),
@@ -80,7 +80,7 @@ private fun Word(help: WordHelp, onClick: () -> Unit) {
         Modifier
             .fillMaxWidth()
             .testTag("word-${help.word}")
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing()
             .clickable(role = Role.Button, onClick = onClick)
             .padding(horizontal = 20.dp, vertical = 6.dp),

@@ -45,9 +45,9 @@ import robotran.workshop.state.LearningState
 internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
     val found = remember(state.asked, state.language) { WorldGallery.search(state.asked, state.language) }
-    Page(stringResource(Res.string.learning_worlds), "worlds-page", { onEvent(LearningEvent.PageLeft) }, mostWidth = 1280.dp) {
+    Page(stringResource(Res.string.learning_worlds), "worlds-page", { onEvent(LearningEvent.PageLeft) }, maxWidth = 1280.dp) {
         LazyVerticalGrid(
-            columns = GridCells.Adaptive(CARD_WIDTH * LocalDensity.current.fontScale.coerceAtMost(MOST_SCALE)),
+            columns = GridCells.Adaptive(CARD_WIDTH * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)),
             modifier = Modifier.fillMaxSize().testTag("world-cards"),
             contentPadding = PaddingValues(20.dp),
             horizontalArrangement = Arrangement.spacedBy(16.dp),
@@ -104,4 +104,4 @@ private fun NothingFound() = Text(
 private val CARD_WIDTH = 264.dp
 
 /** Beyond this, text of the cards only breaks more often; on a phone there is one in a row then. */
-private const val MOST_SCALE = 1.4f
+private const val MAX_SCALE = 1.4f

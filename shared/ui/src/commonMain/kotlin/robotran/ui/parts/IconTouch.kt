@@ -22,8 +22,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /**
@@ -45,7 +45,7 @@ internal fun IconTouch(
     Row(
         modifier
             .testTag(tag)
-            .defaultMinSize(Measures.TARGET, Measures.TARGET)
+            .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
             .focusRing()
             .clip(RoundedCornerShape(CORNER))
             .clickable(role = Role.Button, onClick = onClick)

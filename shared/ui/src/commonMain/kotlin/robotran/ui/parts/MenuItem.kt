@@ -10,15 +10,15 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 
 /** One thing that can be done, large enough for a finger. */
 @Composable
 internal fun MenuItem(text: String, tag: String, onClick: () -> Unit) = DropdownMenuItem(
     text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
     onClick = onClick,
-    modifier = Modifier.testTag(tag).heightIn(min = Measures.TARGET),
+    modifier = Modifier.testTag(tag).heightIn(min = Dimensions.TARGET),
 )
 
 @Composable

@@ -43,18 +43,18 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.page_close
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 
 /**
  * A page over the workshop, with its [title] and a way back: a touch on the arrow, or Escape. What lies under it is out of reach of fingers and of the
  * Tab key.
  *
- * @param mostWidth how wide its content gets at most; it stands in the middle of a wider screen.
+ * @param maxWidth how wide its content gets at most; it stands in the middle of a wider screen.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
-internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp = 720.dp, content: @Composable ColumnScope.() -> Unit) {
+internal fun Page(title: String, tag: String, onClose: () -> Unit, maxWidth: Dp = 720.dp, content: @Composable ColumnScope.() -> Unit) {
     val colours = LocalRobotranColours.current
     val focus = remember { FocusRequester() }
     var hasFocus by remember { mutableStateOf(false) }
@@ -81,7 +81,7 @@ internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp
             IconTouch(Icon.BACK, stringResource(Res.string.page_close), "$tag-close", onClose)
             Text(
                 title,
-                Modifier.weight(1f).padding(start = Measures.GRID).semantics { heading() },
+                Modifier.weight(1f).padding(start = Dimensions.GRID).semantics { heading() },
                 color = colours.onPane,
                 fontSize = 22.sp,
                 fontWeight = FontWeight.SemiBold,
@@ -89,7 +89,7 @@ internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp
         }
         HorizontalDivider(color = colours.line)
         Box(Modifier.weight(1f).fillMaxWidth(), Alignment.TopCenter) {
-            Column(Modifier.widthIn(max = mostWidth).fillMaxSize(), content = content)
+            Column(Modifier.widthIn(max = maxWidth).fillMaxSize(), content = content)
         }
     }
 }

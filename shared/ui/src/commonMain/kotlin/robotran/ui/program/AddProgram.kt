@@ -28,8 +28,8 @@ import robotran.ui.resources.program_new_java
 import robotran.ui.resources.program_new_robolang
 import robotran.ui.resources.program_no_room
 import robotran.ui.resources.program_reopen_named
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
@@ -60,7 +60,9 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
             }
             if (state.hasRoom) {
                 HorizontalDivider(color = LocalRobotranColours.current.line)
-                Choice(stringResource(Res.string.program_examples), "examples") { choose(LearningEvent.PageWanted(LearningPage.EXAMPLES)) }
+                Choice(stringResource(Res.string.program_examples), "examples") {
+                    choose(LearningEvent.PageRequested(LearningPage.EXAMPLES))
+                }
             }
         }
     }
@@ -84,5 +86,5 @@ private fun Note(text: String) {
 private fun Choice(text: String, tag: String, onClick: () -> Unit) = DropdownMenuItem(
     text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
     onClick = onClick,
-    modifier = Modifier.testTag(tag).heightIn(min = Measures.TARGET),
+    modifier = Modifier.testTag(tag).heightIn(min = Dimensions.TARGET),
 )

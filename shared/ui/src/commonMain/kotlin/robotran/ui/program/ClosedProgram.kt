@@ -26,8 +26,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.notice_close
 import robotran.ui.resources.program_closed
 import robotran.ui.resources.program_reopen
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.ProgramEvent
 
@@ -40,7 +40,7 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
     val colours = LocalRobotranColours.current
     Surface(Modifier.fillMaxWidth().padding(8.dp), RoundedCornerShape(12.dp), colours.desk, border = BorderStroke(1.dp, colours.line)) {
         Row(
-            Modifier.defaultMinSize(minHeight = Measures.TARGET).padding(start = 16.dp).testTag("closed-program"),
+            Modifier.defaultMinSize(minHeight = Dimensions.TARGET).padding(start = 16.dp).testTag("closed-program"),
             verticalAlignment = Alignment.CenterVertically,
         ) {
             Text(
@@ -52,7 +52,7 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
             if (room) {
                 TextButton(
                     { onEvent(ProgramEvent.ProgramReopened) },
-                    Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("reopen-program").focusRing(),
+                    Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("reopen-program").focusRing(),
                 ) {
                     val words = stringResource(Res.string.program_reopen)
                     Text(words, color = colours.focus, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)

@@ -44,8 +44,8 @@ import robotran.ui.resources.editor_smaller
 import robotran.ui.resources.editor_translation
 import robotran.ui.resources.editor_undo
 import robotran.ui.resources.editor_unindent
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.workshop.state.ProgramsState
 
 /** A slim row over the text: what one often does to it, and a menu with the rest. */
@@ -53,12 +53,16 @@ import robotran.workshop.state.ProgramsState
 internal fun EditorTools(state: ProgramsState, onTranslation: (Boolean) -> Unit, onCommand: (EditorCommand.Plain) -> Unit) {
     val colours = LocalRobotranColours.current
     Row(
-        Modifier.fillMaxWidth().background(colours.pane).heightIn(min = Measures.TARGET).padding(horizontal = 4.dp),
+        Modifier.fillMaxWidth().background(colours.pane).heightIn(min = Dimensions.TARGET).padding(horizontal = 4.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        RoundButton(Signs.UNDO, stringResource(Res.string.editor_undo), "undo", SIGN, state.canUndo) { onCommand(EditorCommand.Plain.UNDO) }
-        RoundButton(Signs.REDO, stringResource(Res.string.editor_redo), "redo", SIGN, state.canRedo) { onCommand(EditorCommand.Plain.REDO) }
-        RoundButton(Signs.FIND, stringResource(Res.string.editor_find), "find-open", SIGN) { onCommand(EditorCommand.Plain.FIND) }
+        RoundButton(StrokeIcons.UNDO, stringResource(Res.string.editor_undo), "undo", SIGN, state.canUndo) {
+            onCommand(EditorCommand.Plain.UNDO)
+        }
+        RoundButton(StrokeIcons.REDO, stringResource(Res.string.editor_redo), "redo", SIGN, state.canRedo) {
+            onCommand(EditorCommand.Plain.REDO)
+        }
+        RoundButton(StrokeIcons.FIND, stringResource(Res.string.editor_find), "find-open", SIGN) { onCommand(EditorCommand.Plain.FIND) }
         Spacer(Modifier.weight(1f))
         if (state.program.language == ProgramLanguage.ROBOLANG) {
             PaneChip(stringResource(Res.string.editor_translation), "translation-switch", state.translationShown) {
@@ -75,7 +79,7 @@ private fun MoreTools(onCommand: (EditorCommand.Plain) -> Unit) {
     var chosen: Tool? by remember { mutableStateOf(null) }
     val command by rememberUpdatedState(onCommand)
     Box {
-        RoundButton(Signs.MORE, stringResource(Res.string.editor_more), "editor-more", SIGN) { open = true }
+        RoundButton(StrokeIcons.MORE, stringResource(Res.string.editor_more), "editor-more", SIGN) { open = true }
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
             // A menu that is still there keeps the keyboard from what the tool opens.
             DisposableEffect(Unit) {
@@ -105,7 +109,7 @@ private fun MoreTools(onCommand: (EditorCommand.Plain) -> Unit) {
 private fun ToolItem(tool: Tool, onClick: () -> Unit) = DropdownMenuItem(
     text = { Text(stringResource(tool.words), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
     onClick = onClick,
-    modifier = Modifier.testTag("tool-${tool.command.name.lowercase()}").heightIn(min = Measures.TARGET),
+    modifier = Modifier.testTag("tool-${tool.command.name.lowercase()}").heightIn(min = Dimensions.TARGET),
     trailingIcon = if (tool.keys.isEmpty()) null else ({ Text(tool.keys, color = LocalRobotranColours.current.quiet, fontSize = 14.sp) }),
 )
 

@@ -23,8 +23,8 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_rename
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /**
@@ -41,7 +41,7 @@ internal fun FileTab(title: String, shown: Boolean, tag: String, onChoose: () ->
         Modifier
             .testTag(tag)
             .fillMaxHeight()
-            .defaultMinSize(minWidth = Measures.TARGET)
+            .defaultMinSize(minWidth = Dimensions.TARGET)
             .focusRing()
             .combinedClickable(
                 role = Role.Tab,

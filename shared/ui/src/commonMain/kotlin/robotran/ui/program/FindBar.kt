@@ -56,8 +56,8 @@ import robotran.ui.resources.editor_find_words
 import robotran.ui.resources.editor_replace
 import robotran.ui.resources.editor_replace_all
 import robotran.ui.resources.editor_replace_one
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /** What is looked for, while somebody looks for something. */
@@ -123,8 +123,8 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
             val change = { typed: String -> state.search = state.search.copy(text = typed) }
             LineField(state.search.text, words, "find", change, actions, Modifier.weight(1f).focusRequester(first), actions::next)
             val before = stringResource(Res.string.editor_find_previous)
-            RoundButton(Signs.UP, before, "find-previous", enabled = count > 0, onClick = actions::previous)
-            RoundButton(Signs.DOWN, stringResource(Res.string.editor_find_next), "find-next", enabled = count > 0, onClick = actions::next)
+            RoundButton(StrokeIcons.UP, before, "find-previous", enabled = count > 0, onClick = actions::previous)
+            RoundButton(StrokeIcons.DOWN, stringResource(Res.string.editor_find_next), "find-next", enabled = count > 0, onClick = actions::next)
             RoundButton(Cross, stringResource(Res.string.editor_find_close), "find-close", onClick = actions::close)
         }
         Row(verticalAlignment = Alignment.CenterVertically) {
@@ -156,7 +156,7 @@ private fun countText(count: Int, place: Int): String =
 
 @Composable
 private fun FindButton(words: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
-    TextButton(onClick, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag(tag).focusRing(), enabled) {
+    TextButton(onClick, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing(), enabled) {
         Text(words, color = if (enabled) LocalRobotranColours.current.focus else LocalRobotranColours.current.quiet, fontSize = 15.sp)
     }
 }
@@ -177,7 +177,7 @@ private fun LineField(
         onChange,
         modifier
             .testTag(tag)
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(vertical = 4.dp)
             .semantics { contentDescription = words }
             .onPreviewKeyEvent { event ->

@@ -1,7 +1,7 @@
 package robotran.ui.program
 
 import androidx.compose.ui.focus.FocusRequester
-import robotran.programs.Mistake
+import robotran.programs.ProgramDiagnostic
 import robotran.textediting.EditKind
 import robotran.textediting.find.nextMatch
 import robotran.textediting.find.previousMatch
@@ -44,8 +44,8 @@ internal class PaneActions(
             EditorCommand.Plain.FIX -> fixHere()
             EditorCommand.Plain.LARGER -> resize(settings().codeSize + STEP)
             EditorCommand.Plain.SMALLER -> resize(settings().codeSize - STEP)
-            EditorCommand.Plain.USUAL_SIZE -> resize(Settings.USUAL_CODE_SIZE)
-            EditorCommand.Plain.HELP -> onEvent(LearningEvent.HelpWanted(control.draft.text, control.draft.selection.caret))
+            EditorCommand.Plain.DEFAULT_SIZE -> resize(Settings.DEFAULT_CODE_SIZE)
+            EditorCommand.Plain.HELP -> onEvent(LearningEvent.HelpRequested(control.draft.text, control.draft.selection.caret))
             EditorCommand.Plain.RENAME -> onRename()
             EditorCommand.Plain.LEAVE -> if (find.isOpen) close()
             else -> Unit
@@ -61,11 +61,11 @@ internal class PaneActions(
     }
 
     /**
-     * Mends [mistake]. The button that was pressed goes away with it, so the keyboard goes back to the text; but no keyboard comes onto the
+     * Mends [diagnostic]. The button that was pressed goes away with it, so the keyboard goes back to the text; but no keyboard comes onto the
      * screen that was not there before.
      */
-    fun fix(mistake: Mistake) {
-        onEvent(ProgramEvent.FixApplied(mistake))
+    fun fix(diagnostic: ProgramDiagnostic) {
+        onEvent(ProgramEvent.FixApplied(diagnostic))
         if (control.hadFocus || !control.isPressedByFinger) focus.requestFocus()
     }
 
@@ -78,7 +78,7 @@ internal class PaneActions(
     /** Goes to the next line of which something is told, in whichever file. */
     fun goToNextNote() {
         val now = state()
-        val here = now.notes.filter { it.mistake.file == now.file.name }.mapNotNull { it.mistake.range }.sortedBy { it.line }
+        val here = now.notes.filter { it.diagnostic.file == now.file.name }.mapNotNull { it.diagnostic.range }.sortedBy { it.line }
         val range = here.firstOrNull { it.line > caretLine() } ?: here.firstOrNull() ?: return
         val draft = control.draft
         if (range.line <= draft.lines.count) show(draft.withCaret(draft.lines.offset(range.line - 1, range.column - 1)))
@@ -117,8 +117,8 @@ internal class PaneActions(
     private fun caretLine(): Int = control.draft.lines.lineOf(control.draft.selection.caret) + 1
 
     private fun fixHere() {
-        val here = state().notes.filter { it.line == caretLine() && it.mistake.file == state().file.name }
-        here.firstOrNull { it.mistake.fix != null }?.let { fix(it.mistake) }
+        val here = state().notes.filter { it.line == caretLine() && it.diagnostic.file == state().file.name }
+        here.firstOrNull { it.diagnostic.fix != null }?.let { fix(it.diagnostic) }
     }
 
     private fun resize(size: Float) = onEvent(SettingsEvent.SettingsChanged(settings().copy(codeSize = size.coerceIn(SIZES))))

@@ -47,12 +47,12 @@ import robotran.workshop.state.noteOf
 /**
  * The programs to choose from, the one to write in, what is wrong with it, and its translation.
  *
- * @param mostMistakes how many mistakes that are not told at their lines there is room for.
+ * @param maxMistakes how many mistakes that are not told at their lines there is room for.
  */
 @Composable
 internal fun ProgramPane(
     state: WorkshopState,
-    mostMistakes: Int,
+    maxMistakes: Int,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
@@ -66,10 +66,10 @@ internal fun ProgramPane(
         }
         Box(Modifier.weight(1f)) {
             ShownFile(
-                programs, state.settings, state.runningLine, state.failure, mostMistakes, onEvent, Modifier.fillMaxSize(),
+                programs, state.settings, state.runningLine, state.failure, maxMistakes, onEvent, Modifier.fillMaxSize(),
                 onRename = { renaming = true },
             ) {
-                RemarkList(state.remarks, mostMistakes)
+                RemarkList(state.remarks, maxMistakes)
                 programs.closed?.takeIf { programs.closedShown }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
             }
         }
@@ -100,7 +100,7 @@ private fun ShownFile(
     settings: Settings,
     runningLine: Int,
     failure: ProgramFailure?,
-    mostMistakes: Int,
+    maxMistakes: Int,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
     onRename: () -> Unit,
@@ -149,7 +149,7 @@ private fun ShownFile(
             state.translationShown && state.program.language == ProgramLanguage.ROBOLANG,
             Modifier.weight(1f),
             { part ->
-                TextAndMistakes(state, mostMistakes, actions, overFoot, part) {
+                TextAndMistakes(state, maxMistakes, actions, overFoot, part) {
                     CodeEditor(
                         control = control,
                         view = view,
@@ -198,7 +198,7 @@ private fun BesideOrBelow(
 ) {
     BoxWithConstraints(modifier) {
         val colour = LocalRobotranColours.current.line
-        if (both && maxWidth >= LEAST_FOR_TWO) {
+        if (both && maxWidth >= MIN_FOR_TWO) {
             Row(Modifier.fillMaxSize()) {
                 first(Modifier.weight(1f).fillMaxHeight())
                 VerticalDivider(color = colour)
@@ -218,16 +218,16 @@ private fun BesideOrBelow(
 
 /** What is told about the lines of the file that is shown, in their order. */
 private fun notesOf(state: ProgramsState, failure: ProgramFailure?): List<InlineDiagnostic> {
-    val read = state.notes.filter { it.mistake.file == state.file.name }
+    val read = state.notes.filter { it.diagnostic.file == state.file.name }
     return if (failure == null) read else (read + noteOf(failure, state.file.name)).sortedBy { it.line ?: 0 }
 }
 
 private fun marksOf(state: ProgramsState, runningLine: Int, partners: Set<Int>): EditorMarks {
-    val (doubts, mistakes) = state.notes.filter { it.mistake.file == state.file.name }.partition { it.isDoubt }
+    val (doubts, diagnostics) = state.notes.filter { it.diagnostic.file == state.file.name }.partition { it.isDoubt }
     return EditorMarks(
         runningLine = runningLine,
-        mistakes = mistakes.mapNotNull { it.mistake.range },
-        doubts = doubts.mapNotNull { it.mistake.range },
+        diagnostics = diagnostics.mapNotNull { it.diagnostic.range },
+        doubts = doubts.mapNotNull { it.diagnostic.range },
         breakpoints = state.breakpoints,
         partners = partners,
     )
@@ -238,4 +238,4 @@ private fun hintFor(language: ProgramLanguage): StringResource = when (language)
     ProgramLanguage.JAVA -> Res.string.program_hint_java
 }
 
-private val LEAST_FOR_TWO = 640.dp
+private val MIN_FOR_TWO = 640.dp

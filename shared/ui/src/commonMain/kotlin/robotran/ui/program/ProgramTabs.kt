@@ -20,8 +20,8 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_close
 import robotran.ui.resources.program_tab
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.ProgramFile
@@ -36,7 +36,7 @@ import robotran.workshop.state.ProgramsState
 @Composable
 internal fun ProgramTabs(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier, onRename: () -> Unit = {}) {
     val pane = LocalRobotranColours.current.pane
-    Row(modifier.fillMaxWidth().background(pane).height(Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
+    Row(modifier.fillMaxWidth().background(pane).height(Dimensions.TARGET), verticalAlignment = Alignment.CenterVertically) {
         Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()).selectableGroup(), verticalAlignment = Alignment.CenterVertically) {
             val several = state.programs.size > 1
             state.programs.forEachIndexed { slot, program ->
@@ -72,7 +72,7 @@ private fun Modifier.keptInSight(shown: Boolean, neighbours: Int): Modifier {
 /** The files of one program, where it has several; [onRename] is told that the one that is shown is to have another name, or to go. */
 @Composable
 internal fun FileTabs(files: List<ProgramFile>, shown: Int, onChoose: (Int) -> Unit, onRename: () -> Unit, modifier: Modifier = Modifier) {
-    Row(modifier.fillMaxWidth().height(Measures.TARGET).horizontalScroll(rememberScrollState()).selectableGroup()) {
+    Row(modifier.fillMaxWidth().height(Dimensions.TARGET).horizontalScroll(rememberScrollState()).selectableGroup()) {
         files.forEachIndexed { place, file ->
             FileTab(file.name, place == shown, "file-$place", { onChoose(place) }, onRename.takeIf { place == shown })
         }

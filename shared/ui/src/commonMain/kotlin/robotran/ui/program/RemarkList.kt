@@ -34,12 +34,12 @@ import robotran.ui.theme.LocalRobotranColours
  * What a pupil can learn from a run that went on all the same, such as where a brick calculates otherwise than Java says; nothing if there is nothing. It
  * lies over the foot of the program, which does not move, until it is closed or there is more.
  *
- * @param most how many there is room for.
+ * @param max how many there is room for.
  */
 @Composable
-internal fun RemarkList(remarks: List<RuntimeWarning>, most: Int, modifier: Modifier = Modifier) {
+internal fun RemarkList(remarks: List<RuntimeWarning>, max: Int, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    val told = remarks.take(most)
+    val told = remarks.take(max)
     var isClosed by remember(told) { mutableStateOf(false) }
     if (told.isEmpty() || isClosed) return
     Surface(modifier.fillMaxWidth().padding(8.dp), RoundedCornerShape(12.dp), colours.desk, border = BorderStroke(1.dp, colours.line)) {

@@ -35,8 +35,8 @@ import robotran.ui.resources.editor_remove_class
 import robotran.ui.resources.editor_rename
 import robotran.ui.resources.editor_rename_cancel
 import robotran.ui.resources.editor_rename_done
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.WithAddedFonts
 import robotran.ui.theme.focusRing
 import robotran.workshop.programs.NameProblem
@@ -88,7 +88,7 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
 @Composable
 private fun DialogButton(words: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
-    TextButton(onClick, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag(tag).focusRing(), enabled) {
+    TextButton(onClick, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing(), enabled) {
         Text(words, color = if (enabled) colours.focus else colours.quiet, fontSize = 16.sp)
     }
 }

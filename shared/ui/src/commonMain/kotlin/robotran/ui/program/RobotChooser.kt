@@ -24,8 +24,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.editor_robot
 import robotran.ui.resources.editor_worlds_own
 import robotran.ui.sheet.RobotColours
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.workshop.state.ProgramsState
 
 /** Whose programs are shown, where a world has several robots. */
@@ -36,7 +36,7 @@ internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
         Modifier
             .fillMaxWidth()
             .background(colours.pane)
-            .heightIn(min = Measures.TARGET)
+            .heightIn(min = Dimensions.TARGET)
             .horizontalScroll(rememberScrollState())
             .padding(horizontal = 12.dp)
             .selectableGroup()

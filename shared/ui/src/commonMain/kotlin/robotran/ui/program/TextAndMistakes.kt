@@ -12,7 +12,7 @@ import robotran.workshop.state.ProgramsState
 @Composable
 internal fun TextAndMistakes(
     state: ProgramsState,
-    mostMistakes: Int,
+    maxMistakes: Int,
     actions: PaneActions,
     overFoot: @Composable () -> Unit,
     modifier: Modifier,
@@ -23,9 +23,9 @@ internal fun TextAndMistakes(
             text()
             Column(Modifier.align(Alignment.BottomCenter)) { overFoot() }
         }
-        if (state.mistakes.isNotEmpty()) {
+        if (state.diagnostics.isNotEmpty()) {
             val pointedOut = state.mistakePointedOut
-            MistakeStrip(state.program, state.mistakes, state.file.name, mostMistakes, pointedOut, actions::goToNextNote, actions::fix)
+            DiagnosticStrip(state.program, state.diagnostics, state.file.name, maxMistakes, pointedOut, actions::goToNextNote, actions::fix)
         }
     }
 }

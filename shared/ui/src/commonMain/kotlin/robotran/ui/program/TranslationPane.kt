@@ -33,7 +33,7 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.robolang.translate.Translation
-import robotran.textediting.code.CodePieces
+import robotran.textediting.code.CodeTokens
 import robotran.textediting.text.Draft
 import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorPaint
@@ -49,8 +49,8 @@ import robotran.ui.resources.editor_translation_keep
 import robotran.ui.resources.editor_translation_label
 import robotran.ui.resources.editor_translation_none
 import robotran.ui.resources.editor_translation_old
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /**
@@ -78,7 +78,7 @@ internal fun TranslationPane(
         Row(
             Modifier
                 .fillMaxWidth()
-                .heightIn(min = Measures.TARGET)
+                .heightIn(min = Dimensions.TARGET)
                 .background(colours.desk.copy(alpha = SHADE))
                 .padding(start = 16.dp, end = 8.dp),
             verticalAlignment = Alignment.CenterVertically,
@@ -90,7 +90,7 @@ internal fun TranslationPane(
             }
             Text(title, Modifier.weight(1f), color = colours.onPane, fontSize = 14.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
             if (translation != null && isNow && onKeep != null) {
-                TextButton(onKeep, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("translation-keep").focusRing()) {
+                TextButton(onKeep, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("translation-keep").focusRing()) {
                     Text(stringResource(Res.string.editor_translation_keep), color = colours.focus, fontSize = 14.sp, maxLines = 1)
                 }
             }
@@ -115,7 +115,7 @@ private fun TranslatedText(
     val view = remember { EditorView() }
     val layouts = rememberLineLayouts(ProgramLanguage.JAVA, codeSize)
     val draft = remember(translation.java) { Draft(translation.java.trimEnd('\n')) }
-    val pieces = remember(draft) { CodePieces(draft.lines, ProgramLanguage.JAVA) }
+    val pieces = remember(draft) { CodeTokens(draft.lines, ProgramLanguage.JAVA) }
     val paint = remember(draft, lit) { EditorPaint(draft, EditorMarks(partners = lit), hasFocus = false) }
     val line by rememberUpdatedState(onLine)
     val zoom by rememberUpdatedState(onZoom)

@@ -22,8 +22,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.ui.parts.SteadySize
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /**
@@ -88,7 +88,7 @@ internal fun QuietButton(
     IconButton(
         onClick = onClick,
         enabled = enabled,
-        modifier = modifier.testTag(tag).semantics { contentDescription = name }.focusRing().size(Measures.TARGET),
+        modifier = modifier.testTag(tag).semantics { contentDescription = name }.focusRing().size(Dimensions.TARGET),
         colors = IconButtonDefaults.iconButtonColors(
             contentColor = colours.onPane,
             disabledContentColor = colours.quiet.copy(alpha = 0.5f),

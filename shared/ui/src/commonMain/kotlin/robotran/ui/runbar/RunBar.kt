@@ -23,7 +23,6 @@ import robotran.ui.resources.run_more
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.Pace
 import robotran.workshop.state.WorkshopState
 import robotran.workshop.state.WorkshopStatus
 
@@ -41,9 +40,9 @@ internal fun RunBar(
     var panelOpen by remember { mutableStateOf(false) }
     val cursor = cursorLine(state)
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
-        val room = BarRoom.of(maxWidth, LocalDensity.current.fontScale.coerceAtLeast(1f))
+        val room = RunBarSpace.of(maxWidth, LocalDensity.current.fontScale.coerceAtLeast(1f))
         Column(Modifier.padding(horizontal = 16.dp, vertical = 8.dp)) {
-            if (!room.statusBeside) RunStatus(state, StatusRoom.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
+            if (!room.statusBeside) RunStatus(state, StatusSpace.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
             Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
                 Controls(state, cursor, room, onEvent)
                 if (room.statusBeside) RunStatus(state, room.status, Modifier.weight(1f).padding(start = 4.dp))
@@ -58,14 +57,14 @@ internal fun RunBar(
 }
 
 @Composable
-private fun Controls(state: WorkshopState, cursor: Breakpoint, room: BarRoom, onEvent: (WorkshopEvent) -> Unit) {
+private fun Controls(state: WorkshopState, cursor: Breakpoint, room: RunBarSpace, onEvent: (WorkshopEvent) -> Unit) {
     val run = state.run
     RunButton(
         pulsing = state.untouched && state.status == WorkshopStatus.Ready,
         onClick = { onEvent(RunEvent.RunPressed) },
         room = room.runWord,
     )
-    PauseButton(run.pace == Pace.PAUSED, run.pausable, { onEvent(RunEvent.PausePressed) }, room = room.words)
+    PauseButton(run.isPaused, run.pausable, { onEvent(RunEvent.PausePressed) }, room = room.words)
     StepButton(cursor, onEvent, room.words, menu = room.stepMenu)
     StopButton(run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room.words)
 }

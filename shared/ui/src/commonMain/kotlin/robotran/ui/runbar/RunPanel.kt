@@ -50,8 +50,8 @@ import robotran.ui.resources.run_steps
 import robotran.ui.resources.run_to_line
 import robotran.ui.resources.run_to_line_help
 import robotran.ui.theme.AppDialog
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.DrawerTab
@@ -158,7 +158,7 @@ internal fun Chip(name: String, selected: Boolean, tag: String, onClick: () -> U
         onClick = onClick,
         label = { Text(name, fontSize = 16.sp) },
         leadingIcon = if (selected) ({ RunIconView(RunIcon.DONE, side = 16.dp) }) else null,
-        modifier = Modifier.testTag(tag).focusRing().defaultMinSize(minHeight = Measures.TARGET),
+        modifier = Modifier.testTag(tag).focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
     )
 }
 

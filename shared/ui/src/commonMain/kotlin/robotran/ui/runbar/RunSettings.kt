@@ -46,8 +46,8 @@ import robotran.ui.resources.run_realism_value
 import robotran.ui.resources.run_seed
 import robotran.ui.resources.run_seed_help
 import robotran.ui.resources.run_seed_next
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.RunPaneState
@@ -108,7 +108,7 @@ private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
             OutlinedTextField(
                 written,
                 { text ->
-                    written = text.filter { it in '0'..'9' }.take(MOST_DIGITS)
+                    written = text.filter { it in '0'..'9' }.take(MAX_DIGITS)
                     written.toIntOrNull()?.takeIf { it != seed }?.let(onSeed)
                 },
                 Modifier.width(160.dp).testTag("seed").semantics { contentDescription = name },
@@ -137,7 +137,7 @@ private fun Setting(name: StringResource, help: StringResource, tag: String, on:
             .focusRing()
             .toggleable(on, role = Role.Switch, onValueChange = onSwitch)
             .fillMaxWidth()
-            .defaultMinSize(minHeight = Measures.TARGET),
+            .defaultMinSize(minHeight = Dimensions.TARGET),
         horizontalArrangement = Arrangement.spacedBy(12.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
@@ -161,4 +161,4 @@ private const val REALISM_STEPS = 10
 private const val PER_CENT = 100
 
 /** So that every number fits a seed. */
-private const val MOST_DIGITS = 9
+private const val MAX_DIGITS = 9

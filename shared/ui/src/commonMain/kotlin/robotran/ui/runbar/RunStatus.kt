@@ -24,12 +24,11 @@ import robotran.ui.resources.run_clock_of
 import robotran.ui.resources.run_status_past
 import robotran.ui.resources.run_status_seeking
 import robotran.ui.theme.LocalRobotranColours
-import robotran.workshop.state.Pace
 import robotran.workshop.state.WorkshopState
 import robotran.workshop.state.WorkshopStatus
 
 /** The room that is kept for what is going on, whatever it is. */
-internal enum class StatusRoom(val lines: Int) {
+internal enum class StatusSpace(val lines: Int) {
     /** Two lines, beside them the time. */
     BROAD(2),
 
@@ -39,15 +38,15 @@ internal enum class StatusRoom(val lines: Int) {
 
 /** What is going on, in a sentence, and when; always as high as [room] says, so that nothing moves when it changes. */
 @Composable
-internal fun RunStatus(state: WorkshopState, room: StatusRoom, modifier: Modifier = Modifier) {
+internal fun RunStatus(state: WorkshopState, room: StatusSpace, modifier: Modifier = Modifier) {
     val height = with(LocalDensity.current) { LINE.toDp() * room.lines }
     when (room) {
-        StatusRoom.BROAD -> Row(modifier.height(height), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
+        StatusSpace.BROAD -> Row(modifier.height(height), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
             Sentence(state, room.lines, Modifier.weight(1f))
             if (!state.untouched) Clock(state)
         }
 
-        StatusRoom.SLIM -> Column(modifier.height(height), Arrangement.Center) {
+        StatusSpace.SLIM -> Column(modifier.height(height), Arrangement.Center) {
             Sentence(state, if (state.untouched) room.lines else room.lines - 1)
             if (!state.untouched) Clock(state)
         }
@@ -59,12 +58,12 @@ private fun Sentence(state: WorkshopState, lines: Int, modifier: Modifier = Modi
     val colours = LocalRobotranColours.current
     val status = state.status
     val elsewhere = wordsElsewhere(state, status)
-    val wrong = elsewhere == null && (status is WorkshopStatus.Mistaken || status is WorkshopStatus.Failed)
+    val wrong = elsewhere == null && (status is WorkshopStatus.HasErrors || status is WorkshopStatus.Failed)
     Text(
         elsewhere ?: statusText(status),
         // While somebody scrubs, the timeline itself says where it is.
-        modifier.testTag("status").semantics { if (state.run.pace != Pace.SEEKING) liveRegion = LiveRegionMode.Polite },
-        color = if (wrong) colours.mistake else colours.onPane,
+        modifier.testTag("status").semantics { if (!state.run.isSeeking) liveRegion = LiveRegionMode.Polite },
+        color = if (wrong) colours.error else colours.onPane,
         fontSize = 16.sp,
         lineHeight = LINE,
         fontWeight = FontWeight.Medium,
@@ -90,11 +89,11 @@ private fun Clock(state: WorkshopState) {
 @Composable
 private fun wordsElsewhere(state: WorkshopState, status: WorkshopStatus): String? {
     val run = state.run
-    val mark = if (run.pace == Pace.PAUSED) markAt(run.marks, run.time) else null
+    val mark = if (run.isPaused) markAt(run.marks, run.time) else null
     return when {
-        run.pace == Pace.SEEKING -> stringResource(Res.string.run_status_seeking, seconds(run.time))
+        run.isSeeking -> stringResource(Res.string.run_status_seeking, seconds(run.time))
         status is WorkshopStatus.Paused && mark != null -> markText(mark)
-        run.pace == Pace.PAUSED && run.inPast && !state.running -> mark?.let { markText(it) } ?: stringResource(Res.string.run_status_past)
+        run.isPaused && run.inPast && !state.running -> mark?.let { markText(it) } ?: stringResource(Res.string.run_status_past)
         else -> null
     }
 }

@@ -26,8 +26,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.sound
 import robotran.ui.resources.sound_off
 import robotran.ui.resources.sound_on
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /** Lets the brick's tones be heard or not: a loudspeaker with waves before it, or crossed out. */
@@ -45,7 +45,7 @@ internal fun SoundSwitch(on: Boolean, onSwitch: (Boolean) -> Unit, modifier: Mod
                 contentDescription = name
                 stateDescription = word
             }
-            .size(Measures.TARGET),
+            .size(Dimensions.TARGET),
         Alignment.Center,
     ) {
         Canvas(Modifier.size(24.dp)) {

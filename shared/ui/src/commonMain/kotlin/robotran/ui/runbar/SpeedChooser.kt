@@ -36,8 +36,8 @@ import robotran.ui.resources.run_speed_quarter
 import robotran.ui.resources.run_speed_real
 import robotran.ui.resources.run_speed_tenfold
 import robotran.ui.resources.run_speed_tenth
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /** Says how fast time passes, in a sign, and lets it pass faster or more slowly; as wide as it has to be for any speed. */
@@ -52,7 +52,7 @@ internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier
             Modifier
                 .testTag("speed")
                 .focusRing()
-                .defaultMinSize(minHeight = Measures.TARGET)
+                .defaultMinSize(minHeight = Dimensions.TARGET)
                 .semantics {
                     contentDescription = name
                     stateDescription = word
@@ -82,7 +82,7 @@ internal fun SpeedChoices(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit) {
             onClick = { onSpeed(choice) },
             modifier = Modifier
                 .testTag("speed-${choice.name.lowercase()}")
-                .defaultMinSize(minHeight = Measures.TARGET)
+                .defaultMinSize(minHeight = Dimensions.TARGET)
                 .semantics { selected = choice == speed },
             leadingIcon = { RadioMark(choice == speed) },
         )

@@ -60,7 +60,7 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
         stringResource(Res.string.status_compiler_failed)
     }
 
-    is WorkshopStatus.Mistaken -> {
+    is WorkshopStatus.HasErrors -> {
         mistakenText(status.line, status.file)
     }
 

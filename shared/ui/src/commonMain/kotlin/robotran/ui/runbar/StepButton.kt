@@ -34,8 +34,8 @@ import robotran.ui.resources.run_step_over_help
 import robotran.ui.resources.run_steps
 import robotran.ui.resources.run_to_line
 import robotran.ui.resources.run_to_line_help
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.workshop.event.RunEvent
 
 /** One step of the program, and beside it a menu with other steps. */
@@ -81,7 +81,7 @@ internal fun StepChoices(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
         DropdownMenuItem(
             text = { Choice(stringResource(choice.name), stringResource(choice.help)) },
             onClick = { onEvent(choice.event) },
-            modifier = Modifier.testTag(choice.tag).defaultMinSize(minHeight = Measures.TARGET),
+            modifier = Modifier.testTag(choice.tag).defaultMinSize(minHeight = Dimensions.TARGET),
         )
     }
 }

@@ -34,8 +34,8 @@ import robotran.ui.resources.run_mark_next
 import robotran.ui.resources.run_mark_previous
 import robotran.ui.resources.run_timeline
 import robotran.ui.resources.run_timeline_place
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.RunPaneState
 import kotlin.math.abs
@@ -71,7 +71,7 @@ private fun Track(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifi
     val plan = remember { TimelinePlan() }
     Canvas(
         modifier
-            .height(Measures.TARGET)
+            .height(Dimensions.TARGET)
             .testTag("timeline")
             .focusRing()
             .onKeyEvent { event ->

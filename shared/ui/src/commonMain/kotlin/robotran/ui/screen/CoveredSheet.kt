@@ -52,14 +52,14 @@ internal fun CoveredSheet(
 
 @Composable
 private fun BoxWithConstraintsScope.Said(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, withHint: Boolean, withNotice: Boolean) {
-    val most = maxHeight / 2
+    val max = maxHeight / 2
     Column(
-        Modifier.align(Alignment.TopEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp).widthIn(max = MOST_WIDTH),
+        Modifier.align(Alignment.TopEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp).widthIn(max = MAX_WIDTH),
         Arrangement.spacedBy(8.dp),
     ) {
         if (withNotice) state.notice?.let { NoticeBar(it, onEvent) }
-        if (state.taskShown && state.hasTask) TaskCard(state.world, onEvent, Modifier.heightIn(max = most))
-        if (withHint) ClosableHint(state, Modifier.heightIn(max = most))
+        if (state.taskShown && state.hasTask) TaskCard(state.world, onEvent, Modifier.heightIn(max = max))
+        if (withHint) ClosableHint(state, Modifier.heightIn(max = max))
     }
 }
 
@@ -81,4 +81,4 @@ internal fun ClosableHint(state: WorkshopState, modifier: Modifier = Modifier) {
 /** What a column of the sheet's buttons takes, and from which height on there is only one. */
 private val BUTTONS_WIDTH = 64.dp
 private val ONE_COLUMN_HEIGHT = 240.dp
-private val MOST_WIDTH = 560.dp
+private val MAX_WIDTH = 560.dp

@@ -32,8 +32,8 @@ import robotran.workshop.state.WorkshopState
 internal fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.desk)) {
         val scale = LocalDensity.current.fontScale.coerceAtLeast(1f)
-        val plan = DeskPlan.of(maxWidth, maxHeight, scale, state.hasTask || state.session.goals.isNotEmpty())
-        if (plan.place == BrickPlace.STRIP_BELOW) {
+        val plan = PaneLayout.of(maxWidth, maxHeight, scale, state.hasTask || state.session.goals.isNotEmpty())
+        if (plan.place == BrickPlacement.STRIP_BELOW) {
             Column(Modifier.fillMaxSize()) {
                 CoveredSheet(state, onEvent, Modifier.weight(1f))
                 ChipAndStrip(state, onEvent)
@@ -43,16 +43,16 @@ internal fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifi
                 CoveredSheet(state, onEvent, Modifier.weight(1f).fillMaxHeight(), withHint = !plan.hintBeside)
                 Column(
                     Modifier
-                        .width(plan.brickWidth + DeskPlan.MARGIN)
+                        .width(plan.brickWidth + PaneLayout.MARGIN)
                         .fillMaxHeight()
-                        .padding(end = DeskPlan.MARGIN, bottom = DeskPlan.MARGIN),
-                    Arrangement.spacedBy(DeskPlan.MARGIN),
+                        .padding(end = PaneLayout.MARGIN, bottom = PaneLayout.MARGIN),
+                    Arrangement.spacedBy(PaneLayout.MARGIN),
                 ) {
                     Box(Modifier.weight(1f).fillMaxWidth(), Alignment.BottomStart) {
-                        if (plan.hintBeside) BrickHint(state.run.brick, Modifier.padding(top = DeskPlan.MARGIN))
+                        if (plan.hintBeside) BrickHint(state.run.brick, Modifier.padding(top = PaneLayout.MARGIN))
                     }
                     TaskAndGoals(state, onEvent, isSlim = state.hasTask)
-                    if (plan.place == BrickPlace.BESIDE) {
+                    if (plan.place == BrickPlacement.BESIDE) {
                         WholeBrick(state, onEvent, Modifier.width(plan.brickWidth))
                     } else {
                         Strip(state, onEvent)
@@ -67,9 +67,9 @@ internal fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifi
 @Composable
 private fun ChipAndStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     FlowRow(
-        Modifier.fillMaxWidth().padding(horizontal = DeskPlan.MARGIN).padding(bottom = DeskPlan.MARGIN),
-        Arrangement.spacedBy(DeskPlan.MARGIN, Alignment.End),
-        Arrangement.spacedBy(DeskPlan.MARGIN),
+        Modifier.fillMaxWidth().padding(horizontal = PaneLayout.MARGIN).padding(bottom = PaneLayout.MARGIN),
+        Arrangement.spacedBy(PaneLayout.MARGIN, Alignment.End),
+        Arrangement.spacedBy(PaneLayout.MARGIN),
     ) {
         TaskAndGoals(state, onEvent, Modifier.align(Alignment.CenterVertically))
         Strip(state, onEvent)

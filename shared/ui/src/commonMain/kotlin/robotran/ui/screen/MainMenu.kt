@@ -39,8 +39,8 @@ import robotran.ui.resources.settings_title
 import robotran.ui.resources.sound_switch_off
 import robotran.ui.resources.sound_switch_on
 import robotran.ui.resources.worlds
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
@@ -82,16 +82,16 @@ internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, wi
 
 @Composable
 private fun MainMenuItems(state: WorkshopState, choose: (WorkshopEvent) -> Unit) {
-    MenuItem(stringResource(Res.string.learn), "menu-learn") { choose(LearningEvent.PageWanted(LearningPage.TUTORIAL)) }
-    MenuItem(stringResource(Res.string.worlds), "menu-worlds") { choose(LearningEvent.PageWanted(LearningPage.WORLDS)) }
+    MenuItem(stringResource(Res.string.learn), "menu-learn") { choose(LearningEvent.PageRequested(LearningPage.TUTORIAL)) }
+    MenuItem(stringResource(Res.string.worlds), "menu-worlds") { choose(LearningEvent.PageRequested(LearningPage.WORLDS)) }
     MenuItem(stringResource(Res.string.learning_examples), "menu-examples") {
-        choose(LearningEvent.PageWanted(LearningPage.EXAMPLES))
+        choose(LearningEvent.PageRequested(LearningPage.EXAMPLES))
     }
-    MenuItem(stringResource(Res.string.learning_help), "menu-words") { choose(LearningEvent.PageWanted(LearningPage.HELP)) }
+    MenuItem(stringResource(Res.string.learning_help), "menu-words") { choose(LearningEvent.PageRequested(LearningPage.HELP)) }
     if (state.worldEdit == null) {
         MenuItem(stringResource(Res.string.edit_world), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }
     }
-    MenuItem(stringResource(Res.string.first_page), "menu-first-page") { choose(LearningEvent.PageWanted(LearningPage.FIRST_RUN)) }
+    MenuItem(stringResource(Res.string.first_page), "menu-first-page") { choose(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
     MenuDivider()
     val sound = if (state.soundOn) Res.string.sound_switch_off else Res.string.sound_switch_on
     MenuItem(stringResource(sound), "menu-sound") { choose(SettingsEvent.SoundSwitched(!state.soundOn)) }
@@ -101,8 +101,8 @@ private fun MainMenuItems(state: WorkshopState, choose: (WorkshopEvent) -> Unit)
 /** Marked where the menu has a list for the work and that is not being kept. */
 @Composable
 private fun MenuButton(document: DocumentState, withWork: Boolean, onClick: () -> Unit) {
-    val sign = LocalRobotranColours.current.mistake
-    val condition = conditionOf(document).takeIf { withWork && document.trouble != null }
+    val sign = LocalRobotranColours.current.error
+    val condition = conditionOf(document).takeIf { withWork && document.error != null }
     val modifier = if (condition == null) {
         Modifier
     } else {
@@ -119,7 +119,7 @@ private fun MenuButton(document: DocumentState, withWork: Boolean, onClick: () -
 private fun WayBack(onClick: () -> Unit) = DropdownMenuItem(
     text = { Text(stringResource(Res.string.menu), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
     onClick = onClick,
-    modifier = Modifier.testTag("menu-back").heightIn(min = Measures.TARGET),
+    modifier = Modifier.testTag("menu-back").heightIn(min = Dimensions.TARGET),
     leadingIcon = { SmallIcon(Icon.BACK, LocalRobotranColours.current.onPane) },
 )
 

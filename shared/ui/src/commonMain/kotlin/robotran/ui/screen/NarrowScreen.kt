@@ -23,7 +23,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickHint
-import robotran.ui.brick.LEAST_BRICK_WIDTH
+import robotran.ui.brick.MIN_BRICK_WIDTH
 import robotran.ui.documents.KeepingBanner
 import robotran.ui.drawer.DrawerPage
 import robotran.ui.drawer.RunAnnouncer
@@ -51,7 +51,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
             MainMenu(state, onEvent, withWork = true)
-            PaneTabs(state.pane, state.mistakes.isNotEmpty(), { perform(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
+            PaneTabs(state.pane, state.diagnostics.isNotEmpty(), { perform(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
         if (isReading) {
@@ -79,7 +79,7 @@ private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
     Box(modifier) {
         when {
             isSheet -> WorldWithStrip(state, onEvent)
-            state.pane == Pane.PROGRAM -> ProgramPane(state, MOST_MISTAKES, onEvent, Modifier.fillMaxSize())
+            state.pane == Pane.PROGRAM -> ProgramPane(state, MAX_MISTAKES, onEvent, Modifier.fillMaxSize())
             state.pane == Pane.WORLD -> DrawerPage(state.run, onEvent)
             else -> BrickAlone(state, onEvent)
         }
@@ -91,7 +91,7 @@ private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
 private fun BoxScope.NoticeOver(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     Column(Modifier.align(Alignment.BottomCenter).padding(8.dp), Arrangement.spacedBy(8.dp), Alignment.CenterHorizontally) {
         state.notice?.let { NoticeBar(it, onEvent) }
-        KeepingBanner(state.document, onEvent, Modifier.heightIn(max = MOST_BANNER_HEIGHT))
+        KeepingBanner(state.document, onEvent, Modifier.heightIn(max = MAX_BANNER_HEIGHT))
     }
 }
 
@@ -124,7 +124,7 @@ private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
         val isAcross = maxWidth > maxHeight
         val hint = HINT_HEIGHT * LocalDensity.current.fontScale.coerceAtLeast(1f)
         val high = maxHeight - MARGIN * 2 - if (isAcross) 0.dp else hint + MARGIN
-        val width = minOf(maxWidth - MARGIN * 2, high * BRICK_ASPECT).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
+        val width = minOf(maxWidth - MARGIN * 2, high * BRICK_ASPECT).coerceIn(MIN_BRICK_WIDTH, MAX_BRICK_WIDTH)
         if (isAcross) {
             Row(Modifier.fillMaxSize().padding(horizontal = MARGIN), Arrangement.spacedBy(MARGIN), Alignment.Top) {
                 Box(Modifier.weight(1f).padding(vertical = MARGIN)) { BrickHint(state.run.brick) }
@@ -141,12 +141,12 @@ private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
 }
 
 /** A keyboard on the screen takes half of it: more would push the program out of sight. */
-private const val MOST_MISTAKES = 2
+private const val MAX_MISTAKES = 2
 private val MARGIN = 16.dp
 
 /** More can be scrolled to. */
-private val MOST_BANNER_HEIGHT = 200.dp
-private val MOST_BRICK_WIDTH = 440.dp
+private val MAX_BANNER_HEIGHT = 200.dp
+private val MAX_BRICK_WIDTH = 440.dp
 
 /** Room for four lines of what the brick has to say. */
 private val HINT_HEIGHT = 112.dp

@@ -25,8 +25,8 @@ import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
 import robotran.ui.resources.notice_close
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Notice
@@ -36,15 +36,15 @@ import robotran.workshop.state.Notice
 internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val text = noticeText(notice)
-    val colour = if (notice.isError) colours.mistake else colours.onPane
+    val colour = if (notice.isError) colours.error else colours.onPane
     Row(
         modifier
             .fillMaxWidth()
-            .background(if (notice.isError) colours.mistakePane else colours.pane, SHAPE)
+            .background(if (notice.isError) colours.errorPane else colours.pane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
             // What lies under it is not touched through it.
             .pointerInput(Unit) { }
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(start = 16.dp)
             .testTag("notice"),
         verticalAlignment = Alignment.CenterVertically,
@@ -60,7 +60,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
         notice.action?.let { action ->
             TextButton(
                 { onEvent(WorkshopEvent.NoticeTaken) },
-                Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("notice-action").focusRing(),
+                Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("notice-action").focusRing(),
             ) {
                 Text(stringResource(noticeActionText(action)), color = colours.focus, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
             }

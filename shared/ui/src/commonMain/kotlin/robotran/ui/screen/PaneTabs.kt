@@ -23,8 +23,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.tab_brick
 import robotran.ui.resources.tab_program
 import robotran.ui.resources.tab_world
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.Pane
 
@@ -61,9 +61,9 @@ private fun PaneTab(pane: Pane, chosen: Boolean, marked: Boolean, onChoose: () -
     Tab(
         selected = chosen,
         onClick = onChoose,
-        modifier = Modifier.testTag("tab-${pane.name.lowercase()}").defaultMinSize(minHeight = Measures.TARGET).focusRing(),
-        selectedContentColor = if (marked) colours.mistake else colours.onPane,
-        unselectedContentColor = if (marked) colours.mistake else colours.quiet,
+        modifier = Modifier.testTag("tab-${pane.name.lowercase()}").defaultMinSize(minHeight = Dimensions.TARGET).focusRing(),
+        selectedContentColor = if (marked) colours.error else colours.onPane,
+        unselectedContentColor = if (marked) colours.error else colours.quiet,
     ) {
         val name = stringResource(pane.title)
         val words = if (marked) "!\u00A0$name" else name

@@ -22,8 +22,8 @@ import robotran.ui.resources.learn
 import robotran.ui.resources.learn_help
 import robotran.ui.resources.worlds
 import robotran.ui.resources.worlds_help
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
@@ -36,14 +36,14 @@ internal fun TopStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
     val colours = LocalRobotranColours.current
     BoxWithConstraints(modifier.fillMaxWidth().background(colours.pane)) {
         val withWords = maxWidth >= WORDS_WIDTH * LocalDensity.current.fontScale
-        Row(Modifier.fillMaxWidth().defaultMinSize(minHeight = Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
+        Row(Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET), verticalAlignment = Alignment.CenterVertically) {
             MainMenu(state, onEvent)
             Box(Modifier.weight(1f)) { WorkMenu(state.document, onEvent) }
             IconTouch(Icon.BOOK, stringResource(Res.string.learn_help), "learn", {
-                onEvent(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+                onEvent(LearningEvent.PageRequested(LearningPage.TUTORIAL))
             }, label = stringResource(Res.string.learn).takeIf { withWords })
             IconTouch(Icon.WORLDS, stringResource(Res.string.worlds_help), "worlds", {
-                onEvent(LearningEvent.PageWanted(LearningPage.WORLDS))
+                onEvent(LearningEvent.PageRequested(LearningPage.WORLDS))
             }, label = stringResource(Res.string.worlds).takeIf { withWords })
             if (state.worldEdit == null) {
                 IconTouch(Icon.SHEET_EDIT, stringResource(Res.string.edit_world_help), "edit-world", {

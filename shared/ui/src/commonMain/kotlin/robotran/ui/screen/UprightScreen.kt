@@ -49,15 +49,15 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             }
             if (tutorial != null) HorizontalDivider(color = line)
             BoxWithConstraints(Modifier.weight(1f)) {
-                val most = maxHeight * if (isReading) MOST_DRAWER_SHARE_READING else MOST_DRAWER_SHARE
+                val max = maxHeight * if (isReading) MAX_DRAWER_SHARE_READING else MAX_DRAWER_SHARE
                 Column(Modifier.fillMaxSize()) {
                     Desk(state, onEvent, Modifier.weight(1f))
-                    RunDrawer(state.run, onEvent, most = most)
+                    RunDrawer(state.run, onEvent, max = max)
                     RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
                 }
             }
             HorizontalDivider(color = line)
-            ProgramPane(state, MOST_MISTAKES, onEvent, Modifier.fillMaxWidth().height(program))
+            ProgramPane(state, MAX_MISTAKES, onEvent, Modifier.fillMaxWidth().height(program))
             RunAnnouncer(state.run)
         }
     }
@@ -70,6 +70,6 @@ private const val TUTORIAL_SHARE_LARGE = 0.3f
 private const val PROGRAM_SHARE = 0.37f
 private const val PROGRAM_SHARE_READING = 0.3f
 private const val PROGRAM_SHARE_LARGE = 0.24f
-private const val MOST_DRAWER_SHARE = 0.5f
-private const val MOST_DRAWER_SHARE_READING = 0.28f
-private const val MOST_MISTAKES = 3
+private const val MAX_DRAWER_SHARE = 0.5f
+private const val MAX_DRAWER_SHARE_READING = 0.28f
+private const val MAX_MISTAKES = 3

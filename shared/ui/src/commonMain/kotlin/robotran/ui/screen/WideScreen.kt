@@ -38,7 +38,7 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
     val isReading = tutorial != null && !tutorial.isFolded
     BoxWithConstraints(Modifier.fillMaxSize()) {
         val isRoomy = maxWidth >= TUTORIAL_BESIDE_WIDTH * ScreenLayout.widthScale(LocalDensity.current.fontScale)
-        val tutorialWidth = (maxWidth * TUTORIAL_SHARE).coerceAtMost(MOST_TUTORIAL_WIDTH)
+        val tutorialWidth = (maxWidth * TUTORIAL_SHARE).coerceAtMost(MAX_TUTORIAL_WIDTH)
         Column(Modifier.fillMaxSize()) {
             TopStrip(state, onEvent)
             HorizontalDivider(color = LocalRobotranColours.current.line)
@@ -61,18 +61,18 @@ private fun ProgramAndDesk(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
     BoxWithConstraints(modifier.fillMaxHeight()) {
         val whole = maxWidth
         val tall = maxHeight
-        val left = maxOf(whole * share, minOf(LEAST_PROGRAM_WIDTH * ScreenLayout.widthScale(LocalDensity.current.fontScale), whole / 2))
+        val left = maxOf(whole * share, minOf(MIN_PROGRAM_WIDTH * ScreenLayout.widthScale(LocalDensity.current.fontScale), whole / 2))
         Row(Modifier.fillMaxSize()) {
             Column(Modifier.width(left).fillMaxHeight()) {
                 if (isReading) {
                     TutorialPane(state.learning, onEvent, Modifier.weight(1f))
                     HorizontalDivider(color = LocalRobotranColours.current.line)
                 }
-                ProgramPane(state, MOST_MISTAKES, onEvent, Modifier.weight(1f))
+                ProgramPane(state, MAX_MISTAKES, onEvent, Modifier.weight(1f))
             }
             Column(Modifier.weight(1f).fillMaxHeight()) {
                 Desk(state, onEvent, Modifier.weight(1f))
-                RunDrawer(state.run, onEvent, most = tall * MOST_DRAWER_SHARE)
+                RunDrawer(state.run, onEvent, max = tall * MAX_DRAWER_SHARE)
                 RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
             }
         }
@@ -84,11 +84,11 @@ private fun ProgramAndDesk(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
 
 /** From this width on, at usual text size, the tutorial has a column of its own. */
 private val TUTORIAL_BESIDE_WIDTH = 1100.dp
-private val MOST_TUTORIAL_WIDTH = 328.dp
+private val MAX_TUTORIAL_WIDTH = 328.dp
 private const val TUTORIAL_SHARE = 0.26f
 private const val PROGRAM_SHARE = 0.32f
-private const val MOST_MISTAKES = 3
-private const val MOST_DRAWER_SHARE = 0.6f
+private const val MAX_MISTAKES = 3
+private const val MAX_DRAWER_SHARE = 0.6f
 
 /** The row of tools over the program fits into this. */
-private val LEAST_PROGRAM_WIDTH = 320.dp
+private val MIN_PROGRAM_WIDTH = 320.dp

@@ -29,8 +29,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.ui.parts.RadioMark
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
@@ -47,7 +47,7 @@ internal fun <T> ChoiceOfOne(title: String, choices: List<Pair<T, String>>, chos
                 Row(
                     Modifier
                         .testTag("$tag-$place")
-                        .defaultMinSize(minHeight = Measures.TARGET)
+                        .defaultMinSize(minHeight = Dimensions.TARGET)
                         .focusRing()
                         .selectable(selected, role = Role.RadioButton) { onChoose(value) }
                         .padding(end = 12.dp),
@@ -106,7 +106,7 @@ internal fun SwitchRow(title: String, on: Boolean, tag: String, onSwitch: (Boole
         Modifier
             .fillMaxWidth()
             .testTag(tag)
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing()
             .toggleable(on, role = Role.Switch, onValueChange = onSwitch),
         verticalAlignment = Alignment.CenterVertically,

@@ -49,7 +49,7 @@ internal fun SiteField(site: String, wanted: Boolean, onSite: (String) -> Unit) 
             Text(
                 stringResource(if (isWrong) Res.string.settings_site_wrong else Res.string.settings_site_help),
                 Modifier.testTag(if (isWrong) "site-wrong" else "site-help").semantics { liveRegion = LiveRegionMode.Polite },
-                color = if (isWrong) colours.mistake else colours.quiet,
+                color = if (isWrong) colours.error else colours.quiet,
                 fontSize = 14.sp,
             )
         },

@@ -47,7 +47,7 @@ internal class BlockDrawing(shape: Shape, transform: SheetTransform) {
     }
 
     private fun addGrain(transform: SheetTransform) {
-        val step = max(GRAIN_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_GRAIN_PIXELS)
+        val step = max(GRAIN_CENTIMETRES * transform.pixelsPerCentimetre, MIN_GRAIN_PIXELS)
         for (ends in hatching(corners, step, Offset(0f, 1f), lineWidth).chunked(2)) grain.addLine(ends)
     }
 
@@ -69,6 +69,6 @@ internal fun DrawScope.drawBlock(block: BlockDrawing, moved: Pose, transform: Sh
 
 private const val LINE_CENTIMETRES = 0.15f
 private const val GRAIN_CENTIMETRES = 1.2f
-private const val LEAST_GRAIN_PIXELS = 5f
+private const val MIN_GRAIN_PIXELS = 5f
 private val RINGS = listOf(0.25f, 0.5f, 0.75f)
 private val BOARDS = listOf(0.25f, 0.5f, 0.75f)

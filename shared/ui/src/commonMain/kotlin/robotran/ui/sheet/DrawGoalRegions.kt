@@ -32,7 +32,7 @@ internal class RegionDrawing(val region: GoalRegion, transform: SheetTransform) 
 
 /** To be reached: green with a flag, fuller once it is reached. Not to be entered: red dashes. Not to be left: long blue-grey dashes. */
 internal fun DrawScope.drawRegion(drawing: RegionDrawing, goals: List<GoalProgress>, transform: SheetTransform, labels: TextMeasurer?) {
-    val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_LINE_PIXELS)
+    val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, MIN_LINE_PIXELS)
     when (drawing.region.role) {
         RegionRole.TARGET -> {
             val met = drawing.region.isMet(goals)
@@ -60,7 +60,7 @@ private fun DrawScope.drawDashes(path: Path, colour: Color, width: Float, dash: 
 /** A chequered flag in the middle of the region, and which one it is if there are several in an order. */
 private fun DrawScope.drawFlag(drawing: RegionDrawing, transform: SheetTransform, labels: TextMeasurer?) {
     val bounds = drawing.flag
-    val size = minOf(bounds.minDimension * FLAG_PART, MOST_FLAG_CENTIMETRES * transform.pixelsPerCentimetre)
+    val size = minOf(bounds.minDimension * FLAG_PART, MAX_FLAG_CENTIMETRES * transform.pixelsPerCentimetre)
     val number = drawing.region.number
     val middle = if (number != null && labels != null) bounds.center - Offset(size * 0.25f, 0f) else bounds.center
     val top = middle - Offset(size * 0.4f, size / 2)
@@ -78,7 +78,7 @@ private fun DrawScope.drawFlag(drawing: RegionDrawing, transform: SheetTransform
 }
 
 private const val LINE_CENTIMETRES = 0.3f
-private const val LEAST_LINE_PIXELS = 1.5f
+private const val MIN_LINE_PIXELS = 1.5f
 private const val FILL_ALPHA = 0.1f
 private const val MET_ALPHA = 0.35f
 private const val LINE_ALPHA = 0.7f
@@ -88,6 +88,6 @@ private const val SHORT_DASH = 3f
 private const val LONG_DASH = 8f
 
 private const val FLAG_PART = 0.45f
-private const val MOST_FLAG_CENTIMETRES = 6f
+private const val MAX_FLAG_CENTIMETRES = 6f
 private const val FLAG_COLUMNS = 4
 private const val FLAG_ROWS = 3

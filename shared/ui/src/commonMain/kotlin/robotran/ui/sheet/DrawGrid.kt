@@ -8,7 +8,7 @@ import robotran.world.Paper
 
 /** A line across the paper every ten centimetres, and between them every one, or two or five, if that leaves room. */
 internal fun DrawScope.drawGrid(transform: SheetTransform) {
-    val step = FINE_STEPS.firstOrNull { it * transform.pixelsPerCentimetre >= LEAST_STEP_PIXELS }
+    val step = FINE_STEPS.firstOrNull { it * transform.pixelsPerCentimetre >= MIN_STEP_PIXELS }
     if (step != null) drawLines(transform, step, FINE_ALPHA)
     drawLines(transform, STEP, ALPHA)
 }
@@ -50,7 +50,7 @@ internal fun DrawScope.drawGridFigures(paper: Paper, view: SheetTransform, colou
 private const val STEP = 10
 private val FINE_STEPS = listOf(1, 2, 5)
 private val FIGURE_STEPS = listOf(10, 20, 50, 100, 200, 500)
-private const val LEAST_STEP_PIXELS = 12f
+private const val MIN_STEP_PIXELS = 12f
 private const val ALPHA = 0.45f
 private const val FINE_ALPHA = 0.16f
 private val FIGURE_SIZE = 11.sp

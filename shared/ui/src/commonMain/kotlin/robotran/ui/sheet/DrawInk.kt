@@ -8,7 +8,7 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.simulation.state.Ink
 import robotran.simulation.state.InkStroke
 import robotran.world.Penbot
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import kotlin.math.max
 
 /** Remembers what the strokes drawn last look like: all but those being drawn are the same in the next frame. */
@@ -16,7 +16,7 @@ internal class InkDrawing(private val transform: SheetTransform) {
     private var drawn: List<DrawnStroke> = emptyList()
     private var latest: Ink? = null
 
-    val width = max(transform.toPixels(Penbot.PEN_LINE_WIDTH), LEAST_WIDTH_PIXELS)
+    val width = max(transform.toPixels(Penbot.PEN_LINE_WIDTH), MIN_WIDTH_PIXELS)
 
     fun strokes(ink: Ink): List<DrawnStroke> {
         if (ink !== latest) {
@@ -44,7 +44,7 @@ internal class DrawnStroke(stroke: InkStroke, val line: LinePaths) {
 }
 
 /** The lines the pens have left, as wide as a pen is; what is not in [visible] is left out. */
-internal fun DrawScope.drawInk(drawing: InkDrawing, ink: Ink, robots: List<RobotPlace>, visible: Rect) {
+internal fun DrawScope.drawInk(drawing: InkDrawing, ink: Ink, robots: List<RobotPlacement>, visible: Rect) {
     val line = Stroke(drawing.width, cap = StrokeCap.Round, join = StrokeJoin.Round)
     for (drawn in drawing.strokes(ink)) {
         val colour = RobotColours.ink(drawn.stroke.robot, robots)
@@ -55,4 +55,4 @@ internal fun DrawScope.drawInk(drawing: InkDrawing, ink: Ink, robots: List<Robot
 }
 
 /** In a picture so small that the line would vanish. */
-private const val LEAST_WIDTH_PIXELS = 1f
+private const val MIN_WIDTH_PIXELS = 1f

@@ -14,14 +14,14 @@ import androidx.compose.ui.text.style.TextOverflow
 import robotran.simulation.state.SessionState
 import robotran.world.MarkFigure
 import robotran.world.Penbot
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.centre
 import kotlin.math.max
 
 /** The name of each robot below it, with the colour of its brick before it. */
-internal fun DrawScope.drawRobotNames(robots: List<RobotPlace>, state: SessionState, transform: SheetTransform, labels: TextMeasurer) {
+internal fun DrawScope.drawRobotNames(robots: List<RobotPlacement>, state: SessionState, transform: SheetTransform, labels: TextMeasurer) {
     val height = nameHeight(transform)
     for ((robot, now) in robots.zip(state.robots)) {
         val pose = now.robot.pose
@@ -61,7 +61,7 @@ private fun DrawScope.drawName(name: String, middle: Offset, height: Float, labe
 }
 
 /** Kept inside the picture. */
-private fun DrawScope.drawName(robot: RobotPlace, wanted: Offset, height: Float, labels: TextMeasurer) {
+private fun DrawScope.drawName(robot: RobotPlacement, wanted: Offset, height: Float, labels: TextMeasurer) {
     val style = TextStyle(SheetColours.LABEL, fontSize = height.toSp(), fontWeight = FontWeight.Medium)
     val text = labels.measure(robot.name, style, TextOverflow.Ellipsis, maxLines = 1)
     val pad = height / 2
@@ -86,8 +86,8 @@ internal fun DrawScope.drawLabel(labels: TextMeasurer, text: String, middle: Off
 }
 
 private fun nameHeight(transform: SheetTransform) =
-    (NAME_CENTIMETRES * transform.pixelsPerCentimetre).coerceIn(LEAST_NAME_PIXELS, MOST_NAME_PIXELS)
+    (NAME_CENTIMETRES * transform.pixelsPerCentimetre).coerceIn(MIN_NAME_PIXELS, MAX_NAME_PIXELS)
 
 private const val NAME_CENTIMETRES = 2f
-private const val LEAST_NAME_PIXELS = 10f
-private const val MOST_NAME_PIXELS = 48f
+private const val MIN_NAME_PIXELS = 10f
+private const val MAX_NAME_PIXELS = 48f

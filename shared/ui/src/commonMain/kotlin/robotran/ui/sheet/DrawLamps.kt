@@ -91,7 +91,7 @@ internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) {
 /** The lamps themselves: a bulb with rays, or in a shade that is open where its cone shines; grey while they are off. */
 internal fun DrawScope.drawLamps(world: World, state: SessionState, transform: SheetTransform) {
     for ((lamp, now) in world.lamps.zip(state.lamps)) {
-        val radius = max(BULB_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_BULB_PIXELS)
+        val radius = max(BULB_CENTIMETRES * transform.pixelsPerCentimetre, MIN_BULB_PIXELS)
         drawLamp(lamp, now.on, transform.toPixels(now.place.x, now.place.y), radius)
     }
 }
@@ -119,5 +119,5 @@ private fun Size.center() = Offset(width / 2, height / 2)
 
 private const val REACH_CENTIMETRES = 45.0
 private const val BULB_CENTIMETRES = 1.3f
-private const val LEAST_BULB_PIXELS = 4f
+private const val MIN_BULB_PIXELS = 4f
 private const val RAYS = 8

@@ -120,7 +120,7 @@ internal val Shade.isBlue: Boolean get() = this is Shade.Colour && blue > red + 
 
 internal fun greyColour(reflectance: Double): Color = reflectance.toFloat().coerceIn(0f, 1f).let { Color(it, it, it) }
 
-private fun dotStep(transform: SheetTransform) = max(DOT_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_DOT_STEP)
+private fun dotStep(transform: SheetTransform) = max(DOT_CENTIMETRES * transform.pixelsPerCentimetre, MIN_DOT_STEP)
 
 /** In rows, and none at the edge. */
 private fun dotsWithin(corners: List<Offset>, step: Float): List<Offset> =
@@ -148,7 +148,7 @@ private const val HEXADECIMAL = 16
 /** How much bluer than red and green a colour is that people call blue. */
 private const val CLEARLY = 32
 private const val DOT_CENTIMETRES = 1f
-private const val LEAST_DOT_STEP = 6f
+private const val MIN_DOT_STEP = 6f
 
 /** How large a dot is, of the step between two. */
 private const val DOT_PART = 0.3f

@@ -11,13 +11,13 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.withTransform
 import robotran.simulation.state.RobotState
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 
 /**
  * The penbot from above, true to size: a brick in the colour of [build] on a black chassis, two wheels, bumpers in front, the pen between
  * the wheels, and a lamp on top if it has one.
  */
-internal fun DrawScope.drawRobot(robot: RobotState, build: RobotPlace, transform: SheetTransform) {
+internal fun DrawScope.drawRobot(robot: RobotState, build: RobotPlacement, transform: SheetTransform) {
     val place = transform.toPixels(robot.pose.x, robot.pose.y)
     val scale = transform.pixelsPerCentimetre
     withTransform({

@@ -24,7 +24,7 @@ fun DrawScope.drawSheet(
     state: SessionState,
     colours: SheetColours,
     labels: TextMeasurer? = null,
-    shown: Set<SheetLayer> = SheetLayer.USUAL,
+    shown: Set<SheetLayer> = SheetLayer.DEFAULT,
     view: SheetTransform = drawing.transform,
 ) {
     drawRect(colours.desk)

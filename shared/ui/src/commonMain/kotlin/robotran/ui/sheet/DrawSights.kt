@@ -11,7 +11,7 @@ import robotran.world.Light
 import robotran.world.LightFacing
 import robotran.world.Penbot
 import robotran.world.PortSensor
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.World
 import robotran.world.geometry.Point
 import kotlin.math.max
@@ -29,7 +29,7 @@ internal fun DrawScope.drawSights(world: World, state: SessionState, transform: 
     }
 }
 
-internal fun RobotPlace.has(sensor: PortSensor): Boolean = ports.any { sensor in it }
+internal fun RobotPlacement.has(sensor: PortSensor): Boolean = ports.any { sensor in it }
 
 private fun DrawScope.drawSpot(robot: RobotState, transform: SheetTransform) {
     val centre = transform.toPixels(robot.ahead(Penbot.LIGHT_SENSOR_PLACE, 0.0))

@@ -15,7 +15,7 @@ internal class SolidsDrawing(world: World, transform: SheetTransform) {
 
     val path = Path().apply { for (corners in outlines) addLine(corners, closed = true) }
 
-    private val step = max(HATCHING_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_HATCHING_PIXELS)
+    private val step = max(HATCHING_CENTIMETRES * transform.pixelsPerCentimetre, MIN_HATCHING_PIXELS)
     val lineWidth = step / 3
 
     /** The ends of slanting lines, cut to the outlines once and for all: clipping in each frame would cost far more. */
@@ -31,5 +31,5 @@ internal fun DrawScope.drawSolids(solids: SolidsDrawing) {
 }
 
 private const val HATCHING_CENTIMETRES = 0.7f
-private const val LEAST_HATCHING_PIXELS = 4f
+private const val MIN_HATCHING_PIXELS = 4f
 private val SLANT = Offset(1f, 1f)

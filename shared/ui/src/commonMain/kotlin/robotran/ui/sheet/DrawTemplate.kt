@@ -16,11 +16,11 @@ internal fun templatePath(template: Template, transform: SheetTransform): Path =
 
 /** A faint dotted line that ink will cover; in a small picture it stays wide enough to be seen. */
 internal fun DrawScope.drawTemplate(path: Path, transform: SheetTransform) {
-    val width = max(TEMPLATE_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_WIDTH.toPx())
+    val width = max(TEMPLATE_CENTIMETRES * transform.pixelsPerCentimetre, MIN_WIDTH.toPx())
     // Dashes without length but with round ends are dots.
     val dots = PathEffect.dashPathEffect(floatArrayOf(0f, 2 * width))
     drawPath(path, SheetColours.TEMPLATE, style = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round, pathEffect = dots))
 }
 
 private const val TEMPLATE_CENTIMETRES = 0.5f
-private val LEAST_WIDTH = 2.2.dp
+private val MIN_WIDTH = 2.2.dp

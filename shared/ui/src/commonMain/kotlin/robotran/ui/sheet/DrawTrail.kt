@@ -6,7 +6,7 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.simulation.state.TrailPiece
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import kotlin.math.max
 
 /** Remembers what the trails drawn last look like, as [InkDrawing] does. */
@@ -14,7 +14,7 @@ internal class TrailDrawing(private val transform: SheetTransform) {
     private var drawn: List<LinePaths> = emptyList()
     private var latest: List<TrailPiece>? = null
 
-    val width = max(transform.toPixels(WIDTH_CENTIMETRES), LEAST_WIDTH_PIXELS)
+    val width = max(transform.toPixels(WIDTH_CENTIMETRES), MIN_WIDTH_PIXELS)
 
     fun lines(trail: List<TrailPiece>): List<LinePaths> {
         if (trail !== latest) {
@@ -28,12 +28,12 @@ internal class TrailDrawing(private val transform: SheetTransform) {
 
     private companion object {
         const val WIDTH_CENTIMETRES = 0.2
-        const val LEAST_WIDTH_PIXELS = 1.5f
+        const val MIN_WIDTH_PIXELS = 1.5f
     }
 }
 
 /** Dashes where the robots have driven, each in the colour of its edge. */
-internal fun DrawScope.drawTrail(drawing: TrailDrawing, trail: List<TrailPiece>, robots: List<RobotPlace>, visible: Rect) {
+internal fun DrawScope.drawTrail(drawing: TrailDrawing, trail: List<TrailPiece>, robots: List<RobotPlacement>, visible: Rect) {
     val dashes = PathEffect.dashPathEffect(floatArrayOf(DASH * drawing.width, GAP * drawing.width))
     val line = Stroke(drawing.width, cap = StrokeCap.Butt, pathEffect = dashes)
     drawing.lines(trail).forEachIndexed { number, way ->

@@ -3,7 +3,7 @@ package robotran.ui.sheet
 import androidx.compose.ui.graphics.Color
 import robotran.ui.theme.RobotranColours
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 
 /** The colours of the penbot seen from above; the same by day and by night. */
 internal object RobotColours {
@@ -47,6 +47,6 @@ internal object RobotColours {
     }
 
     /** What the pen of the robot with this number in its world draws: the pupil's own always in blue. */
-    fun ink(robot: Int, robots: List<RobotPlace>): Color =
+    fun ink(robot: Int, robots: List<RobotPlacement>): Color =
         robots.getOrNull(robot)?.takeIf { robot > 0 }?.let { edge(it.colour) } ?: SheetColours.INK
 }

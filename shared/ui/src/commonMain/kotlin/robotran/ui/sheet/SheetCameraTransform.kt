@@ -53,9 +53,9 @@ private fun SheetCamera.centreIn(paper: Paper, window: Rect, scale: Float): Poin
 
 /** The nearest place to [wanted] with which no more than the [margin] is seen beside a side of the paper that is [length] long. */
 private fun inSight(wanted: Double, seen: Float, length: Double, margin: Double): Double {
-    val least = seen / 2.0 - margin
-    val most = length + margin - seen / 2.0
-    return if (least >= most) length / 2 else wanted.coerceIn(least, most)
+    val min = seen / 2.0 - margin
+    val max = length + margin - seen / 2.0
+    return if (min >= max) length / 2 else wanted.coerceIn(min, max)
 }
 
 /** The desk that is seen around [paper], in centimetres: room for its walls and the figures of the grid. */

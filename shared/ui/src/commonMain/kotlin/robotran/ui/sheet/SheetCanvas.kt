@@ -45,7 +45,7 @@ internal fun SheetCanvas(
     camera: SheetCamera,
     onCamera: (SheetCamera, Boolean) -> Unit,
     modifier: Modifier = Modifier,
-    shown: Set<SheetLayer> = SheetLayer.USUAL,
+    shown: Set<SheetLayer> = SheetLayer.DEFAULT,
     aside: DpRect = DpRect(0.dp, 0.dp, 0.dp, 0.dp),
     touch: SheetTouch? = null,
     overlay: DrawScope.(SheetTransform) -> Unit = {},

@@ -57,14 +57,14 @@ class SheetZoom(private val world: World) {
         val known = latest
         if (known != null) {
             val larger = pixelsPerCentimetre / known.transform.pixelsPerCentimetre
-            if (larger == 1f || (!settled && larger in LEAST_STRETCH..MOST_STRETCH)) return known
+            if (larger == 1f || (!settled && larger in MIN_STRETCH..MAX_STRETCH)) return known
         }
         val paper = Size(world.paper.width.toFloat() * pixelsPerCentimetre, world.paper.height.toFloat() * pixelsPerCentimetre)
         return SheetDrawing(world, SheetTransform(pixelsPerCentimetre, Rect(Offset.Zero, paper))).also { latest = it }
     }
 
     private companion object {
-        const val LEAST_STRETCH = 0.7f
-        const val MOST_STRETCH = 1.4f
+        const val MIN_STRETCH = 0.7f
+        const val MAX_STRETCH = 1.4f
     }
 }

@@ -42,7 +42,7 @@ private fun turnWheel(event: PointerEvent, look: SheetLook, density: Float) {
     val change = event.changes.first()
     val turned = event.wheelNotches(density)
     if (change.isConsumed || abs(turned) == 0f) return
-    look.zoom(WHEEL_ZOOM.pow(-turned.coerceIn(-MOST_WHEEL, MOST_WHEEL).toDouble()), change.position)
+    look.zoom(WHEEL_ZOOM.pow(-turned.coerceIn(-MAX_WHEEL, MAX_WHEEL).toDouble()), change.position)
     change.consume()
 }
 
@@ -110,4 +110,4 @@ private val MOUSE_TOLERANCE = 6.dp
 private val DOUBLE_TAP_DISTANCE = 40.dp
 private const val DOUBLE_TAP_ZOOM = 2.0
 private const val WHEEL_ZOOM = 1.15
-private const val MOST_WHEEL = 5f
+private const val MAX_WHEEL = 5f

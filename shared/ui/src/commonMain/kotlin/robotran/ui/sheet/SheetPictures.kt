@@ -26,7 +26,7 @@ internal class SheetPictures {
     private var colours: SheetColours? = null
 
     /** The picture of the world known as [key] if it has been drawn in these [colours] for [room], or else for another until then. */
-    fun ready(key: String, colours: SheetColours, room: PictureRoom): ImageBitmap? = when {
+    fun ready(key: String, colours: SheetColours, room: PictureBounds): ImageBitmap? = when {
         this.colours != colours -> null
         else -> drawn[key to room.pixels] ?: drawn.entries.firstOrNull { it.key.first == key }?.value
     }
@@ -36,15 +36,15 @@ internal class SheetPictures {
         key: String,
         world: World,
         colours: SheetColours,
-        room: PictureRoom,
+        room: PictureBounds,
         program: suspend () -> RcxProgram? = { null },
     ): ImageBitmap = drawing.withLock {
-        if (colours != this.colours || drawn.size >= MOST) drawn.clear()
+        if (colours != this.colours || drawn.size >= MAX) drawn.clear()
         this.colours = colours
         drawn.getOrPut(key to room.pixels) { draw(world, program, colours, room) }
     }
 
-    private suspend fun draw(world: World, program: suspend () -> RcxProgram?, colours: SheetColours, room: PictureRoom): ImageBitmap {
+    private suspend fun draw(world: World, program: suspend () -> RcxProgram?, colours: SheetColours, room: PictureBounds): ImageBitmap {
         yield()
         val engine = physics ?: loadPhysicsEngine().also { physics = it }
         val width = room.widthFor(world.paper)
@@ -66,7 +66,7 @@ internal class SheetPictures {
     /** Runs the program to its end, or as long as somebody would look on, a little at a time. */
     private suspend fun Session.runInParts() {
         pressRun()
-        repeat(MOST_PARTS) {
+        repeat(MAX_PARTS) {
             advance(PART)
             if (state.brick.run !is RunState.Running) return
             yield()
@@ -75,11 +75,11 @@ internal class SheetPictures {
 
     private companion object {
         /** So many are remembered at most. */
-        const val MOST = 120
+        const val MAX = 120
 
         /** Milliseconds of virtual time. */
         const val PART = 250
-        const val MOST_PARTS = 160
+        const val MAX_PARTS = 160
         var physics: PhysicsEngine? = null
     }
 }

@@ -1,8 +1,8 @@
 package robotran.ui.sheet
 
 import robotran.simulation.state.SessionState
-import robotran.workshop.state.SheetThing
-import robotran.workshop.state.SheetThingKind
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetElementKind
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Penbot
@@ -26,17 +26,17 @@ fun thingAt(
     state: SessionState,
     point: Point,
     tolerance: Double,
-    kinds: Set<SheetThingKind> = SheetThingKind.entries.toSet(),
-): SheetThing? {
-    var nearest: SheetThing? = null
+    kinds: Set<SheetElementKind> = SheetElementKind.entries.toSet(),
+): SheetElement? {
+    var nearest: SheetElement? = null
     var distance = tolerance
-    for (kind in SheetThingKind.entries.reversed()) {
+    for (kind in SheetElementKind.entries.reversed()) {
         if (kind !in kinds) continue
         val distances = distances(kind, world, state, point)
         for (number in fromTheTop(kind, distances)) {
-            if (distances[number] <= 0) return nearest?.takeIf { distance <= tolerance / 2 } ?: SheetThing(kind, number)
+            if (distances[number] <= 0) return nearest?.takeIf { distance <= tolerance / 2 } ?: SheetElement(kind, number)
             if (distances[number] < distance) {
-                nearest = SheetThing(kind, number)
+                nearest = SheetElement(kind, number)
                 distance = distances[number]
             }
         }
@@ -45,19 +45,28 @@ fun thingAt(
 }
 
 /** The last lies on top; a region that lies in another one is what is meant rather than that. */
-private fun fromTheTop(kind: SheetThingKind, distances: List<Double>): List<Int> =
-    if (kind == SheetThingKind.REGION) distances.indices.sortedByDescending { distances[it] } else distances.indices.reversed().toList()
+private fun fromTheTop(kind: SheetElementKind, distances: List<Double>): List<Int> =
+    if (kind == SheetElementKind.REGION) distances.indices.sortedByDescending { distances[it] } else distances.indices.reversed().toList()
 
 /** How far the point is from each thing of a kind, 0 or less inside it. */
-private fun distances(kind: SheetThingKind, world: World, state: SessionState, point: Point): List<Double> = when (kind) {
-    SheetThingKind.MARK -> world.marks.map { distanceTo(it, point) }
-    SheetThingKind.TEMPLATE -> world.template?.strokes.orEmpty().map { distanceToLine(it, point) }
-    SheetThingKind.REGION -> goalRegions(world.goals).map { it.shape.distanceTo(point) }
-    SheetThingKind.WALL -> world.walls.map { distanceInto(it.corners(), point) }
-    SheetThingKind.BARRIER -> world.barriers.map { it.shape.distanceTo(point) }
-    SheetThingKind.BLOCK -> world.blocks.zip(state.blocks) { block, moved -> block.shape.distanceTo(movedBack(point, block.shape, moved)) }
-    SheetThingKind.ROBOT -> state.robots.map { distanceToRobot(it.robot.pose, point) }
-    SheetThingKind.LAMP -> state.lamps.map { hypot(it.place.x - point.x, it.place.y - point.y) - LAMP_RADIUS }
+private fun distances(kind: SheetElementKind, world: World, state: SessionState, point: Point): List<Double> = when (kind) {
+    SheetElementKind.MARK -> world.marks.map { distanceTo(it, point) }
+
+    SheetElementKind.TEMPLATE -> world.template?.strokes.orEmpty().map { distanceToLine(it, point) }
+
+    SheetElementKind.REGION -> goalRegions(world.goals).map { it.shape.distanceTo(point) }
+
+    SheetElementKind.WALL -> world.walls.map { distanceInto(it.corners(), point) }
+
+    SheetElementKind.BARRIER -> world.barriers.map { it.shape.distanceTo(point) }
+
+    SheetElementKind.BLOCK -> world.blocks.zip(state.blocks) { block, moved ->
+        block.shape.distanceTo(movedBack(point, block.shape, moved))
+    }
+
+    SheetElementKind.ROBOT -> state.robots.map { distanceToRobot(it.robot.pose, point) }
+
+    SheetElementKind.LAMP -> state.lamps.map { hypot(it.place.x - point.x, it.place.y - point.y) - LAMP_RADIUS }
 }
 
 private fun distanceTo(mark: Mark, point: Point): Double = when (val figure = mark.figure) {

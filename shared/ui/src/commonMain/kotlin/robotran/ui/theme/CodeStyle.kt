@@ -16,7 +16,7 @@ fun codeStyle(colour: Color = LocalRobotranColours.current.onPane): TextStyle = 
     fontFamily = FontFamily(Font(Res.font.jetbrains_mono_regular)),
     // The face joins signs such as != into one; a beginner has to see what is typed.
     fontFeatureSettings = "liga 0, calt 0",
-    fontSize = Measures.CODE_SIZE,
-    lineHeight = Measures.CODE_LINE_HEIGHT,
+    fontSize = Dimensions.CODE_SIZE,
+    lineHeight = Dimensions.CODE_LINE_HEIGHT,
     lineHeightStyle = LineHeightStyle(LineHeightStyle.Alignment.Center, LineHeightStyle.Trim.None),
 )

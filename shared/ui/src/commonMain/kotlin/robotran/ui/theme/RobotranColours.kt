@@ -15,8 +15,8 @@ data class RobotranColours(
     val quiet: Color,
     val line: Color,
     val runningLine: Color,
-    val mistake: Color,
-    val mistakePane: Color,
+    val error: Color,
+    val errorPane: Color,
     val focus: Color,
     val isDark: Boolean = false,
 ) {
@@ -36,8 +36,8 @@ data class RobotranColours(
             quiet = Color(0xFF5C6268),
             line = Color(0xFFB9BEC2),
             runningLine = Color(0xFFFFE88A),
-            mistake = Color(0xFFB3261E),
-            mistakePane = Color(0xFFFBE4E1),
+            error = Color(0xFFB3261E),
+            errorPane = Color(0xFFFBE4E1),
             focus = Color(0xFF0B57D0),
         )
 
@@ -50,8 +50,8 @@ data class RobotranColours(
             quiet = Color(0xFFA4ABB1),
             line = Color(0xFF4A4F54),
             runningLine = Color(0xFF5A4A00),
-            mistake = Color(0xFFFFB4AB),
-            mistakePane = Color(0xFF4A1D19),
+            error = Color(0xFFFFB4AB),
+            errorPane = Color(0xFF4A1D19),
             focus = Color(0xFF8AB4F8),
             isDark = true,
         )
@@ -66,8 +66,8 @@ data class RobotranColours(
             quiet = Color(0xFF33383C),
             line = Color(0xFF000000),
             runningLine = Color(0xFFFFE14D),
-            mistake = Color(0xFF8C0009),
-            mistakePane = Color(0xFFFFE9E6),
+            error = Color(0xFF8C0009),
+            errorPane = Color(0xFFFFE9E6),
             focus = Color(0xFF0037B3),
         )
 
@@ -81,8 +81,8 @@ data class RobotranColours(
             quiet = Color(0xFFD7DBDF),
             line = Color(0xFFFFFFFF),
             runningLine = Color(0xFF5C4B00),
-            mistake = Color(0xFFFFC9C2),
-            mistakePane = Color(0xFF3A0A06),
+            error = Color(0xFFFFC9C2),
+            errorPane = Color(0xFF3A0A06),
             focus = Color(0xFFA8CBFF),
             isDark = true,
         )

@@ -35,8 +35,8 @@ fun RobotranTheme(dark: Boolean = isSystemInDarkTheme(), settings: Settings = Se
         onSecondaryContainer = colours.onPane,
         outline = colours.line,
         outlineVariant = colours.line,
-        error = colours.mistake,
-        errorContainer = colours.mistakePane,
+        error = colours.error,
+        errorContainer = colours.errorPane,
     )
     val density = LocalDensity.current
     CompositionLocalProvider(

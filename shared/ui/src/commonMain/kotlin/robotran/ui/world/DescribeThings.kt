@@ -16,20 +16,20 @@ import robotran.ui.resources.sheet_place
 import robotran.ui.resources.sheet_pose
 import robotran.ui.resources.sheet_robot
 import robotran.ui.runbar.oneDecimal
-import robotran.workshop.state.SheetThing
-import robotran.workshop.state.SheetThingKind
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetElementKind
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 
 /** Something movable in words: what it is, where, and how it stands. */
 @Composable
-internal fun describeThing(thing: SheetThing, pose: Pose, world: World, session: SessionState): String = when (thing.kind) {
-    SheetThingKind.ROBOT -> {
+internal fun describeThing(thing: SheetElement, pose: Pose, world: World, session: SessionState): String = when (thing.kind) {
+    SheetElementKind.ROBOT -> {
         stringResource(Res.string.sheet_robot, world.robots[thing.number].name, poseWords(pose))
     }
 
-    SheetThingKind.BLOCK -> {
+    SheetElementKind.BLOCK -> {
         val name = world.blocks[thing.number].name
         if (name != null) {
             stringResource(Res.string.sheet_block, name, poseWords(pose))

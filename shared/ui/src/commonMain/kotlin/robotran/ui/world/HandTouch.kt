@@ -5,8 +5,8 @@ import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetTouch
 import robotran.ui.sheet.distance
 import robotran.ui.sheet.thingAt
-import robotran.workshop.state.SheetThing
-import robotran.workshop.state.SheetThingKind
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetElementKind
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
@@ -23,8 +23,8 @@ import kotlin.math.round
  */
 internal class HandTouch(
     private val world: World,
-    private val now: () -> Pair<SessionState, SheetThing?>,
-    private val choose: (SheetThing?) -> Unit,
+    private val now: () -> Pair<SessionState, SheetElement?>,
+    private val choose: (SheetElement?) -> Unit,
     private val inputs: FrameThrottledInput,
 ) : SheetTouch {
     private var held: Held? = null
@@ -57,12 +57,12 @@ internal class HandTouch(
         if (handleAt(place, chosen, session, tolerance) != null) return true
         val thing = thingAt(world, session, place, tolerance, MOVABLE)
         choose(thing)
-        if (thing?.kind == SheetThingKind.LAMP) inputs.sendNow(SessionInput.SwitchLamp(thing.number, !session.lamps[thing.number].on))
+        if (thing?.kind == SheetElementKind.LAMP) inputs.sendNow(SessionInput.SwitchLamp(thing.number, !session.lamps[thing.number].on))
         return thing != null
     }
 
-    private fun handleAt(place: Point, chosen: SheetThing?, session: SessionState, tolerance: Double): Held? {
-        if (chosen == null || chosen.kind == SheetThingKind.LAMP) return null
+    private fun handleAt(place: Point, chosen: SheetElement?, session: SessionState, tolerance: Double): Held? {
+        if (chosen == null || chosen.kind == SheetElementKind.LAMP) return null
         val pose = poseOf(chosen, world, session) ?: return null
         val handle = handleOf(chosen, world, session) ?: return null
         if (distance(handle, place) > tolerance + HANDLE_CENTIMETRES) return null
@@ -79,13 +79,13 @@ internal class HandTouch(
     private fun angle(from: Point, to: Point) = atan2(to.y - from.y, to.x - from.x) * DEGREES_PER_RADIAN
 
     private sealed interface Held {
-        val thing: SheetThing
+        val thing: SheetElement
 
         /** @property offset from the finger to the middle of the thing. */
-        class Body(override val thing: SheetThing, val offset: Point) : Held
+        class Body(override val thing: SheetElement, val offset: Point) : Held
 
         /** @property turn from the direction of the finger to the thing's heading. */
-        class Handle(override val thing: SheetThing, val turn: Double) : Held
+        class Handle(override val thing: SheetElement, val turn: Double) : Held
     }
 
     private companion object {
@@ -94,11 +94,11 @@ internal class HandTouch(
 }
 
 /** The input that puts [thing] at [pose], see [poseOf]. */
-internal fun placing(thing: SheetThing, pose: Pose): SessionInput {
+internal fun placing(thing: SheetElement, pose: Pose): SessionInput {
     val upright = pose.copy(heading = headingOf(pose.heading))
     return when (thing.kind) {
-        SheetThingKind.ROBOT -> SessionInput.PlaceRobot(thing.number, upright)
-        SheetThingKind.BLOCK -> SessionInput.PlaceBlock(thing.number, upright)
+        SheetElementKind.ROBOT -> SessionInput.PlaceRobot(thing.number, upright)
+        SheetElementKind.BLOCK -> SessionInput.PlaceBlock(thing.number, upright)
         else -> SessionInput.MoveLamp(thing.number, Point(pose.x, pose.y))
     }
 }

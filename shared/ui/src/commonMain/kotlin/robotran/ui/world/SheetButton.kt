@@ -18,8 +18,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.ui.parts.Icon
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /**
@@ -39,8 +39,8 @@ internal fun SheetButton(icon: Icon, words: String, tag: String, on: Boolean? = 
     Box(
         Modifier
             .testTag(tag)
-            .size(Measures.TARGET)
-            .focusRing(Measures.TARGET / 2)
+            .size(Dimensions.TARGET)
+            .focusRing(Dimensions.TARGET / 2)
             .clip(CircleShape)
             .background(if (on == true) colours.onPane else colours.pane)
             .border(1.dp, colours.line, CircleShape)

@@ -8,7 +8,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.simulation.state.Surroundings
+import robotran.simulation.state.AmbientConditions
 import robotran.ui.resources.Res
 import robotran.ui.resources.sheet_follow
 import robotran.ui.resources.sheet_further
@@ -17,7 +17,7 @@ import robotran.ui.resources.sheet_whole
 import robotran.ui.sheet.KEY_ZOOM
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.state.SheetCamera
-import robotran.workshop.state.SheetThingKind
+import robotran.workshop.state.SheetElementKind
 import robotran.workshop.state.SheetViewState
 import robotran.world.World
 
@@ -32,7 +32,7 @@ import robotran.world.World
 internal fun SheetControls(
     world: World,
     view: SheetViewState,
-    surroundings: Surroundings,
+    surroundings: AmbientConditions,
     inputs: FrameThrottledInput,
     upright: Boolean,
     withZoom: Boolean,
@@ -41,13 +41,13 @@ internal fun SheetControls(
 ) {
     val buttons: @Composable () -> Unit = {
         if (withZoom) ZoomButtons(view.camera, onEvent)
-        SheetButton(SheetIcons.WHOLE, stringResource(Res.string.sheet_whole), "sheet-whole") { onEvent(SheetEvent.WholeSheetWanted) }
+        SheetButton(SheetIcons.WHOLE, stringResource(Res.string.sheet_whole), "sheet-whole") { onEvent(SheetEvent.WholeSheetRequested) }
         val follows = view.followed != null
         SheetButton(SheetIcons.FOLLOW, stringResource(Res.string.sheet_follow), "sheet-follow", on = follows) {
             onEvent(SheetEvent.FollowChosen(if (follows) null else robotToFollow(view)))
         }
         LayerMenu(view.shown) { layer, on -> onEvent(SheetEvent.LayerSwitched(layer, on)) }
-        if (noticesSurroundings(world)) SurroundingsMenu(world, surroundings, inputs)
+        if (noticesSurroundings(world)) AmbientConditionsMenu(world, surroundings, inputs)
     }
     val gap = Arrangement.spacedBy(GAP)
     if (upright) FlowColumn(modifier, gap, gap) { buttons() } else FlowRow(modifier, gap, gap) { buttons() }
@@ -67,6 +67,6 @@ private fun ZoomButtons(camera: SheetCamera, onEvent: (SheetEvent) -> Unit) {
 
 /** The one that was chosen, else the pupil's own. */
 private fun robotToFollow(view: SheetViewState): Int =
-    view.chosen?.takeIf { it.kind == SheetThingKind.ROBOT }?.number ?: 0
+    view.chosen?.takeIf { it.kind == SheetElementKind.ROBOT }?.number ?: 0
 
 private val GAP = 8.dp

@@ -16,14 +16,14 @@ import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetCanvas
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.SheetCamera
-import robotran.workshop.state.SheetThing
+import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetViewState
 import robotran.workshop.state.WorkshopState
 import robotran.world.World
@@ -47,8 +47,8 @@ private fun WorldPane(
     BoxWithConstraints(modifier.fillMaxSize()) {
         // The buttons lie where the paper leaves the most room.
         val upright = maxWidth / maxHeight > (world.paper.width / world.paper.height).toFloat()
-        val withZoom = maxWidth >= LEAST_WIDTH_FOR_ZOOM && maxHeight >= LEAST_HEIGHT_FOR_ZOOM
-        val edge = Measures.TARGET + MARGIN
+        val withZoom = maxWidth >= MIN_WIDTH_FOR_ZOOM && maxHeight >= MIN_HEIGHT_FOR_ZOOM
+        val edge = Dimensions.TARGET + MARGIN
         val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
         TouchableSheet(world, session, view, aside, inputs, onEvent)
         SheetControls(
@@ -69,7 +69,7 @@ private fun TouchableSheet(
     onEvent: (WorkshopEvent) -> Unit,
 ) {
     val now = rememberUpdatedState(session to view.chosen)
-    val choose = rememberUpdatedState { thing: SheetThing? -> onEvent(SheetEvent.ThingChosen(thing)) }
+    val choose = rememberUpdatedState { thing: SheetElement? -> onEvent(SheetEvent.ElementChosen(thing)) }
     val hand = remember(world) { HandTouch(world, { now.value }, { choose.value(it) }, inputs) }
     val ring = LocalRobotranColours.current.focus
     val told = rememberTold(session)
@@ -80,7 +80,7 @@ private fun TouchableSheet(
         view.shown, aside, hand,
         overlay = { sheet -> view.chosen?.let { drawChosen(it, world, session, sheet, ring) } },
     ) { sheet ->
-        ThingHandles(world, session, told, sheet, inputs::sendNow, { onEvent(SheetEvent.ThingChosen(it)) })
+        ElementHandles(world, session, told, sheet, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
     }
 }
 
@@ -91,5 +91,5 @@ private fun cameraNow(view: SheetViewState, session: SessionState): SheetCamera 
 }
 
 private val MARGIN = 16.dp
-private val LEAST_WIDTH_FOR_ZOOM = 480.dp
-private val LEAST_HEIGHT_FOR_ZOOM = 400.dp
+private val MIN_WIDTH_FOR_ZOOM = 480.dp
+private val MIN_HEIGHT_FOR_ZOOM = 400.dp

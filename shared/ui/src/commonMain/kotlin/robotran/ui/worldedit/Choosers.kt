@@ -40,8 +40,8 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.WithAddedFonts
 import robotran.ui.theme.focusRing
 
@@ -88,7 +88,7 @@ internal fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier
     Box(
         modifier
             .testTag(tag)
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing()
             .clip(RoundedCornerShape(12.dp))
             .border(1.dp, colours.quiet, RoundedCornerShape(12.dp))
@@ -111,7 +111,7 @@ internal fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: 
                 Box(
                     Modifier
                         .testTag("$tag-$place")
-                        .defaultMinSize(Measures.TARGET, Measures.TARGET)
+                        .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
                         .focusRing()
                         .clip(RoundedCornerShape(12.dp))
                         .background(if (isChosen) colours.onPane else colours.pane)
@@ -136,7 +136,7 @@ internal fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: S
             Row(
                 Modifier
                     .testTag(tag)
-                    .defaultMinSize(minHeight = Measures.TARGET)
+                    .defaultMinSize(minHeight = Dimensions.TARGET)
                     .focusRing()
                     .clip(RoundedCornerShape(12.dp))
                     .border(1.dp, colours.quiet, RoundedCornerShape(12.dp))
@@ -157,7 +157,7 @@ internal fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: S
                             open = false
                             onChoose(value)
                         },
-                        modifier = Modifier.testTag("$tag-$place").heightIn(min = Measures.TARGET),
+                        modifier = Modifier.testTag("$tag-$place").heightIn(min = Dimensions.TARGET),
                     )
                 }
             }

@@ -16,8 +16,8 @@ import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.addLine
 import robotran.ui.theme.RobotranColours
 import robotran.world.geometry.Point
+import robotran.worldediting.DragHandle
 import robotran.worldediting.Frame
-import robotran.worldediting.Grip
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.bounds
 import robotran.worldediting.form
@@ -52,9 +52,9 @@ private fun DrawScope.drawFrame(frame: Frame, transform: SheetTransform, width: 
 
 private fun DrawScope.drawHandles(handles: List<HandlePlace>) {
     for (handle in handles) {
-        if (handle.handle.grip is Grip.Edge) drawPlus(handle.place) else drawKnob(handle.place, isRound = handle.handle.grip !is Grip.Size)
+        if (handle.handle.grip is DragHandle.Edge) drawPlus(handle.place) else drawKnob(handle.place, isRound = handle.handle.grip !is DragHandle.Size)
     }
-    handles.firstOrNull { it.handle.grip == Grip.Turn }?.let { drawTurnArrow(it.place) }
+    handles.firstOrNull { it.handle.grip == DragHandle.Turn }?.let { drawTurnArrow(it.place) }
 }
 
 private fun DrawScope.drawKnob(place: Offset, isRound: Boolean) {
@@ -101,7 +101,7 @@ private fun DrawScope.drawGuide(isUpright: Boolean, at: Double, transform: Sheet
 
 /** A triangle with an exclamation mark above the thing. */
 private fun DrawScope.drawTroubles(editing: WorldEditing, transform: SheetTransform, colours: RobotranColours) {
-    for (thing in editing.troubles.mapNotNull { it.thing }.distinct()) {
+    for (thing in editing.errors.mapNotNull { it.thing }.distinct()) {
         val bounds = editing.world.piece(thing)?.form?.bounds ?: continue
         val place = transform.toPixels((bounds.left + bounds.right) / 2, bounds.top) - Offset(0f, 14.dp.toPx())
         val margin = 16.dp.toPx()
@@ -109,15 +109,15 @@ private fun DrawScope.drawTroubles(editing: WorldEditing, transform: SheetTransf
             place.x.coerceIn(margin, maxOf(margin, size.width - margin)),
             place.y.coerceIn(margin, maxOf(margin, size.height - margin)),
         )
-        drawCircle(colours.mistakePane, 15.dp.toPx(), inside)
-        drawCircle(colours.mistake, 15.dp.toPx(), inside, style = Stroke(2.dp.toPx()))
+        drawCircle(colours.errorPane, 15.dp.toPx(), inside)
+        drawCircle(colours.error, 15.dp.toPx(), inside, style = Stroke(2.dp.toPx()))
         val unit = 20.dp.toPx() / Icon.UNITS
         drawContext.canvas.save()
         drawContext.transform.translate(inside.x - 10.dp.toPx(), inside.y - 11.dp.toPx())
         drawContext.transform.scale(unit, unit, Offset.Zero)
-        drawPath(WARNING_TRIANGLE, colours.mistake, style = Stroke(2f, join = StrokeJoin.Round))
-        drawLine(colours.mistake, Offset(12f, 10f), Offset(12f, 14f), 2f, StrokeCap.Round)
-        drawLine(colours.mistake, Offset(12f, 17f), Offset(12f, 17.1f), 2.4f, StrokeCap.Round)
+        drawPath(WARNING_TRIANGLE, colours.error, style = Stroke(2f, join = StrokeJoin.Round))
+        drawLine(colours.error, Offset(12f, 10f), Offset(12f, 14f), 2f, StrokeCap.Round)
+        drawLine(colours.error, Offset(12f, 17f), Offset(12f, 17.1f), 2.4f, StrokeCap.Round)
         drawContext.canvas.restore()
     }
 }

@@ -54,8 +54,8 @@ import robotran.ui.resources.worldedit_undo
 import robotran.ui.resources.worldedit_whole_sheet
 import robotran.ui.resources.worldedit_zoom_in
 import robotran.ui.resources.worldedit_zoom_out
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.WorldEditEvent
@@ -66,7 +66,7 @@ import robotran.worldediting.written
 
 /** At the top of the editor: undo, how it works, and the way back to the robots. */
 @Composable
-internal fun EditBar(making: Making, view: EditView, withWords: Boolean) {
+internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean) {
     val colours = LocalRobotranColours.current
     val editing = making.editing
     Row(Modifier.fillMaxWidth().background(colours.pane).padding(4.dp), verticalAlignment = Alignment.CenterVertically) {
@@ -88,7 +88,7 @@ internal fun EditBar(making: Making, view: EditView, withWords: Boolean) {
         )
         Button(
             { making.perform(WorldEditEvent.EditorClosed) },
-            Modifier.padding(start = 4.dp).testTag("edit-done").focusRing().defaultMinSize(minHeight = Measures.TARGET),
+            Modifier.padding(start = 4.dp).testTag("edit-done").focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
             shape = RoundedCornerShape(12.dp),
             colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
         ) { Text(stringResource(Res.string.worldedit_done), fontSize = 16.sp, fontWeight = FontWeight.SemiBold, maxLines = 1) }
@@ -113,7 +113,7 @@ private fun Toggle(icon: Icon, words: String, tag: String, on: Boolean, withWord
 
 /** What is done more seldom. */
 @Composable
-private fun EditMenu(making: Making, view: EditView, withWords: Boolean) {
+private fun EditMenu(making: EditorScope, view: EditView, withWords: Boolean) {
     var open by remember { mutableStateOf(false) }
     val choose = { action: () -> Unit ->
         open = false

@@ -30,8 +30,8 @@ import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /** The box around [field]. */
@@ -40,10 +40,10 @@ internal fun EditFieldBox(isWrong: Boolean, modifier: Modifier, field: @Composab
     val colours = LocalRobotranColours.current
     Box(
         modifier
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing(FIELD_CORNER)
             .background(if (colours.isDark) colours.desk else colours.paper, RoundedCornerShape(FIELD_CORNER))
-            .border(if (isWrong) 2.dp else 1.dp, if (isWrong) colours.mistake else colours.quiet, RoundedCornerShape(FIELD_CORNER)),
+            .border(if (isWrong) 2.dp else 1.dp, if (isWrong) colours.error else colours.quiet, RoundedCornerShape(FIELD_CORNER)),
         Alignment.Center,
     ) { field() }
 }
@@ -103,7 +103,7 @@ internal fun EditField(
 internal fun Wrong(text: String, modifier: Modifier = Modifier) = Text(
     text,
     modifier.semantics { liveRegion = LiveRegionMode.Polite },
-    color = LocalRobotranColours.current.mistake,
+    color = LocalRobotranColours.current.error,
     fontSize = 14.sp,
 )
 

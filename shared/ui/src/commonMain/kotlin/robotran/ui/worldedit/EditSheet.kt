@@ -35,7 +35,7 @@ import robotran.workshop.state.SheetLayer
 
 /** The sheet on which the world is built: takes fingers and keys. A screen reader reads out what is chosen. */
 @Composable
-internal fun EditSheet(making: Making, view: EditView, session: SessionState, focus: FocusRequester, modifier: Modifier = Modifier) {
+internal fun EditSheet(making: EditorScope, view: EditView, session: SessionState, focus: FocusRequester, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
     val world = making.world
@@ -45,7 +45,7 @@ internal fun EditSheet(making: Making, view: EditView, session: SessionState, fo
     val latest = rememberUpdatedState(making)
     val name = stringResource(Res.string.worldedit_sheet)
     val chosen = chosenInWords(making.editing)
-    val shown = if (making.editing.snapping.grid > 0) setOf(SheetLayer.GOALS, SheetLayer.GRID) else SheetLayer.USUAL
+    val shown = if (making.editing.snapping.grid > 0) setOf(SheetLayer.GOALS, SheetLayer.GRID) else SheetLayer.DEFAULT
     Canvas(
         modifier
             .fillMaxSize()

@@ -15,13 +15,13 @@ import androidx.compose.ui.input.pointer.isShiftPressed
 import androidx.compose.ui.input.pointer.positionChanged
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
+import robotran.worldediting.DragHandle
 import robotran.worldediting.Edit
-import robotran.worldediting.Grip
 import robotran.worldediting.Tool
 import robotran.worldediting.thingsAt
 
 /** Takes fingers and the mouse on the sheet: [making] gives the world as it is now. */
-internal suspend fun PointerInputScope.editByTouch(view: EditView, making: () -> Making, onTouched: () -> Unit) = awaitEachGesture {
+internal suspend fun PointerInputScope.editByTouch(view: EditView, making: () -> EditorScope, onTouched: () -> Unit) = awaitEachGesture {
     val down = awaitFirstDown()
     onTouched()
     val finger = SheetFinger(view, making(), density, making)
@@ -29,7 +29,7 @@ internal suspend fun PointerInputScope.editByTouch(view: EditView, making: () ->
 }
 
 /** The wheel of a mouse zooms where the mouse is. */
-internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () -> Making) = awaitPointerEventScope {
+internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () -> EditorScope) = awaitPointerEventScope {
     while (true) {
         val event = awaitPointerEvent()
         if (event.type != PointerEventType.Scroll) continue
@@ -42,9 +42,9 @@ internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () ->
 /** One finger from its coming down to its going up. */
 private class SheetFinger(
     private val view: EditView,
-    private val making: Making,
+    private val making: EditorScope,
     private val density: Float,
-    private val latest: () -> Making,
+    private val latest: () -> EditorScope,
 ) {
     private val transform = view.transform(making.world.paper)
     private val reach = transform.toCentimetres(FINGER * density)
@@ -55,17 +55,24 @@ private class SheetFinger(
         val there = making.world.thingsAt(centimetres(down), reach)
         when {
             making.editing.tool != Tool.CHOOSE -> draw(down)
+
             handle != null -> drag(down, adding) { making.make(Edit.Grab(handle.handle.grip, centimetres(down))) }
-            there.any { it in making.editing.selection } -> drag(down, adding) { making.make(Edit.Grab(Grip.Body, centimetres(down))) }
+
+            there.any {
+                it in making.editing.selection
+            } -> drag(down, adding) { making.make(Edit.Grab(DragHandle.Body, centimetres(down))) }
+
             there.isNotEmpty() && !adding && !making.editing.several -> drag(down, adding = false) { takeNew(down) }
+
             adding || making.editing.several -> box(down, adding)
+
             else -> push(down)
         }
     }
 
     private fun takeNew(down: Offset) {
         making.make(Edit.Choose(making.world.thingsAt(centimetres(down), reach).first()))
-        making.make(Edit.Grab(Grip.Body, centimetres(down)))
+        making.make(Edit.Grab(DragHandle.Body, centimetres(down)))
     }
 
     private suspend fun AwaitPointerEventScope.drag(down: Offset, adding: Boolean, take: () -> Unit) {

@@ -31,16 +31,16 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import robotran.worldediting.Edit
+import robotran.worldediting.Element
+import robotran.worldediting.ElementRef
 import robotran.worldediting.Form
-import robotran.worldediting.Piece
-import robotran.worldediting.Thing
 import robotran.worldediting.corners
 import robotran.worldediting.form
 import robotran.worldediting.withForm
 
 /** Where a thing is and how large, in figures. */
 @Composable
-internal fun FormFields(making: Making, thing: Thing, piece: Piece) {
+internal fun FormFields(making: EditorScope, thing: ElementRef, piece: Element) {
     val change = { form: Form -> making.change(thing, piece.withForm(form)) }
     when (val form = piece.form) {
         is Form.Area -> {
@@ -71,7 +71,7 @@ internal fun FormFields(making: Making, thing: Thing, piece: Piece) {
 }
 
 @Composable
-private fun ShapeFields(making: Making, thing: Thing, shape: Shape, onChange: (Shape) -> Unit) {
+private fun ShapeFields(making: EditorScope, thing: ElementRef, shape: Shape, onChange: (Shape) -> Unit) {
     when (shape) {
         is Shape.Rectangle -> {
             PlaceFields(making, shape.centre) { onChange(shape.copy(centre = it)) }
@@ -94,36 +94,36 @@ private fun ShapeFields(making: Making, thing: Thing, shape: Shape, onChange: (S
 }
 
 @Composable
-private fun MakeCorners(making: Making, thing: Thing) = WordButton(
+private fun MakeCorners(making: EditorScope, thing: ElementRef) = WordButton(
     stringResource(Res.string.worldedit_make_corners), "make-corners", { making.make(Edit.MakeCorners(thing)) },
     Modifier.padding(top = 8.dp),
 )
 
 @Composable
-internal fun PlaceFields(making: Making, place: Point, tag: String = "", onChange: (Point) -> Unit) {
+internal fun PlaceFields(making: EditorScope, place: Point, tag: String = "", onChange: (Point) -> Unit) {
     CoordinateField(making, stringResource(Res.string.worldedit_x), place.x, "${tag}x") { onChange(place.copy(x = it)) }
     CoordinateField(making, stringResource(Res.string.worldedit_y), place.y, "${tag}y") { onChange(place.copy(y = it)) }
 }
 
 @Composable
-private fun CoordinateField(making: Making, title: String, value: Double, tag: String, onChange: (Double) -> Unit) = NumberRow(
+private fun CoordinateField(making: EditorScope, title: String, value: Double, tag: String, onChange: (Double) -> Unit) = NumberRow(
     title, value, WorldLimits.MINIMUM_COORDINATE..WorldLimits.MAXIMUM_COORDINATE, "field-$tag", onChange, making::settle, unit = "cm",
 )
 
 @Composable
-private fun SizeField(making: Making, title: String, value: Double, tag: String, onChange: (Double) -> Unit) = NumberRow(
+private fun SizeField(making: EditorScope, title: String, value: Double, tag: String, onChange: (Double) -> Unit) = NumberRow(
     title, value, WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE, "field-$tag", onChange, making::settle, unit = "cm",
 )
 
 @Composable
-internal fun AngleField(making: Making, title: String, value: Double, onChange: (Double) -> Unit) = NumberRow(
+internal fun AngleField(making: EditorScope, title: String, value: Double, onChange: (Double) -> Unit) = NumberRow(
     title, value, -WorldLimits.MAXIMUM_ANGLE..WorldLimits.MAXIMUM_ANGLE, "field-angle", onChange, making::settle,
     step = turnStep(making.editing), unit = "°", slider = -180f..180f,
 )
 
 /** The corners one by one, since a list of all would be long. */
 @Composable
-private fun CornerFields(making: Making, thing: Thing, corners: List<Point>, canGrow: Boolean) {
+private fun CornerFields(making: EditorScope, thing: ElementRef, corners: List<Point>, canGrow: Boolean) {
     var chosen by remember(thing) { mutableIntStateOf(0) }
     val number = chosen.coerceIn(corners.indices)
     Column(Modifier.fillMaxWidth()) {

@@ -13,11 +13,11 @@ import robotran.world.GoalCondition
 import robotran.world.MarkFigure
 import robotran.world.TouchKind
 import robotran.worldediting.Edit
+import robotran.worldediting.Element
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import robotran.worldediting.GoalField
 import robotran.worldediting.NumberSpec
-import robotran.worldediting.Piece
-import robotran.worldediting.Thing
-import robotran.worldediting.ThingKind
 
 /** What a figure of a goal is changed with. */
 @Composable
@@ -75,7 +75,7 @@ private fun SpecifiedNumberRow(
 @Composable
 private fun LineRow(sender: GoalSender, words: GoalFieldWords, field: GoalField.Line) {
     val world = sender.making.world
-    val lines = world.marks.indices.filter { world.marks[it].figure is MarkFigure.Line }.map { Thing(ThingKind.MARK, it) }
+    val lines = world.marks.indices.filter { world.marks[it].figure is MarkFigure.Line }.map { ElementRef(ElementKind.MARK, it) }
     val choices = lines.map { it to thingInWords(world, it) }
     MenuRow(stringResource(words.label), choices, field.line, words.tag) { line ->
         sender.making.nameAnd(line, choices) { name -> Edit.Change(sender.thing, sender.piece(field.with(name))) }

@@ -14,13 +14,13 @@ import robotran.world.GoalCondition
 import robotran.world.HasActor
 import robotran.world.HasRegion
 import robotran.world.WorldLimits
-import robotran.worldediting.Piece
-import robotran.worldediting.Thing
+import robotran.worldediting.Element
+import robotran.worldediting.ElementRef
 import robotran.worldediting.fieldsOf
 
 /** All that can be said of a goal. */
 @Composable
-internal fun GoalFields(making: Making, thing: Thing, piece: Piece.OfGoal) {
+internal fun GoalFields(making: EditorScope, thing: ElementRef, piece: Element.OfGoal) {
     val goal = piece.goal
     val condition = goal.condition
     val sender = GoalSender(making, thing, goal)
@@ -41,10 +41,10 @@ internal fun GoalFields(making: Making, thing: Thing, piece: Piece.OfGoal) {
 }
 
 /** Says what becomes of [goal]. */
-internal class GoalSender(val making: Making, val thing: Thing, private val goal: Goal) {
-    fun piece(condition: GoalCondition) = Piece.OfGoal(goal.copy(condition = condition))
+internal class GoalSender(val making: EditorScope, val thing: ElementRef, private val goal: Goal) {
+    fun piece(condition: GoalCondition) = Element.OfGoal(goal.copy(condition = condition))
 
-    fun change(goal: Goal) = making.change(thing, Piece.OfGoal(goal))
+    fun change(goal: Goal) = making.change(thing, Element.OfGoal(goal))
 
     fun change(condition: GoalCondition) = making.change(thing, piece(condition))
 

@@ -29,11 +29,11 @@ import robotran.world.HasLine
 import robotran.world.MarkFigure
 import robotran.world.World
 import robotran.worldediting.Edit
+import robotran.worldediting.Element
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import robotran.worldediting.GoalGroup
 import robotran.worldediting.GoalMove
-import robotran.worldediting.Piece
-import robotran.worldediting.Thing
-import robotran.worldediting.ThingKind
 import robotran.worldediting.allGoals
 import robotran.worldediting.freeName
 import robotran.worldediting.named
@@ -41,18 +41,18 @@ import robotran.worldediting.newGoals
 
 /** What is to be reached in this world, in its order, and how a goal is added or moved. */
 @Composable
-internal fun GoalsPanel(making: Making, onChosen: () -> Unit) {
+internal fun GoalsPanel(making: EditorScope, onChosen: () -> Unit) {
     val goals = allGoals(making.world.goals)
     if (goals.isEmpty()) Remark(stringResource(Res.string.worldedit_no_goals))
-    goals.forEachIndexed { number, entry -> ThingRow(making, Thing(ThingKind.GOAL, number), 20.dp * entry.depth, onChosen = {}) }
-    val chosen = making.editing.only?.takeIf { it.kind == ThingKind.GOAL }?.number
+    goals.forEachIndexed { number, entry -> ThingRow(making, ElementRef(ElementKind.GOAL, number), 20.dp * entry.depth, onChosen = {}) }
+    val chosen = making.editing.only?.takeIf { it.kind == ElementKind.GOAL }?.number
     if (chosen != null) ChosenGoal(making, chosen, goals[chosen].goal, onChosen)
     AddGoal(making, chosen?.takeIf { goals[it].goal.isGroup })
 }
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun ChosenGoal(making: Making, number: Int, goal: Goal, onChosen: () -> Unit) {
+private fun ChosenGoal(making: EditorScope, number: Int, goal: Goal, onChosen: () -> Unit) {
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         GoalAction(EditIcons.PENCIL, Res.string.worldedit_goal_change, "goal-change", onChosen)
         GoalAction(EditIcons.DELETE, Res.string.worldedit_delete, "goal-delete") { making.make(Edit.Delete) }
@@ -76,7 +76,7 @@ private fun GoalAction(icon: Icon, word: StringResource, tag: String, onClick: (
 
 /** @param into the group that a new goal is put into; null for none. */
 @Composable
-private fun AddGoal(making: Making, into: Int?) {
+private fun AddGoal(making: EditorScope, into: Int?) {
     val choices = newGoals(making.world).map { it to stringResource(goalTitle(it.condition)) }
     val line = stringResource(Res.string.worldedit_item_line)
     val title = stringResource(if (into == null) Res.string.worldedit_add_goal else Res.string.worldedit_add_goal_to_group)
@@ -92,5 +92,5 @@ private fun addition(world: World, goal: Goal, into: Int?, lineWord: String): Ed
     val name = mark.name ?: world.freeName(lineWord)
     val add = Edit.AddGoal(goal.copy(condition = condition.withLine(name)), into)
     if (mark.name != null) return add
-    return Edit.Together(listOf(Edit.Change(Thing(ThingKind.MARK, number), Piece.OfMark(mark).named(name)), add))
+    return Edit.Batch(listOf(Edit.Change(ElementRef(ElementKind.MARK, number), Element.OfMark(mark).named(name)), add))
 }

@@ -2,7 +2,7 @@ package robotran.ui.worldedit
 
 import androidx.compose.ui.geometry.Offset
 import robotran.ui.sheet.SheetTransform
-import robotran.worldediting.Grip
+import robotran.worldediting.DragHandle
 import robotran.worldediting.Handle
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.frameOf
@@ -18,12 +18,12 @@ internal fun handlePlaces(editing: WorldEditing, transform: SheetTransform, dens
     val high = transform.toPixels(frame.height) / density
     return editing.world.handlesOf(editing.selection).filter { handle ->
         when (val grip = handle.grip) {
-            is Grip.Size -> if (grip.side.isCorner) true else hasRoom(grip, wide, high)
-            is Grip.Edge -> edgeHasRoom(editing, handle, transform, density)
+            is DragHandle.Size -> if (grip.side.isCorner) true else hasRoom(grip, wide, high)
+            is DragHandle.Edge -> edgeHasRoom(editing, handle, transform, density)
             else -> true
         }
     }.map { handle ->
-        val away = if (handle.grip == Grip.Turn) TURN_DISTANCE else SIZE_DISTANCE
+        val away = if (handle.grip == DragHandle.Turn) TURN_DISTANCE else SIZE_DISTANCE
         val place = transform.toPixels(handle.place)
         HandlePlace(handle, place + Offset(handle.outwards.x.toFloat(), -handle.outwards.y.toFloat()) * (away * density))
     }
@@ -32,14 +32,14 @@ internal fun handlePlaces(editing: WorldEditing, transform: SheetTransform, dens
 /** The handle within a finger's reach of [place]; the turn and corner handles before those between. */
 internal fun handleAt(handles: List<HandlePlace>, place: Offset, reach: Float): HandlePlace? = handles
     .filter { (it.place - place).getDistance() <= reach }
-    .minByOrNull { (it.place - place).getDistance() + if (it.handle.grip is Grip.Edge) reach / 2 else 0f }
+    .minByOrNull { (it.place - place).getDistance() + if (it.handle.grip is DragHandle.Edge) reach / 2 else 0f }
 
-private fun hasRoom(grip: Grip.Size, wide: Float, high: Float) =
+private fun hasRoom(grip: DragHandle.Size, wide: Float, high: Float) =
     (grip.side.across == 0 && wide >= ROOM_FOR_MIDDLE) || (grip.side.up == 0 && high >= ROOM_FOR_MIDDLE)
 
 /** Where corners are close together there is nothing between them. */
 private fun edgeHasRoom(editing: WorldEditing, handle: Handle, transform: SheetTransform, density: Float): Boolean {
-    val nearest = editing.world.handlesOf(editing.selection).filter { it.grip is Grip.Corner }.minOfOrNull {
+    val nearest = editing.world.handlesOf(editing.selection).filter { it.grip is DragHandle.Corner }.minOfOrNull {
         (transform.toPixels(it.place) - transform.toPixels(handle.place)).getDistance()
     }
     return nearest != null && nearest >= ROOM_FOR_EDGE * density

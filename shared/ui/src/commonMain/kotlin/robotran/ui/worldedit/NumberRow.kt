@@ -28,8 +28,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_less
 import robotran.ui.resources.worldedit_more
 import robotran.ui.resources.worldedit_range
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.worldediting.readFigure
 import robotran.worldediting.written
@@ -114,7 +114,7 @@ private fun FigureSlider(
     Slider(
         value.toFloat().coerceIn(range),
         { onChange(kotlin.math.round(it / step) * step) },
-        Modifier.fillMaxWidth().defaultMinSize(minHeight = Measures.TARGET).testTag(tag).focusRing().semantics {
+        Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing().semantics {
             contentDescription = label
             stateDescription = written(value)
         },

@@ -66,7 +66,7 @@ import kotlin.math.abs
  * @param columns how many things are beside each other in an upright strip; null for a strip that lies.
  */
 @Composable
-internal fun PaletteStrip(making: Making, view: EditView, columns: Int?, onPut: () -> Unit, modifier: Modifier = Modifier) {
+internal fun PaletteStrip(making: EditorScope, view: EditView, columns: Int?, onPut: () -> Unit, modifier: Modifier = Modifier) {
     val items: List<@Composable () -> Unit> =
         PaletteItem.entries.map { item -> @Composable { PaletteButton(making, view, item, columns != null, onPut) } } +
             HAND_TOOLS.map { (tool, word) -> @Composable { HandTool(making, tool, stringResource(word)) } }
@@ -83,7 +83,7 @@ internal fun PaletteStrip(making: Making, view: EditView, columns: Int?, onPut: 
 
 /** A pencil that draws on the sheet until it is put down. */
 @Composable
-private fun HandTool(making: Making, tool: Tool, word: String) {
+private fun HandTool(making: EditorScope, tool: Tool, word: String) {
     val isTaken = making.editing.tool == tool
     IconWord(EditIcons.PENCIL, word, "tool-${tool.name.lowercase()}", {
         making.make(Edit.ChooseTool(if (isTaken) Tool.CHOOSE else tool))
@@ -91,7 +91,7 @@ private fun HandTool(making: Making, tool: Tool, word: String) {
 }
 
 @Composable
-private fun PaletteButton(making: Making, view: EditView, item: PaletteItem, upright: Boolean, onPut: () -> Unit) {
+private fun PaletteButton(making: EditorScope, view: EditView, item: PaletteItem, upright: Boolean, onPut: () -> Unit) {
     val word = stringResource(itemWord(item))
     val ink = LocalRobotranColours.current.onPane
     val robotName = stringResource(colourWord(making.world.nextRobotColour))

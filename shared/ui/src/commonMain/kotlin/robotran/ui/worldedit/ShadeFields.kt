@@ -46,15 +46,15 @@ import robotran.ui.resources.worldedit_seen_by_sensor
 import robotran.ui.resources.worldedit_shade
 import robotran.ui.resources.worldedit_white
 import robotran.ui.resources.worldedit_yellow
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.world.Shade
 import kotlin.math.roundToInt
 
 /** What a mark is printed in: a swatch, any grey, or any colour in figures; and how light it looks to the robot. */
 @Composable
-internal fun ShadeFields(making: Making, shade: Shade, onChange: (Shade) -> Unit) {
+internal fun ShadeFields(making: EditorScope, shade: Shade, onChange: (Shade) -> Unit) {
     val onceChanged = { changed: Shade ->
         making.settle()
         onChange(changed)
@@ -89,9 +89,9 @@ internal fun ShadeFields(making: Making, shade: Shade, onChange: (Shade) -> Unit
 }
 
 @Composable
-private fun PartField(making: Making, title: String, value: Int, tag: String, onChange: (Int) -> Unit) = NumberRow(
-    title, value.toDouble(), 0.0..MOST_PART, "field-$tag", { onChange(it.toInt()) }, making::settle, step = 5.0,
-    isWhole = true, slider = 0f..MOST_PART.toFloat(),
+private fun PartField(making: EditorScope, title: String, value: Int, tag: String, onChange: (Int) -> Unit) = NumberRow(
+    title, value.toDouble(), 0.0..MAX_PART, "field-$tag", { onChange(it.toInt()) }, making::settle, step = 5.0,
+    isWhole = true, slider = 0f..MAX_PART.toFloat(),
 )
 
 /** A colour with its name. */
@@ -109,7 +109,7 @@ internal fun <T> Swatches(title: String, swatches: List<Swatch<T>>, chosen: T, t
                 Column(
                     Modifier
                         .testTag("$tag-$place")
-                        .defaultMinSize(64.dp, Measures.TARGET)
+                        .defaultMinSize(64.dp, Dimensions.TARGET)
                         .focusRing()
                         .clip(RoundedCornerShape(12.dp))
                         .background(if (isChosen) colours.runningLine else Color.Transparent)
@@ -144,4 +144,4 @@ private val SWATCHES: List<Pair<Shade, StringResource>> = listOf(
     Shade.Colour(17, 51, 170) to Res.string.worldedit_blue,
     Shade.Colour(120, 60, 160) to Res.string.worldedit_purple,
 )
-private const val MOST_PART = 255.0
+private const val MAX_PART = 255.0

@@ -23,7 +23,7 @@ import robotran.worldediting.isText
 /**
  * A line of text, or several if it is [tall] or [isProse].
  *
- * @param tall whether it may be anything at all, such as a program, which [refusal] is about.
+ * @param tall whether it may be anything at all, such as a program, which [error] is about.
  * @param maximum its most characters.
  * @param onChange is given only what can be taken.
  */
@@ -39,13 +39,13 @@ internal fun TextRow(
     tall: Boolean = false,
     isProse: Boolean = false,
     hint: String = "",
-    refusal: String? = null,
+    error: String? = null,
 ) {
     var draft by remember(tag) { mutableStateOf<String?>(null) }
     val typed = draft
     val range = if (isProse) Res.string.worldedit_prose_range else Res.string.worldedit_text_range
     val isWrong = typed != null && !tall && !isText(typed, maximum, mayBeBlank, isProse)
-    val wrong = if (isWrong) stringResource(range, maximum) else refusal.takeIf { typed != null && typed != text }
+    val wrong = if (isWrong) stringResource(range, maximum) else error.takeIf { typed != null && typed != text }
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
         Text(title, color = LocalRobotranColours.current.onPane, fontSize = 15.sp)
         EditFieldBox(wrong != null, Modifier.fillMaxWidth()) {

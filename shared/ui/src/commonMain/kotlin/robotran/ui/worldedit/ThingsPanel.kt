@@ -25,31 +25,31 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_things_help
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.worldediting.Edit
-import robotran.worldediting.Thing
-import robotran.worldediting.ThingKind
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import robotran.worldediting.listed
 
 /** Everything on the sheet, to be chosen by its name: the way for those who cannot see or point. */
 @Composable
-internal fun ThingsPanel(making: Making, onChosen: () -> Unit) {
+internal fun ThingsPanel(making: EditorScope, onChosen: () -> Unit) {
     Remark(stringResource(Res.string.worldedit_things_help))
-    for (thing in making.world.listed().filter { it.kind != ThingKind.GOAL }) ThingRow(making, thing, 0.dp, onChosen)
+    for (thing in making.world.listed().filter { it.kind != ElementKind.GOAL }) ThingRow(making, thing, 0.dp, onChosen)
 }
 
 /** One thing in a list, with a sign if something is wrong with it. */
 @Composable
-internal fun ThingRow(making: Making, thing: Thing, indent: Dp, onChosen: () -> Unit) {
+internal fun ThingRow(making: EditorScope, thing: ElementRef, indent: Dp, onChosen: () -> Unit) {
     val colours = LocalRobotranColours.current
     val isChosen = thing in making.editing.selection
     Row(
         Modifier
             .fillMaxWidth()
             .testTag("thing-${thing.kind.name.lowercase()}-${thing.number}")
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing()
             .clip(RoundedCornerShape(12.dp))
             .background(if (isChosen) colours.runningLine else Color.Transparent)
@@ -62,8 +62,8 @@ internal fun ThingRow(making: Making, thing: Thing, indent: Dp, onChosen: () -> 
         Alignment.CenterVertically,
     ) {
         Text(thingInWords(making.world, thing), Modifier.weight(1f), color = colours.onPane, fontSize = 16.sp)
-        if (making.editing.troubles.any { it.thing == thing }) {
-            Box(Modifier.size(22.dp)) { Canvas(Modifier.matchParentSize()) { with(EditIcons.WARNING) { draw(colours.mistake) } } }
+        if (making.editing.errors.any { it.thing == thing }) {
+            Box(Modifier.size(22.dp)) { Canvas(Modifier.matchParentSize()) { with(EditIcons.WARNING) { draw(colours.error) } } }
         }
     }
 }

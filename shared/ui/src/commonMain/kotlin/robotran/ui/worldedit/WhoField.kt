@@ -7,8 +7,8 @@ import robotran.ui.resources.worldedit_who
 import robotran.world.HasActor
 import robotran.world.WorldLimits
 import robotran.worldediting.Edit
-import robotran.worldediting.Thing
-import robotran.worldediting.ThingKind
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import robotran.worldediting.freeName
 import robotran.worldediting.name
 import robotran.worldediting.named
@@ -18,9 +18,9 @@ import robotran.worldediting.piece
 @Composable
 internal fun WhoField(sender: GoalSender, condition: HasActor) {
     val world = sender.making.world
-    val robots = world.robots.indices.drop(1).map { Thing(ThingKind.ROBOT, it) }
-    val blocks = if (condition.mayBeBlock) world.blocks.indices.map { Thing(ThingKind.BLOCK, it) } else emptyList()
-    val first = Thing(ThingKind.ROBOT, 0)
+    val robots = world.robots.indices.drop(1).map { ElementRef(ElementKind.ROBOT, it) }
+    val blocks = if (condition.mayBeBlock) world.blocks.indices.map { ElementRef(ElementKind.BLOCK, it) } else emptyList()
+    val first = ElementRef(ElementKind.ROBOT, 0)
     val choices = (listOf(first) + robots + blocks).map { it to thingInWords(world, it) }
     val shown = condition.who ?: choices.first().second
     MenuRow(stringResource(Res.string.worldedit_who), choices, shown, "field-who") { thing ->
@@ -36,10 +36,10 @@ internal fun WhoField(sender: GoalSender, condition: HasActor) {
  * Gives [thing] its word from [words] for a name if it has none, since goals know things by their names, and goes on with that as one
  * step.
  */
-internal fun Making.nameAnd(thing: Thing, words: List<Pair<Thing, String>>, next: (String) -> Edit) {
+internal fun EditorScope.nameAnd(thing: ElementRef, words: List<Pair<ElementRef, String>>, next: (String) -> Edit) {
     val piece = world.piece(thing) ?: return
     val known = piece.name
     if (known != null) return makeAtOnce(next(known))
     val name = world.freeName(words.first { it.first == thing }.second.take(WorldLimits.MAXIMUM_NAME_CHARACTERS))
-    makeAtOnce(Edit.Together(listOf(Edit.Change(thing, piece.named(name)), next(name))))
+    makeAtOnce(Edit.Batch(listOf(Edit.Change(thing, piece.named(name)), next(name))))
 }

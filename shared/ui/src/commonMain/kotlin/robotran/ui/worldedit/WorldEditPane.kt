@@ -50,8 +50,8 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState
 import robotran.workshop.state.WorldEditState
-import robotran.worldediting.Thing
-import robotran.worldediting.ThingKind
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import kotlin.math.roundToInt
 
 /** Where the world is built, in place of the workshop: the palette, the sheet and what there is to say of the things on it. */
@@ -62,7 +62,7 @@ internal fun WorldEditPane(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
-    val making = Making(state.editing, onEvent)
+    val making = EditorScope(state.editing, onEvent)
     val view = remember { EditView() }
     val focus = remember { FocusRequester() }
     val title = stringResource(Res.string.edit_world)
@@ -107,7 +107,7 @@ internal fun WorldEditPane(
 /** Tablet held across and laptop: palette, sheet, panel. */
 @Composable
 private fun Beside(
-    making: Making,
+    making: EditorScope,
     view: EditView,
     newTitle: String,
     onPut: () -> Unit,
@@ -132,7 +132,14 @@ private fun Beside(
 
 /** Tablet held upright: the palette beside the sheet, the panel under both. */
 @Composable
-private fun Under(making: Making, view: EditView, newTitle: String, onPut: () -> Unit, height: Dp, sheet: @Composable (Modifier) -> Unit) {
+private fun Under(
+    making: EditorScope,
+    view: EditView,
+    newTitle: String,
+    onPut: () -> Unit,
+    height: Dp,
+    sheet: @Composable (Modifier) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     var tab by remember { mutableStateOf(EditTab.CHOSEN) }
     FollowSelection(making, tab) { tab = it }
@@ -150,7 +157,14 @@ private fun Under(making: Making, view: EditView, newTitle: String, onPut: () ->
 
 /** Phone: the sheet, under it the palette and the tabs; what they show comes up when one is touched. */
 @Composable
-private fun Below(making: Making, view: EditView, newTitle: String, onPut: () -> Unit, height: Dp, sheet: @Composable (Modifier) -> Unit) {
+private fun Below(
+    making: EditorScope,
+    view: EditView,
+    newTitle: String,
+    onPut: () -> Unit,
+    height: Dp,
+    sheet: @Composable (Modifier) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     var tab by remember { mutableStateOf<EditTab?>(null) }
     FollowSelection(making, tab) { if (tab != null) tab = it }
@@ -166,10 +180,10 @@ private fun Below(making: Making, view: EditView, newTitle: String, onPut: () ->
 
 /** Whatever is chosen on the sheet is shown in the panel, but a goal in the list of goals stays there. */
 @Composable
-private fun FollowSelection(making: Making, tab: EditTab?, onTab: (EditTab) -> Unit) {
-    val selection: Set<Thing> = making.editing.selection
+private fun FollowSelection(making: EditorScope, tab: EditTab?, onTab: (EditTab) -> Unit) {
+    val selection: Set<ElementRef> = making.editing.selection
     LaunchedEffect(selection) {
-        val stays = tab == EditTab.GOALS && selection.all { it.kind == ThingKind.GOAL }
+        val stays = tab == EditTab.GOALS && selection.all { it.kind == ElementKind.GOAL }
         if (selection.isNotEmpty() && !stays && !(tab == EditTab.THINGS && making.editing.several)) onTab(EditTab.CHOSEN)
     }
 }

@@ -28,7 +28,7 @@ import robotran.worldediting.figures
 
 /** All that is said of the world as a whole. */
 @Composable
-internal fun WorldPanel(making: Making, newTitle: String) {
+internal fun WorldPanel(making: EditorScope, newTitle: String) {
     val figures = making.world.figures
     val change = { changed: SheetFigures -> making.make(Edit.ChangeSheet(changed)) }
     TextRow(

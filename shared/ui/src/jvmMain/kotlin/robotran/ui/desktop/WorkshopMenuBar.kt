@@ -65,7 +65,6 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.LearningPage
-import robotran.workshop.state.Pace
 import robotran.workshop.state.WorkshopState
 import robotran.worldediting.Edit
 import java.awt.event.KeyEvent
@@ -91,17 +90,17 @@ fun FrameWindowScope.WorkshopMenuBar(
             Menu(stringResource(Res.string.documents_menu_run)) { RunItems(state, onEvent) }
             Menu(stringResource(Res.string.documents_menu_view)) {
                 Choice(Res.string.documents_edit_world, enabled = state.worldEdit == null) { onEvent(WorldEditEvent.EditorOpened) }
-                Choice(Res.string.documents_worlds) { onEvent(LearningEvent.PageWanted(LearningPage.WORLDS)) }
+                Choice(Res.string.documents_worlds) { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
                 Separator()
                 Choice(Res.string.documents_settings, control(Key.Comma)) { onEvent(SettingsEvent.SettingsShown(true)) }
             }
             Menu(stringResource(Res.string.documents_menu_help)) {
                 Choice(Res.string.documents_tutorial, KeyShortcut(Key.F1, shift = true)) {
-                    onEvent(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+                    onEvent(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 }
-                Choice(Res.string.learning_examples) { onEvent(LearningEvent.PageWanted(LearningPage.EXAMPLES)) }
-                Choice(Res.string.learning_help) { onEvent(LearningEvent.PageWanted(LearningPage.HELP)) }
-                Choice(Res.string.documents_first_page) { onEvent(LearningEvent.PageWanted(LearningPage.FIRST_RUN)) }
+                Choice(Res.string.learning_examples) { onEvent(LearningEvent.PageRequested(LearningPage.EXAMPLES)) }
+                Choice(Res.string.learning_help) { onEvent(LearningEvent.PageRequested(LearningPage.HELP)) }
+                Choice(Res.string.documents_first_page) { onEvent(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
             }
         }
     }
@@ -119,21 +118,21 @@ fun windowTitle(workshop: Workshop?): String {
 
 @Composable
 private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: () -> Unit, close: () -> Unit) {
-    Choice(Res.string.documents_new, control(Key.N)) { onEvent(DocumentEvent.NewWanted) }
+    Choice(Res.string.documents_new, control(Key.N)) { onEvent(DocumentEvent.NewRequested) }
     Choice(Res.string.documents_new_window, control(Key.N, shift = true), onClick = openAnother)
     Separator()
-    Choice(Res.string.documents_my_work, control(Key.O, shift = true)) { onEvent(DocumentEvent.WorksWanted) }
-    Choice(Res.string.documents_open, control(Key.O)) { onEvent(DocumentEvent.OpenWanted) }
-    Choice(Res.string.documents_open_link) { onEvent(DocumentEvent.LinkPastingWanted) }
+    Choice(Res.string.documents_my_work, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }
+    Choice(Res.string.documents_open, control(Key.O)) { onEvent(DocumentEvent.OpenRequested) }
+    Choice(Res.string.documents_open_link) { onEvent(DocumentEvent.LinkPastingRequested) }
     Separator()
-    Choice(Res.string.documents_save, control(Key.S)) { onEvent(DocumentEvent.SaveWanted) }
-    Choice(Res.string.documents_save_as, control(Key.S, shift = true)) { onEvent(DocumentEvent.SaveAsWanted) }
-    Choice(Res.string.documents_rename) { onEvent(DocumentEvent.RenameWanted) }
+    Choice(Res.string.documents_save, control(Key.S)) { onEvent(DocumentEvent.SaveRequested) }
+    Choice(Res.string.documents_save_as, control(Key.S, shift = true)) { onEvent(DocumentEvent.SaveAsRequested) }
+    Choice(Res.string.documents_rename) { onEvent(DocumentEvent.RenameRequested) }
     Separator()
-    Choice(Res.string.documents_share) { onEvent(DocumentEvent.LinkWanted) }
-    Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayWanted) }
-    Choice(Res.string.documents_program_file) { onEvent(DocumentEvent.ProgramFileWanted) }
-    Choice(Res.string.documents_kit) { onEvent(DocumentEvent.KitWanted) }
+    Choice(Res.string.documents_share) { onEvent(DocumentEvent.LinkRequested) }
+    Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayRequested) }
+    Choice(Res.string.documents_program_file) { onEvent(DocumentEvent.ProgramFileRequested) }
+    Choice(Res.string.documents_kit) { onEvent(DocumentEvent.KitRequested) }
     Separator()
     Choice(Res.string.documents_close_window, control(Key.W), onClick = close)
 }
@@ -154,7 +153,7 @@ private fun MenuScope.EditItems(state: WorkshopState, window: JFrame, onEvent: (
     Choice(Res.string.editor_paste, control(Key.V)) { pressShortcut(window, KeyEvent.VK_V) }
     Choice(Res.string.documents_select_all, control(Key.A)) { pressShortcut(window, KeyEvent.VK_A) }
     Separator()
-    Choice(Res.string.editor_find, control(Key.F), isProgram) { onEvent(ProgramEvent.FindingWanted) }
+    Choice(Res.string.editor_find, control(Key.F), isProgram) { onEvent(ProgramEvent.FindingRequested) }
     Choice(Res.string.editor_format, control(Key.F, shift = true), isProgram) { onEvent(ProgramEvent.Formatted) }
 }
 
@@ -164,7 +163,7 @@ private fun MenuScope.RunItems(state: WorkshopState, onEvent: (WorkshopEvent) ->
     val isDesk = state.worldEdit == null
     Choice(Res.string.documents_run_now, KeyShortcut(Key.F5), isDesk) { onEvent(RunEvent.RunPressed) }
     Choice(Res.string.documents_stop_now, KeyShortcut(Key.F5, shift = true), isDesk && state.stoppable) { onEvent(RunEvent.StopPressed) }
-    val pause = if (state.run.pace == Pace.GOING) Res.string.run_pause else Res.string.run_go_on
+    val pause = if (state.run.isPlaying) Res.string.run_pause else Res.string.run_go_on
     Choice(pause, KeyShortcut(Key.F6), isDesk && state.run.pausable) { onEvent(RunEvent.PausePressed) }
     Separator()
     Choice(Res.string.run_step_into, KeyShortcut(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.INTO)) }

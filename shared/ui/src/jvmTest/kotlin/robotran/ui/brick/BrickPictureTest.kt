@@ -3,7 +3,7 @@ package robotran.ui.brick
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.toPixelMap
 import robotran.rcxrom.Brick
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -28,7 +28,7 @@ class BrickPictureTest {
         assertEquals(
             listOf(false, false, false),
             brick.state.sensors.map {
-                PluggedSensor.of(RobotPlace.PENBOT_PORTS[it.port - 1]).isPressed(it)
+                PluggedSensor.of(RobotPlacement.PENBOT_PORTS[it.port - 1]).isPressed(it)
             },
         )
         repeat(3) { brick.setRawSensorValue(it, raw = 0) }
@@ -36,7 +36,7 @@ class BrickPictureTest {
         assertEquals(
             listOf(true, false, true),
             brick.state.sensors.map {
-                PluggedSensor.of(RobotPlace.PENBOT_PORTS[it.port - 1]).isPressed(it)
+                PluggedSensor.of(RobotPlacement.PENBOT_PORTS[it.port - 1]).isPressed(it)
             },
         )
     }

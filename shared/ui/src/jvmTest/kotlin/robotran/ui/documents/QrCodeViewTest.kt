@@ -34,7 +34,7 @@ class QrCodeViewTest {
         for (dark in listOf(false, true)) {
             val workshop = Machine().window()
             workshop.handle(ProgramEvent.ProgramEdited("pen down\nrepeat 3 times\n  forward 20\n  turn left 120 degrees\nend\n"))
-            workshop.handle(DocumentEvent.LinkWanted)
+            workshop.handle(DocumentEvent.LinkRequested)
             val link = assertNotNull((workshop.state.document.dialog as DocumentDialog.SharingLink).link)
             assertEquals(link, readCode(photograph(workshop, dark)))
             workshop.close()
@@ -47,7 +47,7 @@ class QrCodeViewTest {
         val noise = (1..300).joinToString("\n") { "// ${random.nextLong().toString(36)}" }
         workshop.handle(SettingsEvent.SettingsChanged(workshop.state.settings.copy(site = "https://school.example/")))
         workshop.handle(ProgramEvent.ProgramEdited(noise))
-        workshop.handle(DocumentEvent.LinkWanted)
+        workshop.handle(DocumentEvent.LinkRequested)
         pass(200)
         onNodeWithTag("qr-too-long").assertExists()
         onNodeWithTag("qr-code").assertDoesNotExist()

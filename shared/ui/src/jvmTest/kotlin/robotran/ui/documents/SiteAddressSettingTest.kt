@@ -31,7 +31,7 @@ import kotlin.test.assertTrue
 class SiteAddressSettingTest {
     @Test
     fun `without an address of a site the file is offered and no link that leads nowhere`() = onPhone { workshop ->
-        workshop.handle(DocumentEvent.LinkWanted)
+        workshop.handle(DocumentEvent.LinkRequested)
         pass(200)
         onNodeWithTag("share-save-as").assertIsDisplayed()
         for (tag in listOf("qr-code", "link-text", "link-copy", "link-share")) onNodeWithTag(tag).assertDoesNotExist()
@@ -44,7 +44,7 @@ class SiteAddressSettingTest {
         onNodeWithTag("site").performTextReplacement(" https://school.example/robotran/#p=a1 ")
         onNodeWithTag("site-wrong", useUnmergedTree = true).assertDoesNotExist()
         workshop.handle(SettingsEvent.SettingsShown(false))
-        workshop.handle(DocumentEvent.LinkWanted)
+        workshop.handle(DocumentEvent.LinkRequested)
         pass(200)
         val link = checkNotNull(assertIs<DocumentDialog.SharingLink>(workshop.state.document.dialog).link)
         assertTrue(link.startsWith("https://school.example/robotran/#p=a"), link)

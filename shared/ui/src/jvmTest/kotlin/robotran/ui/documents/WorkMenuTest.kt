@@ -68,9 +68,9 @@ class WorkMenuTest {
         onNodeWithTag("document-cancel").performClick()
         workshop.handle(ProgramEvent.ProgramEdited("forward 7"))
         workshop.keep()
-        workshop.handle(DocumentEvent.NewWanted)
+        workshop.handle(DocumentEvent.NewRequested)
         choose("my-work")
-        val work = checkNotNull(assertIs<DocumentDialog.Works>(workshop.state.document.dialog).works).single().entry.id
+        val work = checkNotNull(assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).works).single().entry.id
         onNodeWithTag("delete-$work").assertContentDescriptionContains("Delete My first work").performClick()
         onNodeWithTag("delete-no").performClick()
         onNodeWithTag("work-$work").performClick()
@@ -82,9 +82,9 @@ class WorkMenuTest {
     fun `a work is deleted after a question`() = shown { workshop ->
         workshop.handle(ProgramEvent.ProgramEdited("forward 7"))
         workshop.keep()
-        workshop.handle(DocumentEvent.NewWanted)
+        workshop.handle(DocumentEvent.NewRequested)
         choose("my-work")
-        val work = checkNotNull(assertIs<DocumentDialog.Works>(workshop.state.document.dialog).works).single().entry.id
+        val work = checkNotNull(assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).works).single().entry.id
         onNodeWithTag("delete-$work").performClick()
         onNodeWithTag("delete-yes").performClick()
         onNodeWithTag("works-empty").assertIsDisplayed()
@@ -144,7 +144,7 @@ class WorkMenuTest {
     fun `a file that somebody else has changed is not written over without an answer`() = shown(opened) {
         machine.files.disk["/home/maze.robotran"] = projectFile("buzz").bytes
         it.handle(ProgramEvent.ProgramEdited("forward 7"))
-        it.handle(DocumentEvent.SaveWanted)
+        it.handle(DocumentEvent.SaveRequested)
         waitForIdle()
         machine.files.place = "/home/mine.robotran"
         onNodeWithTag("changed-as").performClick()

@@ -34,14 +34,14 @@ internal object GoldenPicture {
         if (!file.exists()) fail("There is no picture $name yet: look at ${File(seen, "$name.png")} and record it.")
         val wanted = Image.makeFromEncoded(file.readBytes())
         val other = share(tilesOf(small), tilesOf(wanted))
-        if (other > MOST_OTHER_TILES) {
+        if (other > MAX_OTHER_TILES) {
             fail("$name looks different: ${(other * 100).toInt()} % of its tiles. See ${File(seen, "$name.png")}.")
         }
     }
 
     private fun share(seen: List<IntArray>, wanted: List<IntArray>): Double {
         if (seen.size != wanted.size) return 1.0
-        val other = seen.zip(wanted).count { (a, b) -> a.indices.maxOf { abs(a[it] - b[it]) } > MOST_DIFFERENCE }
+        val other = seen.zip(wanted).count { (a, b) -> a.indices.maxOf { abs(a[it] - b[it]) } > MAX_DIFFERENCE }
         return other.toDouble() / seen.size
     }
 
@@ -79,6 +79,6 @@ internal object GoldenPicture {
     private const val TILE = 10
 
     /** Of 255: what text in another font, or a line one pixel further, changes a tile's mean by. */
-    private const val MOST_DIFFERENCE = 14
-    private const val MOST_OTHER_TILES = 0.04
+    private const val MAX_DIFFERENCE = 14
+    private const val MAX_OTHER_TILES = 0.04
 }

@@ -14,7 +14,7 @@ import robotran.ui.screen.keepAs
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.ui.screen.photograph
-import robotran.ui.sheet.PictureRoom
+import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -103,7 +103,7 @@ class ExamplesPageTest {
     @Test
     fun `the page speaks the language that is chosen`() = onTablet { workshop ->
         workshop.handle(SettingsEvent.SettingsChanged(workshop.settings.copy(language = Language.GERMAN)))
-        workshop.handle(LearningEvent.PageWanted(LearningPage.EXAMPLES))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
         pass(300)
         onNodeWithText("Zählt von zehn rückwärts und hebt ab").assertExists()
     }
@@ -112,13 +112,13 @@ class ExamplesPageTest {
     fun `the page can be photographed`() {
         for ((name, width, height) in listOf(Triple("tablet", 1280, 800), Triple("phone", 411, 891))) {
             val workshop = runBlocking { openWorkshop() }
-            workshop.handle(LearningEvent.PageWanted(LearningPage.EXAMPLES))
+            workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
             runBlocking { for (example in ProgramLanguage.ROBOLANG.examples.keys) ExamplePictures.of(example, SheetColours.LIGHT, ROOM) }
             photograph(workshop, width, height).keepAs("examples-$name")
             workshop.close()
         }
         val workshop = runBlocking { openWorkshop(listOf(newJava())) }
-        workshop.handle(LearningEvent.PageWanted(LearningPage.EXAMPLES))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
         runBlocking { for (example in ProgramLanguage.JAVA.examples.keys) ExamplePictures.of(example, SheetColours.LIGHT, ROOM) }
         photograph(workshop, 1280, 1600).keepAs("examples-java")
         workshop.close()
@@ -129,6 +129,6 @@ class ExamplesPageTest {
     private fun ImageBitmap.pixels(): List<Int> = toPixelMap().buffer.toList()
 
     private companion object {
-        val ROOM = PictureRoom.of(320, 240, density = 1f)
+        val ROOM = PictureBounds.of(320, 240, density = 1f)
     }
 }

@@ -40,7 +40,7 @@ class LearningScreenTest {
 
     @Test
     fun `the first page runs the square at a touch`() = onEither { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.FIRST_RUN))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
         pass(100)
         for (tag in listOf("try-square", "try-tutorial", "try-worlds")) onNodeWithTag(tag).assertIsDisplayed().assertLargeEnough()
         onNodeWithTag("try-square").performClick()
@@ -51,13 +51,13 @@ class LearningScreenTest {
 
     @Test
     fun `the first page can be gone through with keys alone, and Escape leaves it`() = onEither { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.FIRST_RUN))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
         pass(100)
         goTo("try-tutorial")
         onRoot().performKeyInput { pressKey(Key.Enter) }
         pass(200)
         assertTrue(workshop.state.learning.tutorial?.isOnDesk == true)
-        workshop.handle(LearningEvent.PageWanted(LearningPage.FIRST_RUN))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
         pass(100)
         onRoot().performKeyInput { pressKey(Key.Escape) }
         pass(100)
@@ -66,7 +66,7 @@ class LearningScreenTest {
 
     @Test
     fun `a step is read, tried, solved and done`() = onEither { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
         pass(100)
         onNodeWithTag("step-title").assertTextContains("A first drive")
         press("try-step", workshop)
@@ -150,7 +150,7 @@ class LearningScreenTest {
 
     @Test
     fun `a world is found by typing and opened by a touch`() = onEither { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.WORLDS))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         pass(200)
         onNodeWithTag("world-plain").assertIsDisplayed().assertLargeEnough()
         onNodeWithTag("world-search").performTextInput("slalom")
@@ -164,7 +164,7 @@ class LearningScreenTest {
 
     @Test
     fun `where no world is found it is said what to do, and a touch clears the search`() = onEither { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.WORLDS))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         workshop.handle(LearningEvent.WorldsAsked("submarine"))
         pass(200)
         onNodeWithTag("worlds-none").assertIsDisplayed()
@@ -175,7 +175,7 @@ class LearningScreenTest {
 
     @Test
     fun `a world can be chosen with keys alone`() = onEither { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.WORLDS))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         pass(200)
         goTo("world-square")
         onRoot().performKeyInput { pressKey(Key.Enter) }
@@ -185,7 +185,7 @@ class LearningScreenTest {
 
     @Test
     fun `help explains a word and lets its example be tried`() = onEither { workshop ->
-        workshop.handle(LearningEvent.HelpWanted("repeat 4 times", 2))
+        workshop.handle(LearningEvent.HelpRequested("repeat 4 times", 2))
         pass(200)
         onNodeWithTag("help-title").assertTextContains("repeat")
         onNodeWithTag("help-sentence").assertTextContains("again and again", substring = true)
@@ -196,7 +196,7 @@ class LearningScreenTest {
 
     @Test
     fun `a word without help leads to the list of all words, in either language`() = onEither { workshop ->
-        workshop.handle(LearningEvent.HelpWanted("side", 2))
+        workshop.handle(LearningEvent.HelpRequested("side", 2))
         pass(200)
         onNodeWithTag("help-none").assertTextContains("side", substring = true)
         onNodeWithTag("word-forward").assertLargeEnough().performClick()
@@ -213,7 +213,7 @@ class LearningScreenTest {
 
     @Test
     fun `Escape closes the help`() = onEither { workshop ->
-        workshop.handle(LearningEvent.HelpWanted("forward", 2))
+        workshop.handle(LearningEvent.HelpRequested("forward", 2))
         pass(200)
         onRoot().performKeyInput { pressKey(Key.Escape) }
         pass(100)

@@ -34,8 +34,8 @@ class TutorialFootTest {
                 for (scale in listOf(1f, 2f)) {
                     onStep(width, height, Settings(language = language, textScale = scale)) { workshop ->
                         val told = "$width x $height in $language at $scale"
-                        workshop.handle(LearningEvent.HintWanted(true))
-                        workshop.handle(LearningEvent.SolutionWanted(true))
+                        workshop.handle(LearningEvent.HintRequested(true))
+                        workshop.handle(LearningEvent.SolutionRequested(true))
                         pass(600)
                         val others = if (isThere("step-more")) listOf("step-more") else listOf("begin-again", "leave-tutorial")
                         for (tag in listOf("run-step", "previous-step", "next-step") + others) assertWhole(tag, told)
@@ -88,7 +88,7 @@ class TutorialFootTest {
                 workshop.handle(ProgramEvent.ProgramEdited("forward 11\n"))
                 workshop.handle(LearningEvent.TutorialLeft)
                 workshop.handle(LearningEvent.WorldChosen("maze"))
-                workshop.handle(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+                workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 workshop.handle(LearningEvent.TutorialFolded(true))
                 pass(500)
                 assertFalse(isThere("step-dots"), "$told: the steps of another world are told")
@@ -96,7 +96,7 @@ class TutorialFootTest {
                 assertTrue(workshop.state.learning.tutorial.let { it?.isOnDesk == true && !it.isFolded }, told)
                 assertEquals("forward 11\n", workshop.state.programText, told)
                 workshop.handle(LearningEvent.TutorialLeft)
-                workshop.handle(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+                workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 workshop.handle(LearningEvent.TutorialFolded(true))
                 pass(500)
                 press("leave-tutorial")

@@ -3,8 +3,8 @@ package robotran.ui.platform
 import kotlinx.coroutines.test.runTest
 import robotran.documents.ProjectRepository
 import robotran.documents.SaveResult
+import robotran.documents.SavedProjectResult
 import robotran.documents.StoreResult
-import robotran.documents.WorkReading
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
@@ -98,7 +98,7 @@ class FolderKeyValueStoreTest {
             val told = other.awaitCopies(3 + 7 * time)
             other.kill()
             val toldInAll = other.told.coerceAtLeast(told)
-            val found = assertIs<WorkReading.Found>(ProjectRepository(FolderKeyValueStore(place)).read("one")).work
+            val found = assertIs<SavedProjectResult.Found>(ProjectRepository(FolderKeyValueStore(place)).read("one")).work
             val kept = found.name.toInt()
             assertTrue(kept >= last + toldInAll, "$kept is there, but ${last + toldInAll} was told to be kept")
             last = kept
@@ -111,7 +111,7 @@ class FolderKeyValueStoreTest {
         repeat(2) { assertEquals(SaveResult.Kept, shelf.keep(workFor(it.toString()))) }
         val newest = folder.resolve("not/there/yet").listDirectoryEntries("work-one.*").single { "\"1\"" in it.readText() }
         newest.writeText(newest.readText().dropLast(100))
-        val found = assertIs<WorkReading.Found>(ProjectRepository(store).read("one"))
+        val found = assertIs<SavedProjectResult.Found>(ProjectRepository(store).read("one"))
         assertEquals("0", found.work.name)
         assertTrue(found.isPartial)
     }

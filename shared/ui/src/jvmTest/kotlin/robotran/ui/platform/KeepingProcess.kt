@@ -4,7 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.documents.ProjectRepository
 import robotran.documents.SaveResult
 import robotran.documents.SavedProject
-import robotran.documents.WorkReading
+import robotran.documents.SavedProjectResult
 import robotran.projects.Project
 import robotran.world.file.BuiltInWorlds
 import java.nio.file.Path
@@ -54,7 +54,7 @@ internal object KeepingMain {
     fun main(arguments: Array<String>): Unit = runBlocking {
         val shelf = ProjectRepository(FolderKeyValueStore(Path.of(arguments.single())))
         checkNotNull(shelf.claim("one"))
-        var number = (shelf.read("one") as? WorkReading.Found)?.work?.name?.toInt() ?: 0
+        var number = (shelf.read("one") as? SavedProjectResult.Found)?.work?.name?.toInt() ?: 0
         while (true) {
             number++
             check(shelf.keep(workFor(number.toString())) == SaveResult.Kept)

@@ -32,7 +32,6 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.Pace
 import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -64,7 +63,7 @@ class RunBarTest {
         onNodeWithTag("step").performClick()
         pass(2_000)
         assertTrue(workshop.state.runningLine > first)
-        assertEquals(Pace.PAUSED, workshop.state.run.pace)
+        assertTrue(workshop.state.run.isPaused)
     }
 
     @Test
@@ -76,7 +75,7 @@ class RunBarTest {
         for (tag in listOf("step-into", "step-over", "step-out", "step-to-line")) onNodeWithTag(tag).assertIsDisplayed()
         onNodeWithTag("step-over").performClick()
         pass(2_000)
-        assertEquals(Pace.PAUSED, workshop.state.run.pace)
+        assertTrue(workshop.state.run.isPaused)
         assertEquals(0, onAllNodesWithTag("step-over").fetchSemanticsNodes().size)
     }
 

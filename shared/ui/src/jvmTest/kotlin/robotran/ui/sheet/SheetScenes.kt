@@ -25,7 +25,7 @@ import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.Shade
 import robotran.world.Template
 import robotran.world.Wall
@@ -41,8 +41,8 @@ internal object SheetScenes {
         title = "Everything",
         paper = Paper(120.0, 90.0),
         robots = listOf(
-            RobotPlace(Pose(20.0, 20.0, 0.0)),
-            RobotPlace(Pose(90.0, 66.0, 135.0), "red", RobotColour.RED, beacon = 1.0),
+            RobotPlacement(Pose(20.0, 20.0, 0.0)),
+            RobotPlacement(Pose(90.0, 66.0, 135.0), "red", RobotColour.RED, beacon = 1.0),
         ),
         walls = listOf(Wall(Point(2.0, 88.0), Point(118.0, 88.0), 1.0), Wall(Point(118.0, 88.0), Point(118.0, 50.0), 1.0)),
         barriers = listOf(
@@ -123,7 +123,7 @@ internal object SheetScenes {
 
     /** A world that is all empty but for what [change] puts into it; a robot is out of the way in a corner. */
     fun with(change: World.() -> World): World =
-        World("Test", Paper(96.0, 46.0), listOf(RobotPlace(Pose(10.0, 10.0, 0.0)))).change()
+        World("Test", Paper(96.0, 46.0), listOf(RobotPlacement(Pose(10.0, 10.0, 0.0)))).change()
 }
 
 /** A picture with 20 pixels a centimetre of a world that is 96 by 46 cm. */

@@ -22,7 +22,7 @@ import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.Shade
 import robotran.world.Template
 import robotran.world.Wall
@@ -133,7 +133,7 @@ class SheetThingsTest {
     @Test
     fun `a robot casts a shadow, but not when the lamp stands on it`() {
         val lamp = Lamp(Point(40.0, 30.0))
-        val world = with { copy(lamps = listOf(lamp), robots = listOf(RobotPlace(Pose(55.0, 30.0, 0.0)))) }
+        val world = with { copy(lamps = listOf(lamp), robots = listOf(RobotPlacement(Pose(55.0, 30.0, 0.0)))) }
         val picture = closeUp(world)
         assertEquals(paper, picture.at(68.0, 30.0))
         assertNotEquals(paper, picture.at(55.0, 15.0))
@@ -192,7 +192,7 @@ class SheetThingsTest {
 
     @Test
     fun `each pen writes in its robot's colour, the first one in blue`() {
-        val world = with { copy(robots = robots + RobotPlace(Pose(80.0, 10.0, 0.0), "green", RobotColour.GREEN)) }
+        val world = with { copy(robots = robots + RobotPlacement(Pose(80.0, 10.0, 0.0), "green", RobotColour.GREEN)) }
         val strokes = listOf(
             InkStroke(listOf(Point(40.0, 30.0), Point(60.0, 30.0))),
             InkStroke(listOf(Point(40.0, 40.0), Point(60.0, 40.0)), robot = 1),
@@ -205,7 +205,7 @@ class SheetThingsTest {
     @Test
     fun `each robot has a brick of its colour`() {
         for (colour in RobotColour.entries) {
-            val picture = closeUp(with { copy(robots = listOf(RobotPlace(Pose(40.0, 20.0, 0.0), colour = colour))) })
+            val picture = closeUp(with { copy(robots = listOf(RobotPlacement(Pose(40.0, 20.0, 0.0), colour = colour))) })
             assertEquals(RobotColours.brick(colour), picture.at(40.0 + RobotPlan.BRICK.left + 0.4, 20.0), colour.name)
         }
         assertEquals(RobotColour.entries.size, RobotColour.entries.map(RobotColours::brick).toSet().size)

@@ -22,8 +22,8 @@ class TemplatePictureTest {
                 val contrasts = (0..<picture.height).map { y -> picture.bestContrast(y, colours.paper.luminance()) }
                     .subList((picture.height * 0.7).toInt(), (picture.height * 0.88).toInt())
                 val told = "$width pixels wide on ${colours.paper}: ${contrasts.filter { it > 1.1f }}"
-                assertTrue(contrasts.max() >= LEAST_CONTRAST, told)
-                assertTrue(contrasts.count { it >= LEAST_CONTRAST / 2 } >= 2, told)
+                assertTrue(contrasts.max() >= MIN_CONTRAST, told)
+                assertTrue(contrasts.count { it >= MIN_CONTRAST / 2 } >= 2, told)
             }
         }
     }
@@ -36,6 +36,6 @@ class TemplatePictureTest {
         const val GLARE = 0.05f
 
         /** What signs need is 3; smoothing takes a little of the smallest dots. */
-        const val LEAST_CONTRAST = 2.6f
+        const val MIN_CONTRAST = 2.6f
     }
 }

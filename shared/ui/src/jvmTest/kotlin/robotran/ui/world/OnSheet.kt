@@ -24,7 +24,7 @@ import robotran.world.Lamp
 import robotran.world.Paper
 import robotran.world.PortSensor
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
@@ -35,13 +35,13 @@ internal val handyWorld = World(
     title = "Handy",
     paper = Paper(100.0, 80.0),
     robots = listOf(
-        RobotPlace(
+        RobotPlacement(
             Pose(30.0, 40.0, 0.0),
             ports = listOf(PortSensor.LEFT_BUMPER, PortSensor.LIGHT, PortSensor.TEMPERATURE).map {
                 listOf(it)
             },
         ),
-        RobotPlace(Pose(80.0, 60.0, 90.0), "red", RobotColour.RED),
+        RobotPlacement(Pose(80.0, 60.0, 90.0), "red", RobotColour.RED),
     ),
     barriers = listOf(Barrier(Shape.Rectangle(Point(60.0, 10.0), 10.0, 4.0))),
     blocks = listOf(Block(Shape.Rectangle(Point(60.0, 30.0), 6.0, 6.0))),

@@ -25,9 +25,9 @@ import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Settings
 import robotran.workshop.state.SheetCamera
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetElementKind
 import robotran.workshop.state.SheetLayer
-import robotran.workshop.state.SheetThing
-import robotran.workshop.state.SheetThingKind
 import robotran.world.World
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
@@ -100,7 +100,7 @@ class WorldPanePictures {
 
     private fun shown(vararg layers: SheetLayer): List<WorkshopEvent> = layers.map { SheetEvent.LayerSwitched(it, true) }
 
-    private fun chosen(robot: Int): List<WorkshopEvent> = listOf(SheetEvent.ThingChosen(SheetThing(SheetThingKind.ROBOT, robot)))
+    private fun chosen(robot: Int): List<WorkshopEvent> = listOf(SheetEvent.ElementChosen(SheetElement(SheetElementKind.ROBOT, robot)))
 
     private fun world(name: String): World = (readWorld(File("../../worlds/$name.world.json").readText()) as WorldFileResult.Loaded).world
 

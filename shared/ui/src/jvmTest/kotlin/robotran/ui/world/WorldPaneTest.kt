@@ -20,9 +20,9 @@ import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.swipe
 import androidx.compose.ui.test.withKeyDown
 import robotran.simulation.SessionInput
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetElementKind
 import robotran.workshop.state.SheetLayer
-import robotran.workshop.state.SheetThing
-import robotran.workshop.state.SheetThingKind
 import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -130,12 +130,12 @@ class WorldPaneTest {
         assertEquals(0.0, pose.heading, 1e-6)
         val inputs = touches()
         assertTrue(inputs.all { it is SessionInput.PlaceRobot && it.robot == 0 } && inputs.size in 2..14, inputs.toString())
-        assertEquals(SheetThing(SheetThingKind.ROBOT, 0), workshop.state.sheet.chosen)
+        assertEquals(SheetElement(SheetElementKind.ROBOT, 0), workshop.state.sheet.chosen)
     }
 
     @Test
     fun `a robot that was tapped is turned by its handle, and a tap beside it puts the handle away`() = onSheet {
-        val robot = SheetThing(SheetThingKind.ROBOT, 0)
+        val robot = SheetElement(SheetElementKind.ROBOT, 0)
         sheet.performTouchInput { click(at(30.0, 40.0)) }
         settle()
         assertEquals(robot, workshop.state.sheet.chosen)
@@ -197,7 +197,7 @@ class WorldPaneTest {
     fun `keys move and turn what has the focus`() = onSheet {
         onNodeWithTag("thing-robot-0").requestFocus()
         settle()
-        assertEquals(SheetThing(SheetThingKind.ROBOT, 0), workshop.state.sheet.chosen)
+        assertEquals(SheetElement(SheetElementKind.ROBOT, 0), workshop.state.sheet.chosen)
         onNodeWithTag("thing-robot-0").performKeyInput {
             pressKey(Key.DirectionRight)
             pressKey(Key.DirectionUp)

@@ -14,11 +14,11 @@ import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
+import robotran.worldediting.DragHandle
 import robotran.worldediting.Edit
-import robotran.worldediting.Grip
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import robotran.worldediting.PaletteItem
-import robotran.worldediting.Thing
-import robotran.worldediting.ThingKind
 import robotran.worldediting.Tool
 import robotran.worldediting.handlesOf
 import robotran.worldediting.things
@@ -43,7 +43,7 @@ class EditByTouchTest {
 
     @Test
     fun `help on words does not lie over the editor`() = onTablet { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.HELP))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.HELP))
         pass(300)
         EditorTest(this, workshop).tap("edit-world")
         assertEquals(null, workshop.state.learning.page)
@@ -80,13 +80,13 @@ class EditByTouchTest {
         put(PaletteItem.BOX, 75.0, 60.0)
         make(Edit.Choose(null))
         tapAt(75.0, 60.0)
-        assertEquals(Thing(ThingKind.BARRIER, 0), editing.only)
+        assertEquals(ElementRef(ElementKind.BARRIER, 0), editing.only)
         drag(place(75.0, 60.0), place(65.0, 50.0))
         assertEquals(Point(65.0, 50.0), rectangle().centre)
         val right = place(73.0, 50.0) + Offset(12f, 0f)
         drag(right, right + (place(83.0, 50.0) - place(73.0, 50.0)))
         assertEquals(26.0, rectangle().width)
-        val top = world.handlesOf(editing.selection).first { it.grip == Grip.Turn }.place
+        val top = world.handlesOf(editing.selection).first { it.grip == DragHandle.Turn }.place
         val handle = place(top.x, top.y) - Offset(0f, 40f)
         drag(handle, place(70.0, 50.0) + Offset(-200f, 0f))
         assertEquals(90.0, rectangle().angle)
@@ -100,7 +100,7 @@ class EditByTouchTest {
     fun `a thing that was not chosen is chosen and moved in one go`() = onEditor {
         drag(place(40.0, 30.0), place(50.0, 40.0))
         assertEquals(Pose(50.0, 40.0, 0.0), world.start)
-        assertEquals(Thing(ThingKind.ROBOT, 0), editing.only)
+        assertEquals(ElementRef(ElementKind.ROBOT, 0), editing.only)
     }
 
     @Test
@@ -110,7 +110,7 @@ class EditByTouchTest {
         make(Edit.Choose(null))
         tap("edit-several")
         drag(place(60.0, 70.0), place(95.0, 50.0))
-        assertEquals(setOf(Thing(ThingKind.MARK, 0), Thing(ThingKind.MARK, 1)), editing.selection)
+        assertEquals(setOf(ElementRef(ElementKind.MARK, 0), ElementRef(ElementKind.MARK, 1)), editing.selection)
         tap("group")
         tap("edit-several")
         make(Edit.Choose(null))
@@ -159,7 +159,7 @@ class EditByTouchTest {
         tap("edit-done")
         assertNotEquals(null, workshop.state.worldEdit)
         assertTrue(checkNotNull(workshop.state.worldEdit).mendFirst)
-        assertEquals(Thing(ThingKind.ROBOT, 0), editing.only)
+        assertEquals(ElementRef(ElementKind.ROBOT, 0), editing.only)
         assertTrue(isThere("chosen-trouble"))
         make(Edit.Nudge(0.0, 20.0))
         assertFalse(isThere("edit-hints"))

@@ -14,9 +14,9 @@ import robotran.world.Shade
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 import robotran.worldediting.Edit
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import robotran.worldediting.PaletteItem
-import robotran.worldediting.Thing
-import robotran.worldediting.ThingKind
 import robotran.worldediting.Tool
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -140,7 +140,7 @@ class EditPanelTest {
             tap("add-goal-$kind")
         }
         assertEquals(13, world.goals.map { it.condition::class }.toSet().size)
-        assertEquals(emptyList(), editing.troubles)
+        assertEquals(emptyList(), editing.errors)
         tap("thing-goal-0")
         tap("goal-down")
         assertTrue(world.goals[1].condition is Reach)
@@ -159,7 +159,7 @@ class EditPanelTest {
     fun `everything on the sheet is in the list of things by its name`() = onEditor(1280, 2400) {
         tap("tab-edit-things")
         tap("thing-wall-2")
-        assertEquals(Thing(ThingKind.WALL, 2), editing.only)
+        assertEquals(ElementRef(ElementKind.WALL, 2), editing.only)
         screen.onNodeWithTag("chosen-name").fetchSemanticsNode()
     }
 

@@ -35,7 +35,7 @@ internal class DocumentExports(
     private val preferences: Preferences,
     private val current: CurrentProject,
     private val notices: Notices,
-    private val keeper: DocumentKeeper,
+    private val keeper: DocumentAutosaver,
     private val view: DocumentView,
 ) {
     /** A link without the address of a page leads nowhere, so where there is none, it is the file that is shared. */
@@ -99,7 +99,7 @@ internal class DocumentExports(
         if (program.language == ProgramLanguage.JAVA) return saveJavaKit(program)
         val text = program.files.single().text
         when (val result = compileRobolang(program.name, text, PENBOT_CALIBRATION)) {
-            is RobolangResult.Mistaken -> {
+            is RobolangResult.HasErrors -> {
                 notices.say(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range.line))
             }
 
@@ -114,8 +114,8 @@ internal class DocumentExports(
         val reader = ProgramCompiler(PENBOT_CALIBRATION, language = preferences.language)
         if (reader.prepareFor(source) is CompilerLoading.Failed) return notices.say(Notice.CompilerMissing)
         when (val result = withContext(platform.background) { reader.readNow(source) }) {
-            is ProgramResult.Mistaken -> {
-                notices.say(Notice.KitNeedsCorrectProgram(result.mistakes.first().range?.line ?: 1))
+            is ProgramResult.HasErrors -> {
+                notices.say(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range?.line ?: 1))
             }
 
             is ProgramResult.Ready -> {

@@ -38,13 +38,13 @@ class DocumentStateHolder(
     private val navigator: ScreenNavigator,
     private val notices: Notices,
 ) : ProjectSwitcher {
-    private val keeper = DocumentKeeper(platform, preferences, current)
+    private val keeper = DocumentAutosaver(platform, preferences, current)
     private val view = DocumentView(keeper, platform.sharing.hasShareSheet)
     private val saver = FileSaver(platform, current, notices, keeper, view)
     private val replacement = ProjectReplacement(keeper, view, saver, notices)
     private val opener = FileOpener(platform, preferences, current, editor, tabs, navigator, notices, keeper, view, replacement)
     private val exports = DocumentExports(platform, preferences, current, notices, keeper, view)
-    private val works = DocumentWorks(platform, preferences, editor, notices, keeper, view, replacement)
+    private val works = SavedProjectList(platform, preferences, editor, notices, keeper, view, replacement)
     private val comeBack = ProjectRestoration(platform, notices, keeper)
     private val changes = Channel<Unit>(Channel.CONFLATED)
 
@@ -52,24 +52,24 @@ class DocumentStateHolder(
 
     fun handle(event: DocumentEvent) {
         when (event) {
-            DocumentEvent.NewWanted -> launch { replacement.replace { begin() } }
-            DocumentEvent.OpenWanted -> launch { opener.choose() }
+            DocumentEvent.NewRequested -> launch { replacement.replace { begin() } }
+            DocumentEvent.OpenRequested -> launch { opener.choose() }
             is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }
             is DocumentEvent.LinkOpened -> launch { opener.openLink(event.link) }
             is DocumentEvent.OfWorks -> launch { works.handle(event) }
-            DocumentEvent.SaveWanted -> launch { saver.save() }
-            DocumentEvent.SaveAsWanted -> launch { saver.saveAs() }
-            DocumentEvent.RenameWanted -> view.show(DocumentDialog.Renaming(keeper.name))
+            DocumentEvent.SaveRequested -> launch { saver.save() }
+            DocumentEvent.SaveAsRequested -> launch { saver.saveAs() }
+            DocumentEvent.RenameRequested -> view.show(DocumentDialog.Renaming(keeper.name))
             is DocumentEvent.Renamed -> rename(event.name)
-            DocumentEvent.LinkWanted -> launch { exports.makeLink() }
-            DocumentEvent.SiteWanted -> chooseSite()
+            DocumentEvent.LinkRequested -> launch { exports.makeLink() }
+            DocumentEvent.SiteRequested -> chooseSite()
             DocumentEvent.LinkCopied -> launch { exports.copyLink() }
             DocumentEvent.LinkShared -> launch { exports.shareLink() }
-            DocumentEvent.LinkPastingWanted -> view.show(DocumentDialog.PastingLink())
-            is DocumentEvent.PictureWanted -> launch { exports.savePicture(event.kind) }
-            DocumentEvent.ReplayWanted -> launch { exports.saveReplay() }
-            DocumentEvent.ProgramFileWanted -> launch { exports.saveProgram() }
-            DocumentEvent.KitWanted -> launch { exports.saveKit() }
+            DocumentEvent.LinkPastingRequested -> view.show(DocumentDialog.PastingLink())
+            is DocumentEvent.PictureRequested -> launch { exports.savePicture(event.kind) }
+            DocumentEvent.ReplayRequested -> launch { exports.saveReplay() }
+            DocumentEvent.ProgramFileRequested -> launch { exports.saveProgram() }
+            DocumentEvent.KitRequested -> launch { exports.saveKit() }
             is DocumentEvent.Answered -> launch { answer(event.answer) }
             is DocumentEvent.WarningShown -> view.showWarning(event.shown)
             DocumentEvent.DialogClosed -> view.answer(null)
@@ -209,7 +209,7 @@ class DocumentStateHolder(
     private suspend fun answer(answer: DocumentAnswer) {
         val dialog = view.dialog
         view.answer(answer)
-        if (dialog !is DocumentDialog.ChangedMeanwhile) return
+        if (dialog !is DocumentDialog.ChangedElsewhere) return
         when (answer) {
             DocumentAnswer.GO_ON -> saver.save(overOthers = true)
             DocumentAnswer.SAVE_AS -> saver.saveAs()

@@ -11,7 +11,7 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
 
 /** The document as the screen shows it, with the question that waits for an answer. */
-internal class DocumentView(private val keeper: DocumentKeeper, hasShareSheet: Boolean) {
+internal class DocumentView(private val keeper: DocumentAutosaver, hasShareSheet: Boolean) {
     private var question: CompletableDeferred<DocumentAnswer?>? = null
 
     var state: DocumentState by mutableStateOf(DocumentState(hasShareSheet = hasShareSheet))
@@ -73,12 +73,12 @@ internal class DocumentView(private val keeper: DocumentKeeper, hasShareSheet: B
     }
 
     private fun tell(keeping: SaveResult) {
-        val trouble = when (keeping) {
+        val error = when (keeping) {
             SaveResult.Kept -> null
             SaveResult.Full -> AutosaveError.Full
             SaveResult.TooLong -> AutosaveError.TooLong
             is SaveResult.Failed -> AutosaveError.Failed(keeping.reason)
         }
-        if (trouble != state.trouble) state = state.copy(trouble = trouble, warningShown = true)
+        if (error != state.error) state = state.copy(error = error, warningShown = true)
     }
 }

@@ -1,11 +1,11 @@
 package robotran.workshop.documents
 
 import kotlinx.coroutines.withContext
-import robotran.documents.FilePlace
-import robotran.documents.GivenFile
+import robotran.documents.FileReference
+import robotran.documents.IncomingFile
+import robotran.documents.OpenFilesError
+import robotran.documents.OpenFilesResult
 import robotran.documents.OpenedProject
-import robotran.documents.Opening
-import robotran.documents.OpeningTrouble
 import robotran.documents.SavedProject
 import robotran.documents.newWorkName
 import robotran.documents.openFiles
@@ -36,7 +36,7 @@ internal class FileOpener(
     private val tabs: ProgramTabs,
     private val navigator: ScreenNavigator,
     private val notices: Notices,
-    private val keeper: DocumentKeeper,
+    private val keeper: DocumentAutosaver,
     private val view: DocumentView,
     private val replacement: ProjectReplacement,
 ) {
@@ -46,22 +46,22 @@ internal class FileOpener(
     }
 
     suspend fun open(files: List<OpenedFile>) {
-        val given = files.map { file -> GivenFile(file.name, file.bytes, file.place?.let { FilePlace(it, file.name) }) }
+        val given = files.map { file -> IncomingFile(file.name, file.bytes, file.place?.let { FileReference(it, file.name) }) }
         when (val opening = withContext(platform.background) { openFiles(given, preferences.language) }) {
-            is Opening.Opened -> take(opening)
-            is Opening.Refused -> view.show(DocumentDialog.Refused(opening.trouble))
+            is OpenFilesResult.Opened -> take(opening)
+            is OpenFilesResult.Rejected -> view.show(DocumentDialog.Rejected(opening.error))
         }
     }
 
     suspend fun openLink(link: String) {
         when (val opening = openLinkText(link, preferences.language)) {
-            is Opening.Opened -> {
+            is OpenFilesResult.Opened -> {
                 view.show(null)
                 take(opening)
             }
 
-            is Opening.Refused -> {
-                view.show(DocumentDialog.PastingLink((opening.trouble as? OpeningTrouble.InLink)?.message))
+            is OpenFilesResult.Rejected -> {
+                view.show(DocumentDialog.PastingLink((opening.error as? OpenFilesError.InLink)?.message))
             }
         }
     }
@@ -73,7 +73,7 @@ internal class FileOpener(
         open(listOf(OpenedFile(place.name, bytes, place.address)))
     }
 
-    private suspend fun take(opened: Opening.Opened) {
+    private suspend fun take(opened: OpenFilesResult.Opened) {
         val first = opened.projects.firstOrNull() ?: return takeParts(opened)
         val others = keepOthers(opened.projects.drop(1))
         replacement.replace { before ->
@@ -92,7 +92,7 @@ internal class FileOpener(
     }
 
     /** A world is a new work, with the programs that are there; programs come to the others. */
-    private suspend fun takeParts(opened: Opening.Opened) {
+    private suspend fun takeParts(opened: OpenFilesResult.Opened) {
         val world = opened.world ?: return addPrograms(opened)
         replacement.replace { before ->
             editor.changeWorld(world, isAnother = true)
@@ -103,14 +103,14 @@ internal class FileOpener(
         }
     }
 
-    private fun addPrograms(opened: Opening.Opened) {
+    private fun addPrograms(opened: OpenFilesResult.Opened) {
         opened.programs.forEach { program ->
             tabs.addProgram(PupilProgram(program.files.map { ProgramFile(it.name, it.text) }), replacing = true)
         }
         val names = current.project.robots.firstOrNull()?.programs.orEmpty().map { it.name }
         val missing = opened.programs.filterNot { it.name in names }
         if (missing.isNotEmpty()) {
-            notices.say(Notice.NoSlotForProgram(missing.first().name, Brick.MOST_PROGRAMS))
+            notices.say(Notice.NoSlotForProgram(missing.first().name, Brick.MAX_PROGRAMS))
         }
         if (opened.world != null && opened.programs.isEmpty()) navigator.show(Pane.WORLD)
     }

@@ -1,10 +1,10 @@
 package robotran.workshop.documents
 
 import kotlinx.coroutines.withContext
-import robotran.documents.FilePlace
+import robotran.documents.FileReference
 import robotran.documents.FileStamp
+import robotran.documents.SaveTarget
 import robotran.documents.SavingCheck
-import robotran.documents.WorkFile
 import robotran.documents.checkBeforeSaving
 import robotran.documents.fileNameFor
 import robotran.documents.projectFile
@@ -24,7 +24,7 @@ internal class FileSaver(
     private val platform: Platform,
     private val current: CurrentProject,
     private val notices: Notices,
-    private val keeper: DocumentKeeper,
+    private val keeper: DocumentAutosaver,
     private val view: DocumentView,
 ) {
     /** Writes to the work's file; whether it is saved. */
@@ -34,7 +34,7 @@ internal class FileSaver(
         val bytes = bytesOf(project) ?: return false
         val now = if (overOthers) null else platform.files.read(file.place.address)
         if (checkBeforeSaving(file, now, bytes) == SavingCheck.CHANGED_MEANWHILE) {
-            view.show(DocumentDialog.ChangedMeanwhile(file.place.name))
+            view.show(DocumentDialog.ChangedElsewhere(file.place.name))
             return false
         }
         return tell(platform.files.write(file.place.address, file.place.name, bytes), project, bytes)
@@ -57,7 +57,7 @@ internal class FileSaver(
     private suspend fun tell(saving: Saving, project: Project, bytes: ByteArray): Boolean {
         when (saving) {
             is Saving.Saved -> {
-                keeper.saved(project, saving.place?.let { WorkFile(FilePlace(it, saving.name), FileStamp.of(bytes)) })
+                keeper.saved(project, saving.place?.let { SaveTarget(FileReference(it, saving.name), FileStamp.of(bytes)) })
                 keeper.name = workNameOfFile(saving.name)
                 view.show(null)
                 if (keeper.claimFile()) {

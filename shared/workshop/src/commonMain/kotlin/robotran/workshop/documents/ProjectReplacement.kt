@@ -8,7 +8,7 @@ import robotran.workshop.state.Notice
 
 /** Puts another project in place of the open one, one after the other, and only if nothing is lost by it or the pupil does not mind. */
 internal class ProjectReplacement(
-    private val keeper: DocumentKeeper,
+    private val keeper: DocumentAutosaver,
     private val view: DocumentView,
     private val saver: FileSaver,
     private val notices: Notices,

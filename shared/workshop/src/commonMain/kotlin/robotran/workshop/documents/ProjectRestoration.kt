@@ -8,7 +8,7 @@ import robotran.workshop.service.Notices
 import robotran.workshop.state.Notice
 
 /** Finds the work with which a window begins, and says what is to be said about it. */
-internal class ProjectRestoration(private val platform: Platform, private val notices: Notices, private val keeper: DocumentKeeper) {
+internal class ProjectRestoration(private val platform: Platform, private val notices: Notices, private val keeper: DocumentAutosaver) {
     /**
      * The work that comes back into this window: its own if it was loaded anew, otherwise what was open last; null if it begins a new one.
      *

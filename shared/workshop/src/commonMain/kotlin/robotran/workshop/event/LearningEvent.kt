@@ -6,7 +6,7 @@ import robotran.workshop.state.LearningPage
 /** Something a person does with what there is to learn from. */
 sealed interface LearningEvent : WorkshopEvent {
     /** What [page] has to tell is wanted. */
-    data class PageWanted(val page: LearningPage) : LearningEvent
+    data class PageRequested(val page: LearningPage) : LearningEvent
 
     /** Back to the workshop. */
     data object PageLeft : LearningEvent
@@ -27,10 +27,10 @@ sealed interface LearningEvent : WorkshopEvent {
     data object StepBegunAgain : LearningEvent
 
     /** The hint of the step is to be seen or not. */
-    data class HintWanted(val shown: Boolean) : LearningEvent
+    data class HintRequested(val shown: Boolean) : LearningEvent
 
     /** The solution of the step is to be in the editor in place of the pupil's program, or that again. */
-    data class SolutionWanted(val shown: Boolean) : LearningEvent
+    data class SolutionRequested(val shown: Boolean) : LearningEvent
 
     /** The tutorial is to be folded to one line or not. */
     data class TutorialFolded(val folded: Boolean) : LearningEvent
@@ -48,13 +48,13 @@ sealed interface LearningEvent : WorkshopEvent {
     data class ExampleChosen(val language: ProgramLanguage, val name: String) : LearningEvent
 
     /** Help on the word at [offset] of [text] is wanted. */
-    data class HelpWanted(val text: String, val offset: Int) : LearningEvent
+    data class HelpRequested(val text: String, val offset: Int) : LearningEvent
 
     /** Help on [word] is wanted, one of those that there is help on; null for the list of them. */
     data class WordChosen(val word: String?) : LearningEvent
 
     /** The words of the other language for programs are wanted. */
-    data class WordsWanted(val language: ProgramLanguage) : LearningEvent
+    data class WordsRequested(val language: ProgramLanguage) : LearningEvent
 
     /** The example of the word that is explained is to be put into a tab. */
     data object ExampleTried : LearningEvent

@@ -1,7 +1,7 @@
 package robotran.workshop.event
 
 import robotran.language.ProgramLanguage
-import robotran.programs.Mistake
+import robotran.programs.ProgramDiagnostic
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.workshop.state.PupilProgram
@@ -24,15 +24,15 @@ sealed interface ProgramEvent : WorkshopEvent {
     data object Formatted : ProgramEvent
 
     /** The search in the file that is shown is to be opened, which [FindingBegun] says is done. */
-    data object FindingWanted : ProgramEvent
+    data object FindingRequested : ProgramEvent
 
     data object FindingBegun : ProgramEvent
 
     /** The program that is shown is to stop before [line], from 1, of the file that is shown, or not any more. */
     data class BreakpointToggled(val line: Int) : ProgramEvent
 
-    /** The fix that goes with [mistake] is wanted. */
-    data class FixApplied(val mistake: Mistake) : ProgramEvent
+    /** The fix that goes with [diagnostic] is wanted. */
+    data class FixApplied(val diagnostic: ProgramDiagnostic) : ProgramEvent
 
     /** The translation of a Robolang program is to be shown beside it or not. */
     data class TranslationShown(val shown: Boolean) : ProgramEvent

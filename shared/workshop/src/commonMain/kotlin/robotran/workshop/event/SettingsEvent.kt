@@ -14,5 +14,5 @@ sealed interface SettingsEvent : WorkshopEvent {
     data class SettingsShown(val shown: Boolean) : SettingsEvent
 
     /** The page with the settings is to be shown where the address of the site is chosen. */
-    data object SiteWanted : SettingsEvent
+    data object SiteRequested : SettingsEvent
 }

@@ -1,13 +1,13 @@
 package robotran.workshop.event
 
 import robotran.workshop.state.SheetCamera
+import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetLayer
-import robotran.workshop.state.SheetThing
 
 /** Something a person does with how the world is shown. */
 sealed interface SheetEvent : WorkshopEvent {
     /** The whole sheet is wanted again. */
-    data object WholeSheetWanted : SheetEvent
+    data object WholeSheetRequested : SheetEvent
 
     /**
      * The sheet is to be looked at through [camera].
@@ -23,5 +23,5 @@ sealed interface SheetEvent : WorkshopEvent {
     data class LayerSwitched(val layer: SheetLayer, val on: Boolean) : SheetEvent
 
     /** A robot, a block or a lamp is to have a handle, or nothing for null. */
-    data class ThingChosen(val thing: SheetThing?) : SheetEvent
+    data class ElementChosen(val thing: SheetElement?) : SheetEvent
 }

@@ -62,7 +62,7 @@ internal class HelpFinder(
 
     private fun put(program: PupilProgram, replacing: Boolean = true): Boolean {
         val programs = current.project.pupilPrograms
-        if (programs.size >= Brick.MOST_PROGRAMS && !(replacing && programs.any { it.name == program.name })) {
+        if (programs.size >= Brick.MAX_PROGRAMS && !(replacing && programs.any { it.name == program.name })) {
             notices.say(Notice.NoSlotForExample)
             return false
         }

@@ -71,23 +71,23 @@ class LearningStateHolder(
 
     fun handle(event: LearningEvent) {
         when (event) {
-            is LearningEvent.PageWanted -> want(event.page)
+            is LearningEvent.PageRequested -> want(event.page)
             LearningEvent.PageLeft -> leavePage()
             LearningEvent.SquareTried -> trySquare()
             LearningEvent.TutorialBegun -> beginTutorial()
             is LearningEvent.StepChosen -> changeTutorial { tutorial.choose(it, event.place) }
             LearningEvent.StepTried -> changeTutorial { tutorial.putOnDesk(it) }
             LearningEvent.StepBegunAgain -> changeTutorial { tutorial.beginAgain(it) }
-            is LearningEvent.HintWanted -> changeTutorial { it.copy(hintShown = event.shown) }
-            is LearningEvent.SolutionWanted -> changeTutorial { tutorial.showSolution(it, event.shown) }
+            is LearningEvent.HintRequested -> changeTutorial { it.copy(hintShown = event.shown) }
+            is LearningEvent.SolutionRequested -> changeTutorial { tutorial.showSolution(it, event.shown) }
             is LearningEvent.TutorialFolded -> fold(event.folded)
             LearningEvent.TutorialLeft -> leaveTutorial()
             is LearningEvent.WorldsAsked -> state = state.copy(asked = event.asked)
             is LearningEvent.WorldChosen -> chooseWorld(event.name)
             is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name)) leavePage()
-            is LearningEvent.HelpWanted -> showHelp(help.at(event.text, event.offset))
+            is LearningEvent.HelpRequested -> showHelp(help.at(event.text, event.offset))
             is LearningEvent.WordChosen -> showHelp(help.on(state.help.code, event.word))
-            is LearningEvent.WordsWanted -> showHelp(HelpState(event.language))
+            is LearningEvent.WordsRequested -> showHelp(HelpState(event.language))
             LearningEvent.ExampleTried -> if (help.tryExample(state.help)) leavePage()
         }
         refresh()

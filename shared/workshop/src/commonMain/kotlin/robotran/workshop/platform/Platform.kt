@@ -51,7 +51,7 @@ class MemoryPlatform(
     override val store: KeyValueStore = MemoryStore(),
     override val files: FilePicker = NoFilePicker,
     override val sharing: Sharing = NoSharing,
-    override val clock: WallClock = StandingClock(),
+    override val clock: WallClock = FixedClock(),
     override val arrivals: OpenRequests = OpenRequests(),
     override val window: WindowMemory = NoWindowMemory,
     override val pageAddress: String = "",

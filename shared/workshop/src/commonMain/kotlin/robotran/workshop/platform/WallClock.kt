@@ -10,7 +10,7 @@ interface WallClock {
 }
 
 /** A clock that shows what it is told: for tests. */
-class StandingClock(override var now: Long = 0) : WallClock {
+class FixedClock(override var now: Long = 0) : WallClock {
     override fun describe(milliseconds: Long, language: String): String = "${milliseconds / MINUTE} min"
 
     private companion object {

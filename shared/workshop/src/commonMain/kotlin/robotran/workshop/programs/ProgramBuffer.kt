@@ -1,6 +1,6 @@
 package robotran.workshop.programs
 
-import robotran.programs.Mistake
+import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.robolang.RobolangProgram
 import robotran.robolang.translate.Translation
@@ -33,7 +33,7 @@ internal class ProgramBuffer private constructor(
     private val lazyTranslation: Lazy<Translation?> =
         knownTranslation ?: lazy(LazyThreadSafetyMode.NONE) { robolang?.let(::translateRobolang) ?: earlierTranslation }
 
-    val mistakes: List<Mistake> get() = (result as? ProgramResult.Mistaken)?.mistakes.orEmpty()
+    val diagnostics: List<ProgramDiagnostic> get() = (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty()
 
     /** As Java, if it is in Robolang; while it has mistakes, as it was before them, if somebody looked at it then. */
     val translation: Translation? get() = lazyTranslation.value

@@ -33,7 +33,7 @@ internal class ProgramEditing(
     /** Whether something is to be done as soon as the program was read. */
     val waitsForReading: Boolean get() = fixes.waitsForReading
 
-    private val fixes = MistakeFixes(sayFixGone) { robot, text -> write(robot, robot.memory.draft.changedTo(text), EditKind.OTHER) }
+    private val fixes = QuickFixes(sayFixGone) { robot, text -> write(robot, robot.memory.draft.changedTo(text), EditKind.OTHER) }
 
     fun handle(event: ProgramEvent) {
         val robot = shown()
@@ -44,7 +44,7 @@ internal class ProgramEditing(
             ProgramEvent.Redone -> robot.memory.redone()?.let { remember(robot, it) }
             ProgramEvent.Formatted -> format(robot)
             is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
-            is ProgramEvent.FixApplied -> fixes.apply(robot, event.mistake)
+            is ProgramEvent.FixApplied -> fixes.apply(robot, event.diagnostic)
             is ProgramEvent.ProgramChosen -> if (event.slot in robot.shelf.entries.indices) choose(robot, event.slot)
             is ProgramEvent.FileChosen -> if (event.place in robot.entry.memories.indices) robot.shownFile = event.place
             is ProgramEvent.ProgramAdded -> add(robot, ProgramBuffer(event.program.withPlainLineEnds()))
@@ -55,7 +55,7 @@ internal class ProgramEditing(
             is ProgramEvent.ProgramClosed -> close(robot, event.slot)
             ProgramEvent.ProgramReopened -> reopen(robot)
             ProgramEvent.ClosedRead -> robot.closedShown = false
-            ProgramEvent.FindingWanted, ProgramEvent.FindingBegun -> Unit
+            ProgramEvent.FindingRequested, ProgramEvent.FindingBegun -> Unit
             is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> forgetWhatWas()
         }
     }
@@ -63,10 +63,10 @@ internal class ProgramEditing(
     /** Shows what is wrong with the program in [slot]. */
     fun pointOutMistakes(robot: RobotPrograms, slot: Int) {
         if (slot != robot.shownProgram) choose(robot, slot)
-        val mistake = robot.shelf.mistakes(slot).firstOrNull()
-        val place = robot.entry.program.files.indexOfFirst { it.name == mistake?.file }
+        val diagnostic = robot.shelf.diagnostics(slot).firstOrNull()
+        val place = robot.entry.program.files.indexOfFirst { it.name == diagnostic?.file }
         if (place >= 0) robot.shownFile = place
-        mistake?.range?.let { range ->
+        diagnostic?.range?.let { range ->
             val draft = robot.memory.draft
             if (range.line > draft.lines.count) return@let
             write(robot, draft.withCaret(draft.lines.offset(range.line - 1, range.column - 1)), EditKind.OTHER)
@@ -115,7 +115,7 @@ internal class ProgramEditing(
     }
 
     private fun add(robot: RobotPrograms, entry: ProgramBuffer) {
-        if (robot.shelf.entries.size >= Brick.MOST_PROGRAMS) return
+        if (robot.shelf.entries.size >= Brick.MAX_PROGRAMS) return
         robot.shelf.insert(robot.shelf.entries.size, entry)
         choose(robot, robot.shelf.entries.lastIndex)
         bringToFront()

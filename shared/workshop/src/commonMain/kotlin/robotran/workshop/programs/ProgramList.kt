@@ -4,8 +4,8 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
-import robotran.programs.Mistake
 import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.rcxrom.Brick
 import robotran.rcxrom.program.RcxProgram
@@ -19,7 +19,7 @@ internal class ProgramList(
     programs: List<PupilProgram>,
     private val reader: ProgramCompiler,
 ) {
-    var entries: List<ProgramBuffer> = programs.take(Brick.MOST_PROGRAMS).map { readIfShort(ProgramBuffer(it)) }
+    var entries: List<ProgramBuffer> = programs.take(Brick.MAX_PROGRAMS).map { readIfShort(ProgramBuffer(it)) }
         private set
 
     val programs: List<PupilProgram> get() = entries.map { it.program }
@@ -34,7 +34,7 @@ internal class ProgramList(
     val slots: List<RcxProgram?> get() = entries.map { (it.result as? ProgramResult.Ready)?.program }
 
     /** What is wrong with the program in [slot], as far as it was read; empty if that was before its last change. */
-    fun mistakes(slot: Int): List<Mistake> = entries[slot].mistakes
+    fun diagnostics(slot: Int): List<ProgramDiagnostic> = entries[slot].diagnostics
 
     fun isRead(slot: Int): Boolean = entries[slot].result != null
 

@@ -59,7 +59,11 @@ class ProgramsStateHolder(
     fun handle(event: ProgramEvent) {
         if (event is ProgramEvent.RobotChosen) shownRobot = event.name
         if (event is ProgramEvent.TranslationShown) translationShown = event.shown
-        if (event == ProgramEvent.FindingWanted || event == ProgramEvent.FindingBegun) return want(event == ProgramEvent.FindingWanted)
+        if (event == ProgramEvent.FindingRequested ||
+            event == ProgramEvent.FindingBegun
+        ) {
+            return want(event == ProgramEvent.FindingRequested)
+        }
         editing.handle(event)
         readingLoop.programsChanged()
         if (editing.waitsForReading) readingLoop.hurry()
@@ -223,7 +227,7 @@ class ProgramsStateHolder(
             closed = robot.closed?.name,
             closedShown = robot.closedShown,
             canReopen = robot.canReopen,
-            mistakes = entry.mistakes,
+            diagnostics = entry.diagnostics,
             notes = entry.notes,
             reading = reading,
             mistakePointedOut = editing.mistakePointedOut,

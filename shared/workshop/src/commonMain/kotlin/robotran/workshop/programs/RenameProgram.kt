@@ -30,7 +30,7 @@ fun nameProblem(programs: List<PupilProgram>, slot: Int, place: Int, typed: Stri
         bare.isBlank() -> NameProblem.EMPTY
         name in others -> NameProblem.TAKEN
         program.language == ProgramLanguage.JAVA && !isJavaName(bare) -> NameProblem.NO_CLASS_NAME
-        bare.length > MOST_CHARACTERS || bare.any { it in FORBIDDEN || it < ' ' } -> NameProblem.STRANGE_CHARACTER
+        bare.length > MAX_CHARACTERS || bare.any { it in FORBIDDEN || it < ' ' } -> NameProblem.STRANGE_CHARACTER
         else -> null
     }
 }
@@ -49,7 +49,7 @@ internal fun ProgramBuffer.withFileRenamed(place: Int, name: String): ProgramBuf
     )
 }
 
-private const val MOST_CHARACTERS = 60
+private const val MAX_CHARACTERS = 60
 
 /** What some system does not allow in the name of a file. */
 private const val FORBIDDEN = "/\\:*?\"<>|"

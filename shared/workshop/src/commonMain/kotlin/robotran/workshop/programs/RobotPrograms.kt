@@ -10,7 +10,7 @@ import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.withPlainLineEnds
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 
 /**
  * The programs of one robot: those that a pupil has given it or, as long as they were not touched, the one that its world gives it.
@@ -19,7 +19,7 @@ import robotran.world.RobotPlace
  * @param kept what a project says about it.
  */
 internal class RobotPrograms(
-    val place: RobotPlace,
+    val place: RobotPlacement,
     private val kept: ProjectRobot,
     private val reader: ProgramCompiler,
     first: List<PupilProgram>,
@@ -45,7 +45,7 @@ internal class RobotPrograms(
     val canReopen: Boolean
         get() = when (val closed = closed) {
             null -> false
-            is ClosedFile.Program -> shelf.entries.size < Brick.MOST_PROGRAMS
+            is ClosedFile.Program -> shelf.entries.size < Brick.MAX_PROGRAMS
             is ClosedFile.OfProgram -> shelf.entries[closed.slot].program.files.none { it.name == closed.name }
         }
 
@@ -77,7 +77,7 @@ internal class RobotPrograms(
     }
 
     /** The same programs for [place], with all that is remembered of them. */
-    fun movedTo(place: RobotPlace): RobotPrograms {
+    fun movedTo(place: RobotPlacement): RobotPrograms {
         val isOwn = isUntouched && ownProgramOf(place) != given
         val moved = RobotPrograms(place, kept.copy(name = place.name), reader, if (isOwn) emptyList() else shelf.programs)
         if (!isOwn) moved.remember(this) { it }
@@ -103,4 +103,6 @@ internal class RobotPrograms(
 }
 
 /** What the world gives a robot to do, as a program. */
-private fun ownProgramOf(place: RobotPlace) = PupilProgram("${place.name}${ProgramLanguage.ROBOLANG.extension}", place.program.orEmpty())
+private fun ownProgramOf(
+    place: RobotPlacement,
+) = PupilProgram("${place.name}${ProgramLanguage.ROBOLANG.extension}", place.program.orEmpty())

@@ -9,7 +9,7 @@ import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.program.StepKind
 import robotran.rcxrom.state.RunState
 import robotran.runcontrol.IdleDetector
-import robotran.runcontrol.Motion
+import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
@@ -27,7 +27,6 @@ import robotran.workshop.service.Preferences
 import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.DrawerTab
-import robotran.workshop.state.Pace
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramReading
 import robotran.workshop.state.RunPaneState
@@ -57,7 +56,7 @@ class RunStateHolder(
 ) {
     private val run = WatchedRun(world, physics, programs, platform.speaker, preferences, notices)
     private val rest = IdleDetector()
-    private val drawer = DrawerFilling()
+    private val drawer = DrawerUpdater()
     private val export = RomLogExport(platform, scope, notices)
     private val stoppedPlace = StoppedPlace(programs)
     private var pendingStart: PendingStart? = null
@@ -171,7 +170,7 @@ class RunStateHolder(
         }
         when (what) {
             StartAction.Play, StartAction.PlayFromBrick -> player.play()
-            StartAction.StandBeforeFirstStatement -> standBeforeFirstStatement()
+            StartAction.StopBeforeFirstStatement -> standBeforeFirstStatement()
             is StartAction.PlayTo -> player.play(what.line)
         }
         if (what == StartAction.Play) navigator.show(Pane.WORLD)
@@ -190,7 +189,7 @@ class RunStateHolder(
     }
 
     private fun pauseOrGoOn() {
-        if (player.motion == Motion.Still || state.pace == Pace.SEEKING) {
+        if (player.playback == PlaybackState.Paused || state.isSeeking) {
             goOn { player.play() }
         } else {
             player.pause()
@@ -199,7 +198,7 @@ class RunStateHolder(
     }
 
     private fun step(kind: StepKind) =
-        if (state.running) goOn { player.step(kind) } else start(programs.slotToRun, StartAction.StandBeforeFirstStatement)
+        if (state.running) goOn { player.step(kind) } else start(programs.slotToRun, StartAction.StopBeforeFirstStatement)
 
     /** Java loads its classes before it comes to a statement; meanwhile there is no line that could be shown. */
     private fun standBeforeFirstStatement() =
@@ -259,7 +258,7 @@ class RunStateHolder(
     private fun touch(input: SessionInput) {
         player.apply(input)
         // A brick that is switched off, or waits for a button, would not answer while time stands still.
-        if (player.motion == Motion.Still && !state.running) player.play()
+        if (player.playback == PlaybackState.Paused && !state.running) player.play()
     }
 
     private fun openDrawer(tab: DrawerTab?) {
@@ -288,7 +287,7 @@ class RunStateHolder(
             session = player.state,
             drawn = player.drawn,
             changed = run.isChanged,
-            pace = paceOf(player.motion),
+            playback = player.playback,
             time = player.time,
             length = player.length,
             marks = player.marks,
@@ -300,21 +299,14 @@ class RunStateHolder(
 
     /** On the way to another time nothing is to be learnt: what is shown meanwhile may be of shortly before. */
     private fun lookForRest() {
-        if (player.motion !is Motion.Seeking) rest.passed(player.state)
+        if (player.playback !is PlaybackState.Seeking) rest.passed(player.state)
     }
 
-    private fun isAwake(): Boolean = when (player.motion) {
-        Motion.Still -> DrawerTab.LOG in state.drawer.open && drawer.isBusy
-        is Motion.Stepping, is Motion.Seeking -> true
-        is Motion.Playing -> player.isInPast || rest.isAwake(player.state)
+    private fun isAwake(): Boolean = when (player.playback) {
+        PlaybackState.Paused -> DrawerTab.LOG in state.drawer.open && drawer.isBusy
+        is PlaybackState.Stepping, is PlaybackState.Seeking -> true
+        is PlaybackState.Playing -> player.isInPast || rest.isAwake(player.state)
     }
-}
-
-private fun paceOf(motion: Motion): Pace = when (motion) {
-    Motion.Still -> Pace.PAUSED
-    is Motion.Playing -> Pace.GOING
-    is Motion.Stepping -> Pace.STEPPING
-    is Motion.Seeking -> Pace.SEEKING
 }
 
 /** What is wanted of a program that is started. */
@@ -326,7 +318,7 @@ private sealed interface StartAction {
     data object PlayFromBrick : StartAction
 
     /** It stops before its first line. */
-    data object StandBeforeFirstStatement : StartAction
+    data object StopBeforeFirstStatement : StartAction
 
     /** It runs until it stands before [line]. */
     data class PlayTo(val line: Breakpoint) : StartAction

@@ -1,7 +1,7 @@
 package robotran.workshop.run
 
 import robotran.rcxrom.state.RunState
-import robotran.runcontrol.Motion
+import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RunPlayer
 import robotran.workshop.programs.ProgramsStateHolder
 
@@ -14,7 +14,7 @@ internal class StoppedPlace(private val programs: ProgramsStateHolder) {
         val run = brick.run
         val stop = when {
             run is RunState.Failed -> 0L to run
-            run is RunState.Running && player.motion == Motion.Still -> player.time to run
+            run is RunState.Running && player.playback == PlaybackState.Paused -> player.time to run
             else -> null
         }
         if (stop == seen) return

@@ -1,7 +1,7 @@
 package robotran.workshop.run
 
 import robotran.language.Language
-import robotran.runcontrol.Motion
+import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSetup
 import robotran.runcontrol.RunSpeed
@@ -105,7 +105,8 @@ internal class WatchedRun(
 
     /** Plays what has sounded since the last time, unless that passed too quickly. */
     fun hearWhatIsNew() {
-        val isHeard = player.speed != RunSpeed.FASTEST && (player.motion is Motion.Playing || player.motion is Motion.Stepping)
+        val isHeard =
+            player.speed != RunSpeed.FASTEST && (player.playback is PlaybackState.Playing || player.playback is PlaybackState.Stepping)
         if (isHeard) sound.follow() else sound.skip()
     }
 

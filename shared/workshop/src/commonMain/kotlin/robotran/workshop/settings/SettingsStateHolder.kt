@@ -32,7 +32,7 @@ class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScop
             is SettingsEvent.SettingsChanged -> change(event.settings)
             is SettingsEvent.SoundSwitched -> change(state.copy(soundOn = event.on))
             is SettingsEvent.SettingsShown -> show(event.shown, atSite = false)
-            SettingsEvent.SiteWanted -> show(true, atSite = true)
+            SettingsEvent.SiteRequested -> show(true, atSite = true)
         }
     }
 

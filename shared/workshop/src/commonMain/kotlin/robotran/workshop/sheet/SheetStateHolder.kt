@@ -14,11 +14,11 @@ class SheetStateHolder {
 
     fun handle(event: SheetEvent) {
         state = when (event) {
-            SheetEvent.WholeSheetWanted -> state.copy(camera = SheetCamera.FITTING, followed = null)
+            SheetEvent.WholeSheetRequested -> state.copy(camera = SheetCamera.FITTING, followed = null)
             is SheetEvent.CameraMoved -> state.copy(camera = event.camera, followed = state.followed.takeUnless { event.pushed })
             is SheetEvent.FollowChosen -> follow(event.robot)
             is SheetEvent.LayerSwitched -> state.copy(shown = if (event.on) state.shown + event.layer else state.shown - event.layer)
-            is SheetEvent.ThingChosen -> state.copy(chosen = event.thing)
+            is SheetEvent.ElementChosen -> state.copy(chosen = event.thing)
         }
     }
 
@@ -29,12 +29,12 @@ class SheetStateHolder {
 
     /** To follow a robot across a sheet that is all in sight would show nothing, so it is looked at from nearer. */
     private fun follow(robot: Int?): SheetViewState {
-        val nearer = robot != null && state.camera.zoom < LEAST_FOLLOWING_ZOOM
+        val nearer = robot != null && state.camera.zoom < MIN_FOLLOWING_ZOOM
         return state.copy(followed = robot, camera = if (nearer) SheetCamera(FOLLOWING_ZOOM) else state.camera)
     }
 
     private companion object {
-        const val LEAST_FOLLOWING_ZOOM = 1.5
+        const val MIN_FOLLOWING_ZOOM = 1.5
         const val FOLLOWING_ZOOM = 2.5
     }
 }

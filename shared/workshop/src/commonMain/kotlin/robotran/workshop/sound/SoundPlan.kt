@@ -49,7 +49,7 @@ class SoundPlan(private val speaker: LoudSpeaker) {
     private fun placeOf(milliseconds: Long): Double? {
         val now = speaker.milliseconds
         val steady = offset?.plus(milliseconds)
-        if (steady != null && steady >= now && steady <= now + MOST_AHEAD) return steady
+        if (steady != null && steady >= now && steady <= now + MAX_AHEAD) return steady
         val isTooEarly = steady != null && steady > now
         if (isTooEarly && busyUntil > now + LEAD) return null
         offset = now + LEAD - milliseconds
@@ -70,6 +70,6 @@ class SoundPlan(private val speaker: LoudSpeaker) {
          * Milliseconds: nothing is planned further ahead. In real time a tone only is while the clock stands still because the sound
          * card is being opened, which takes about 200 ms the first time.
          */
-        const val MOST_AHEAD = 400.0
+        const val MAX_AHEAD = 400.0
     }
 }

@@ -1,8 +1,8 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
-import robotran.documents.OpeningTrouble
-import robotran.documents.WorkEntry
+import robotran.documents.OpenFilesError
+import robotran.documents.ProjectSummary
 import robotran.world.World
 
 /**
@@ -11,7 +11,7 @@ import robotran.world.World
  * @property name what the pupil calls it; empty as long as it has none.
  * @property fileName the file it was opened from or saved to; null if there is none.
  * @property saved whether the file has all that is there; true as well while nothing was done yet.
- * @property trouble why the work is not being kept, null if it is.
+ * @property error why the work is not being kept, null if it is.
  * @property warningShown whether that is told; false once somebody has put it away.
  * @property dialog what is asked or shown, null if nothing.
  * @property hasShareSheet whether links can be handed to other apps.
@@ -21,7 +21,7 @@ data class DocumentState(
     val name: String = "",
     val fileName: String? = null,
     val saved: Boolean = true,
-    val trouble: AutosaveError? = null,
+    val error: AutosaveError? = null,
     val warningShown: Boolean = true,
     val dialog: DocumentDialog? = null,
     val hasShareSheet: Boolean = false,
@@ -49,7 +49,7 @@ sealed interface DocumentDialog {
      * @property works the newest first; null until they are there.
      * @property deleting the one that somebody wants to forget.
      */
-    data class Works(val works: List<ShownWork>?, val deleting: ShownWork? = null) : DocumentDialog
+    data class ProjectList(val works: List<ProjectListEntry>?, val deleting: ProjectListEntry? = null) : DocumentDialog
 
     /**
      * @property link to all there is; null until it is made.
@@ -61,17 +61,17 @@ sealed interface DocumentDialog {
     /** There is no link, since nobody knows where it would lead to; there is the file. */
     data object SharingFile : DocumentDialog
 
-    /** @property trouble why the link that was pasted cannot be used. */
-    data class PastingLink(val trouble: String? = null) : DocumentDialog
+    /** @property error why the link that was pasted cannot be used. */
+    data class PastingLink(val error: String? = null) : DocumentDialog
 
     /** The work's file has been changed by somebody else since it was opened. */
-    data class ChangedMeanwhile(val fileName: String) : DocumentDialog
+    data class ChangedElsewhere(val fileName: String) : DocumentDialog
 
     /** The work cannot be kept, so it would be lost if another took its place. */
     data object WouldBeLost : DocumentDialog
 
     /** Files cannot be opened. */
-    data class Refused(val trouble: OpeningTrouble) : DocumentDialog
+    data class Rejected(val error: OpenFilesError) : DocumentDialog
 }
 
 /**
@@ -83,8 +83,8 @@ sealed interface DocumentDialog {
  * @property programs the names of its programs, robot by robot.
  */
 @Immutable
-data class ShownWork(
-    val entry: WorkEntry,
+data class ProjectListEntry(
+    val entry: ProjectSummary,
     val time: String,
     val isOpen: Boolean,
     val world: World? = null,

@@ -1,6 +1,6 @@
 package robotran.workshop.state
 
-import robotran.programs.Mistake
+import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.rcxrom.program.ProgramFailure
 import robotran.robolang.diagnostic.SourceFix
@@ -14,27 +14,28 @@ import robotran.textediting.text.TextLines
  *
  * @property isFixStale whether the text that the mistake's fix would change is another since the program was read.
  */
-data class InlineDiagnostic(val mistake: Mistake, val kind: NoteKind, val isFixStale: Boolean = false) {
+data class InlineDiagnostic(val diagnostic: ProgramDiagnostic, val kind: NoteKind, val isFixStale: Boolean = false) {
     /** Whether the program can run all the same. */
     val isDoubt: Boolean get() = kind == NoteKind.DOUBT
 
     /** The line it is about, from 1; null if it is at no place. */
-    val line: Int? get() = mistake.range?.line
+    val line: Int? get() = diagnostic.range?.line
 
     /** Whether this is [other] as it may be told once the program was read again: at the same line, with the same fix. */
-    internal fun mendsAs(other: Mistake): Boolean =
-        mistake.fix != null && mistake.fix?.replacement == other.fix?.replacement && mistake.file == other.file && line == other.range?.line
+    internal fun mendsAs(other: ProgramDiagnostic): Boolean =
+        diagnostic.fix != null && diagnostic.fix?.replacement == other.fix?.replacement && diagnostic.file == other.file &&
+            line == other.range?.line
 
     /** The same once [edit] has made the lines [after] of [before] in the file called [file]; null if its line has gone. */
     internal fun movedWith(edit: TextEdit, file: String, before: TextLines, after: TextLines): InlineDiagnostic? {
-        val range = mistake.range
-        if (range == null || mistake.file != file) return this
+        val range = diagnostic.range
+        if (range == null || diagnostic.file != file) return this
         val line = setOf(range.line).movedWith(edit, before).firstOrNull() ?: return null
-        val fix = mistake.fix
+        val fix = diagnostic.fix
         val movedFix = if (isFixStale) null else fix?.movedWith(edit, before, after)
         val staleFix = fix?.copy(range = fix.range.copy(line = fix.range.line + line - range.line))
         return InlineDiagnostic(
-            mistake.copy(range = range.copy(line = line), fix = movedFix ?: staleFix), kind,
+            diagnostic.copy(range = range.copy(line = line), fix = movedFix ?: staleFix), kind,
             fix != null && movedFix == null,
         )
     }
@@ -58,7 +59,7 @@ private fun SourceFix.movedWith(edit: TextEdit, before: TextLines, after: TextLi
 /** Why a line of a program has a note. */
 enum class NoteKind {
     /** Nothing runs before this is mended. */
-    MISTAKE,
+    ERROR,
 
     /** It runs, but hardly as it is meant. */
     DOUBT,
@@ -70,13 +71,13 @@ enum class NoteKind {
 /** What has come of a run in [file], told at its line. */
 fun noteOf(failure: ProgramFailure, file: String): InlineDiagnostic {
     val start = SourceRange(failure.sourceLine, 1, 1)
-    return InlineDiagnostic(Mistake(file, start, failure.message), NoteKind.FAILURE)
+    return InlineDiagnostic(ProgramDiagnostic(file, start, failure.message), NoteKind.FAILURE)
 }
 
 /** What reading a program has brought to tell, the first of it if that is very much: every key moves it. */
 internal fun notesOf(result: ProgramResult): List<InlineDiagnostic> = when (result) {
-    is ProgramResult.Ready -> result.warnings.take(MOST_NOTES).map { InlineDiagnostic(it, NoteKind.DOUBT) }
-    is ProgramResult.Mistaken -> result.mistakes.take(MOST_NOTES).map { InlineDiagnostic(it, NoteKind.MISTAKE) }
+    is ProgramResult.Ready -> result.warnings.take(MAX_NOTES).map { InlineDiagnostic(it, NoteKind.DOUBT) }
+    is ProgramResult.HasErrors -> result.diagnostics.take(MAX_NOTES).map { InlineDiagnostic(it, NoteKind.ERROR) }
 }
 
-private const val MOST_NOTES = 300
+private const val MAX_NOTES = 300

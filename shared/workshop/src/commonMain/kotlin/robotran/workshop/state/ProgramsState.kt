@@ -1,11 +1,11 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
-import robotran.programs.Mistake
+import robotran.programs.ProgramDiagnostic
 import robotran.rcxrom.Brick
 import robotran.robolang.translate.Translation
 import robotran.textediting.text.Draft
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 
 /**
  * The programs as they are shown.
@@ -21,7 +21,7 @@ import robotran.world.RobotPlace
  * @property closed the name of the program, or the class of one, that was taken away last and is kept; null if nothing is.
  * @property closedShown whether that is told; false once somebody has put it away.
  * @property canReopen whether there is room to bring it back.
- * @property mistakes what is wrong with the program shown, in its order; empty as long as it was not read.
+ * @property diagnostics what is wrong with the program shown, in its order; empty as long as it was not read.
  * @property notes what is told about its lines, mistakes and doubts; as long as it was not read, what was told before.
  * @property reading how far the programs were read since they were changed.
  * @property mistakePointedOut whether somebody wanted to run a program with mistakes since it was last edited.
@@ -32,7 +32,7 @@ import robotran.world.RobotPlace
  */
 @Immutable
 data class ProgramsState(
-    val robots: List<RobotPlace>,
+    val robots: List<RobotPlacement>,
     val shownRobot: String,
     val isWorldsOwn: Boolean,
     val programs: List<PupilProgram>,
@@ -45,7 +45,7 @@ data class ProgramsState(
     val closed: String?,
     val closedShown: Boolean,
     val canReopen: Boolean,
-    val mistakes: List<Mistake>,
+    val diagnostics: List<ProgramDiagnostic>,
     val notes: List<InlineDiagnostic>,
     val reading: ProgramReading,
     val mistakePointedOut: Boolean,
@@ -58,7 +58,7 @@ data class ProgramsState(
     val file: ProgramFile get() = program.files[shownFile]
 
     /** Whether the brick has a slot for one more program. */
-    val hasRoom: Boolean get() = programs.size < Brick.MOST_PROGRAMS
+    val hasRoom: Boolean get() = programs.size < Brick.MAX_PROGRAMS
 }
 
 /** How far programs were read since they were changed; [isOver] says that nothing is read any more until something changes. */

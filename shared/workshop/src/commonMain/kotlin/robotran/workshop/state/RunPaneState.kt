@@ -5,6 +5,7 @@ import robotran.projects.ProjectSettings
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.state.BrickState
 import robotran.rcxrom.state.RunState
+import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RomCallLine
 import robotran.runcontrol.RunSpeed
 import robotran.runcontrol.TimelineMark
@@ -21,7 +22,7 @@ import robotran.world.World
  * @property down the buttons of the brick that somebody holds; the brick itself may not have noticed them.
  * @property untouched true until a program is run for the first time.
  * @property awake whether time has to go on, because something moves, sounds or waits.
- * @property pace what time does.
+ * @property playback what the run is doing.
  * @property time where in the run it is, in milliseconds.
  * @property length how much of the run is known, in milliseconds.
  * @property marks what has happened in the run, also after [time].
@@ -39,7 +40,7 @@ data class RunPaneState(
     val down: Set<BrickButton> = emptySet(),
     val untouched: Boolean = true,
     val awake: Boolean = true,
-    val pace: Pace = Pace.GOING,
+    val playback: PlaybackState = PlaybackState.Playing(),
     val speed: RunSpeed = RunSpeed.REAL_TIME,
     val time: Long = 0,
     val length: Long = 0,
@@ -60,27 +61,19 @@ data class RunPaneState(
     val stoppable: Boolean
         get() = running || session.robots.any { it.brick.run is RunState.Failed && it.brick.explanation != null }
 
+    val isPaused: Boolean get() = playback == PlaybackState.Paused
+
+    val isPlaying: Boolean get() = playback is PlaybackState.Playing
+
+    /** Whether it is on the way to another time. */
+    val isSeeking: Boolean get() = playback is PlaybackState.Seeking
+
     /** Whether the run had gone on from here before. */
     val inPast: Boolean get() = time < length
 
     /** Whether time can be made to stand still, or to go on. */
-    val pausable: Boolean get() = pace != Pace.GOING || running || (awake && inPast)
+    val pausable: Boolean get() = !isPlaying || running || (awake && inPast)
 
     /** Whether the line that runs can be followed with the eyes. */
-    val lineIsLit: Boolean get() = pace != Pace.GOING || !speed.isFast
-}
-
-/** What time does. */
-enum class Pace {
-    /** It passes, or would if there were anything to see. */
-    GOING,
-
-    /** It stands still. */
-    PAUSED,
-
-    /** It passes until a step of the program is done. */
-    STEPPING,
-
-    /** It is on its way to another moment of the run. */
-    SEEKING,
+    val lineIsLit: Boolean get() = !isPlaying || !speed.isFast
 }

@@ -19,13 +19,13 @@ data class Settings(
     val language: Language? = null,
     val theme: AppTheme = AppTheme.SYSTEM,
     val textScale: Float = 1f,
-    val codeSize: Float = USUAL_CODE_SIZE,
+    val codeSize: Float = DEFAULT_CODE_SIZE,
     val soundOn: Boolean = true,
     val lessMotion: Boolean = false,
     val site: String = "",
 ) {
     companion object {
-        const val USUAL_CODE_SIZE = 15f
+        const val DEFAULT_CODE_SIZE = 15f
     }
 }
 

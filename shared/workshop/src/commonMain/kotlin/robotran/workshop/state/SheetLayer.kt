@@ -20,6 +20,6 @@ enum class SheetLayer {
 
     companion object {
         /** What is drawn unless somebody wants it otherwise. */
-        val USUAL: Set<SheetLayer> = setOf(GOALS)
+        val DEFAULT: Set<SheetLayer> = setOf(GOALS)
     }
 }

@@ -14,6 +14,6 @@ import androidx.compose.runtime.Immutable
 data class SheetViewState(
     val camera: SheetCamera = SheetCamera.FITTING,
     val followed: Int? = null,
-    val shown: Set<SheetLayer> = SheetLayer.USUAL,
-    val chosen: SheetThing? = null,
+    val shown: Set<SheetLayer> = SheetLayer.DEFAULT,
+    val chosen: SheetElement? = null,
 )

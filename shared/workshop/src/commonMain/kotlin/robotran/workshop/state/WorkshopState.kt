@@ -1,7 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
-import robotran.programs.Mistake
+import robotran.programs.ProgramDiagnostic
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.program.RuntimeWarning
@@ -39,7 +39,7 @@ data class WorkshopState(
 ) {
     val program: PupilProgram get() = programs.program
     val file: ProgramFile get() = programs.file
-    val mistakes: List<Mistake> get() = programs.mistakes
+    val diagnostics: List<ProgramDiagnostic> get() = programs.diagnostics
 
     /** What the program shown is called. */
     val programName: String get() = program.name
@@ -87,7 +87,7 @@ data class WorkshopState(
 
     val status: WorkshopStatus
         get() = runStatus(session.brick.run).takeIf { running }
-            ?: mistakes.firstOrNull()?.let { WorkshopStatus.Mistaken(it.range?.line ?: 0, it.file.takeIf { program.files.size > 1 }) }
+            ?: diagnostics.firstOrNull()?.let { WorkshopStatus.HasErrors(it.range?.line ?: 0, it.file.takeIf { program.files.size > 1 }) }
             ?: WorkshopStatus.Empty.takeIf { program.isBlank }
             ?: WorkshopStatus.NoCompiler.takeIf { programs.reading == ProgramReading.NO_COMPILER }
             ?: WorkshopStatus.CompilerFailed.takeIf { programs.reading == ProgramReading.COMPILER_FAILED }
@@ -99,7 +99,7 @@ data class WorkshopState(
     private fun runStatus(now: RunState): WorkshopStatus = when (now) {
         RunState.Idle -> WorkshopStatus.Ready
 
-        is RunState.Running -> if (run.pace == Pace.PAUSED) {
+        is RunState.Running -> if (run.isPaused) {
             WorkshopStatus.Paused(now.sourceLine)
         } else {
             WorkshopStatus.Running(now.sourceLine)

@@ -9,7 +9,7 @@ sealed interface WorkshopStatus {
     data object Empty : WorkshopStatus
 
     /** Nothing can run before [line], 0 if the mistake is at none, of [file] is mended; null if the program has only one file. */
-    data class Mistaken(val line: Int, val file: String? = null) : WorkshopStatus
+    data class HasErrors(val line: Int, val file: String? = null) : WorkshopStatus
 
     /** The text is not the program that ran last. */
     data object Changed : WorkshopStatus

@@ -35,19 +35,19 @@ class WorldEditStateHolder(private val current: CurrentProject, private val edit
         if (state != null) return
         val world = current.project.world
         val editing = latest?.takeIf { it.world == world } ?: WorldEditing.of(world)
-        state = WorldEditState(editing.after(Edit.Choose(null)).after(Edit.Settle), world)
+        state = WorldEditState(editing.after(Edit.Choose(null)).after(Edit.FinishChange), world)
     }
 
     private fun edit(edit: Edit) {
         val now = state ?: return
         val editing = now.editing.after(edit)
-        val hasNews = editing.refusal != null || editing.troubles != now.editing.troubles
+        val hasNews = editing.error != null || editing.errors != now.editing.errors
         state = now.copy(
             editing = editing,
-            mendFirst = now.mendFirst && editing.troubles.isNotEmpty(),
+            mendFirst = now.mendFirst && editing.errors.isNotEmpty(),
             hintsShown = now.hintsShown || hasNews,
         )
-        val canBeKept = editing.gesture == null && editing.troubles.isEmpty()
+        val canBeKept = editing.gesture == null && editing.errors.isEmpty()
         if (canBeKept && editing.world != current.project.world) editor.keepWorld(editing.world)
     }
 
@@ -55,9 +55,9 @@ class WorldEditStateHolder(private val current: CurrentProject, private val edit
     private fun close(): Boolean {
         val now = state ?: return false
         val editing = now.editing.after(Edit.Drop)
-        val trouble = editing.troubles.firstOrNull()
-        if (trouble != null) {
-            val shown = trouble.thing?.let { editing.after(Edit.Choose(it)) } ?: editing
+        val error = editing.errors.firstOrNull()
+        if (error != null) {
+            val shown = error.thing?.let { editing.after(Edit.Choose(it)) } ?: editing
             state = now.copy(editing = shown, mendFirst = true, hintsShown = true)
             return false
         }

@@ -59,7 +59,7 @@ class AnotherWorldTest {
         workshop.write("forward 8")
         workshop.handle(WorkshopEvent.NoticeTaken)
         assertEquals("forward 7", workshop.state.programText)
-        workshop.handle(DocumentEvent.WorkOpened(workshop.works().single { !it.isOpen }.entry.id))
+        workshop.handle(DocumentEvent.SavedProjectChosen(workshop.works().single { !it.isOpen }.entry.id))
         assertEquals("forward 8", workshop.state.programText)
     }
 
@@ -122,7 +122,7 @@ class AnotherWorldTest {
         workshop.handle(LearningEvent.WorldChosen("square"))
         assertTrue(workshop.state.taskShown)
         workshop.handle(WorkshopEvent.TaskShown(false))
-        workshop.handle(DocumentEvent.NewWanted)
+        workshop.handle(DocumentEvent.NewRequested)
         assertFalse(workshop.state.taskShown)
     }
 
@@ -158,11 +158,11 @@ class AnotherWorldTest {
         val workshop = machine.window()
         workshop.handle(LearningEvent.TutorialBegun)
         workshop.write("forward 3")
-        workshop.handle(LearningEvent.SolutionWanted(true))
+        workshop.handle(LearningEvent.SolutionRequested(true))
         workshop.handle(DocumentEvent.LinkOpened(linkTo(corner)))
         workshop.handle(WorkshopEvent.NoticeTaken)
         assertEquals(true, workshop.state.learning.tutorial?.solutionShown)
-        workshop.handle(LearningEvent.SolutionWanted(false))
+        workshop.handle(LearningEvent.SolutionRequested(false))
         assertEquals("forward 3", workshop.state.programText)
     }
 

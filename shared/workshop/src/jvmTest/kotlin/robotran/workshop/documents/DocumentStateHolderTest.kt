@@ -3,7 +3,7 @@ package robotran.workshop.documents
 import kotlinx.coroutines.async
 import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.yield
-import robotran.documents.OpeningTrouble
+import robotran.documents.OpenFilesError
 import robotran.projects.LinkResult
 import robotran.projects.ProjectFileResult
 import robotran.projects.openLink
@@ -72,7 +72,7 @@ class DocumentStateHolderTest {
         machine.window().write("forward 1")
         val second = machine.window()
         val other = machine.works(second).single()
-        second.handle(DocumentEvent.WorkOpened(other.entry.id))
+        second.handle(DocumentEvent.SavedProjectChosen(other.entry.id))
         assertEquals(Notice.ProjectOpenElsewhere, second.state.notice)
         assertContains(second.state.programText, "forward 20")
     }
@@ -82,12 +82,12 @@ class DocumentStateHolderTest {
         val workshop = machine.window()
         workshop.write("forward 7")
         workshop.handle(DocumentEvent.Renamed("Maze"))
-        workshop.handle(DocumentEvent.NewWanted)
+        workshop.handle(DocumentEvent.NewRequested)
         assertContains(workshop.state.programText, "forward 20")
         assertEquals("My first work", workshop.state.document.name)
         val kept = machine.works(workshop).single()
         assertEquals("Maze", kept.entry.name)
-        workshop.handle(DocumentEvent.WorkOpened(kept.entry.id))
+        workshop.handle(DocumentEvent.SavedProjectChosen(kept.entry.id))
         assertEquals("forward 7", workshop.state.programText)
         assertEquals("Maze", workshop.state.document.name)
         assertNull(workshop.state.document.dialog)
@@ -97,15 +97,15 @@ class DocumentStateHolderTest {
     fun `a work is forgotten once that is confirmed`() {
         val workshop = machine.window()
         workshop.write("forward 7")
-        workshop.handle(DocumentEvent.NewWanted)
+        workshop.handle(DocumentEvent.NewRequested)
         val kept = machine.works(workshop).single()
-        workshop.handle(DocumentEvent.WorkDeletionWanted(kept.entry.id))
-        assertEquals(kept, assertIs<DocumentDialog.Works>(workshop.state.document.dialog).deleting)
-        workshop.handle(DocumentEvent.WorkDeletionAnswered(delete = false))
+        workshop.handle(DocumentEvent.ProjectDeletionRequested(kept.entry.id))
+        assertEquals(kept, assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).deleting)
+        workshop.handle(DocumentEvent.ProjectDeletionAnswered(delete = false))
         assertEquals(1, machine.works(workshop).size)
-        workshop.handle(DocumentEvent.WorkDeletionWanted(kept.entry.id))
-        workshop.handle(DocumentEvent.WorkDeletionAnswered(delete = true))
-        assertEquals(emptyList(), assertIs<DocumentDialog.Works>(workshop.state.document.dialog).works)
+        workshop.handle(DocumentEvent.ProjectDeletionRequested(kept.entry.id))
+        workshop.handle(DocumentEvent.ProjectDeletionAnswered(delete = true))
+        assertEquals(emptyList(), assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).works)
     }
 
     @Test
@@ -124,13 +124,13 @@ class DocumentStateHolderTest {
         val workshop = machine.window()
         workshop.write("forward 7")
         machine.files.place = "/home/town.robotran"
-        workshop.handle(DocumentEvent.SaveWanted)
+        workshop.handle(DocumentEvent.SaveRequested)
         assertEquals("My first work.robotran", machine.files.suggestion)
         assertTrue(workshop.state.document.saved)
         assertEquals("town", workshop.state.document.name)
         workshop.write("forward 8")
         assertFalse(workshop.state.document.saved)
-        workshop.handle(DocumentEvent.SaveWanted)
+        workshop.handle(DocumentEvent.SaveRequested)
         assertTrue(workshop.state.document.saved)
         assertContains(assertNotNull(machine.files.disk["/home/town.robotran"]).decodeToString(), "forward 8")
         assertIs<Notice.FileSaved>(workshop.state.notice)
@@ -142,8 +142,8 @@ class DocumentStateHolderTest {
         val workshop = machine.window(OpenRequest.OfFiles(listOf(projectFile("beep"))))
         machine.files.disk["/home/maze.robotran"] = theirs
         workshop.write("forward 1")
-        workshop.handle(DocumentEvent.SaveWanted)
-        assertEquals(DocumentDialog.ChangedMeanwhile("maze.robotran"), workshop.state.document.dialog)
+        workshop.handle(DocumentEvent.SaveRequested)
+        assertEquals(DocumentDialog.ChangedElsewhere("maze.robotran"), workshop.state.document.dialog)
         assertContentEquals(theirs, machine.files.disk["/home/maze.robotran"])
         workshop.handle(DocumentEvent.Answered(DocumentAnswer.GO_ON))
         assertContains(machine.files.disk.getValue("/home/maze.robotran").decodeToString(), "forward 1")
@@ -154,7 +154,7 @@ class DocumentStateHolderTest {
         val workshop = machine.window(OpenRequest.OfFiles(listOf(projectFile("beep"))))
         machine.files.disk["/home/maze.robotran"] = projectFile("buzz").bytes
         workshop.write("forward 1")
-        workshop.handle(DocumentEvent.SaveWanted)
+        workshop.handle(DocumentEvent.SaveRequested)
         workshop.handle(DocumentEvent.Answered(DocumentAnswer.TAKE_THEIRS))
         assertEquals("buzz", workshop.state.programText)
         assertEquals(2, machine.works(workshop).size)
@@ -173,14 +173,14 @@ class DocumentStateHolderTest {
         workshop.write("forward 1")
         machine.store.full = true
         workshop.write("forward 2")
-        assertEquals(AutosaveError.Full, workshop.state.document.trouble)
-        workshop.handle(DocumentEvent.NewWanted)
+        assertEquals(AutosaveError.Full, workshop.state.document.error)
+        workshop.handle(DocumentEvent.NewRequested)
         assertEquals(DocumentDialog.WouldBeLost, workshop.state.document.dialog)
         assertEquals("forward 2", workshop.state.programText)
         workshop.handle(DocumentEvent.DialogClosed)
         machine.store.full = false
         workshop.keep()
-        assertNull(workshop.state.document.trouble)
+        assertNull(workshop.state.document.error)
     }
 
     @Test
@@ -188,13 +188,13 @@ class DocumentStateHolderTest {
         val workshop = machine.window()
         machine.store.full = true
         workshop.write("forward 2")
-        workshop.handle(DocumentEvent.NewWanted)
+        workshop.handle(DocumentEvent.NewRequested)
         machine.files.place = "/stick/mine.robotran"
         workshop.handle(DocumentEvent.Answered(DocumentAnswer.SAVE_AS))
         assertContains(machine.files.disk.getValue("/stick/mine.robotran").decodeToString(), "forward 2")
         assertContains(workshop.state.programText, "forward 20")
         workshop.write("forward 3")
-        workshop.handle(DocumentEvent.NewWanted)
+        workshop.handle(DocumentEvent.NewRequested)
         workshop.handle(DocumentEvent.Answered(DocumentAnswer.GO_ON))
         assertContains(workshop.state.programText, "forward 20")
     }
@@ -222,7 +222,7 @@ class DocumentStateHolderTest {
         machine.files.place = "/stick/mine.robotran"
         machine.files.full = true
         val workshop = machine.window()
-        workshop.handle(DocumentEvent.SaveAsWanted)
+        workshop.handle(DocumentEvent.SaveAsRequested)
         assertTrue(assertIs<Notice.FileNotSaved>(workshop.state.notice).isFull)
     }
 
@@ -231,8 +231,8 @@ class DocumentStateHolderTest {
         val workshop = machine.window()
         workshop.write("forward 7")
         workshop.handle(DocumentEvent.FilesBrought(listOf(OpenedFile("x.world.json", "{\n\n}".encodeToByteArray()))))
-        val trouble = assertIs<DocumentDialog.Refused>(workshop.state.document.dialog).trouble
-        assertEquals("x.world.json", assertIs<OpeningTrouble.InFile>(trouble).file)
+        val error = assertIs<DocumentDialog.Rejected>(workshop.state.document.dialog).error
+        assertEquals("x.world.json", assertIs<OpenFilesError.InFile>(error).file)
         assertEquals("forward 7", workshop.state.programText)
     }
 
@@ -240,7 +240,7 @@ class DocumentStateHolderTest {
     fun `a link leads back to the work`() {
         val workshop = machine.window()
         workshop.write("forward 7")
-        workshop.handle(DocumentEvent.LinkWanted)
+        workshop.handle(DocumentEvent.LinkRequested)
         workshop.handle(DocumentEvent.LinkCopied)
         assertTrue(assertIs<DocumentDialog.SharingLink>(workshop.state.document.dialog).copied)
         val link = assertNotNull(machine.clipboard.text)
@@ -252,9 +252,9 @@ class DocumentStateHolderTest {
     @Test
     fun `a broken link says why and leaves the dialog open`() {
         val workshop = machine.window()
-        workshop.handle(DocumentEvent.LinkPastingWanted)
+        workshop.handle(DocumentEvent.LinkPastingRequested)
         workshop.handle(DocumentEvent.LinkOpened("#p=a!!!"))
-        assertNotNull(assertIs<DocumentDialog.PastingLink>(workshop.state.document.dialog).trouble)
+        assertNotNull(assertIs<DocumentDialog.PastingLink>(workshop.state.document.dialog).error)
     }
 
     @Test
@@ -263,7 +263,7 @@ class DocumentStateHolderTest {
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(500)
         machine.files.place = "replay.robotran"
-        workshop.handle(DocumentEvent.ReplayWanted)
+        workshop.handle(DocumentEvent.ReplayRequested)
         val project = assertIs<ProjectFileResult.Loaded>(readProject(machine.files.disk.getValue("replay.robotran"))).project
         assertTrue(project.inputs.isNotEmpty())
     }
@@ -272,10 +272,10 @@ class DocumentStateHolderTest {
     fun `the program goes out as its own file and as a kit`() {
         val workshop = machine.window()
         machine.files.place = "program"
-        workshop.handle(DocumentEvent.ProgramFileWanted)
+        workshop.handle(DocumentEvent.ProgramFileRequested)
         assertEquals("square.robo", machine.files.suggestion)
         assertEquals(workshop.state.programText, machine.files.disk.getValue("program").decodeToString())
-        workshop.handle(DocumentEvent.KitWanted)
+        workshop.handle(DocumentEvent.KitRequested)
         assertEquals("square.zip", machine.files.suggestion)
         val zip = ZipInputStream(ByteArrayInputStream(machine.files.disk.getValue("program")))
         assertContains(generateSequence { zip.nextEntry?.name }.toList(), "Square/Square.java")
@@ -289,8 +289,8 @@ class DocumentStateHolderTest {
     }
 
     private fun Machine.works(workshop: Workshop) = workshop.run {
-        handle(DocumentEvent.WorksWanted)
-        val works = assertNotNull(assertIs<DocumentDialog.Works>(state.document.dialog).works)
+        handle(DocumentEvent.ProjectListRequested)
+        val works = assertNotNull(assertIs<DocumentDialog.ProjectList>(state.document.dialog).works)
         works
     }
 }

@@ -43,7 +43,7 @@ class TabsTest {
         workshop.write("forward 1")
         workshop.handle(DocumentEvent.Renamed("Maze"))
         workshop.keep()
-        workshop.handle(DocumentEvent.NewWanted)
+        workshop.handle(DocumentEvent.NewRequested)
         workshop.write("forward 2")
         workshop.handle(DocumentEvent.Renamed("Maze"))
         assertEquals("Maze 2", workshop.state.document.name)
@@ -132,7 +132,7 @@ class TabsTest {
         val next = machine.tab(TabMemory(texts = left))
         assertEquals(emptyMap(), left)
         val texts = next.works().map { work ->
-            next.handle(DocumentEvent.WorkOpened(work.entry.id))
+            next.handle(DocumentEvent.SavedProjectChosen(work.entry.id))
             next.state.programText
         }
         assertEquals(setOf("forward 10", "forward 11"), texts.toSet())

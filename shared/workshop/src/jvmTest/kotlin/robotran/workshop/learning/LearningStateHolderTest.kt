@@ -93,7 +93,7 @@ class LearningStateHolderTest {
     fun `reading the tutorial alone changes nothing on the desk`() {
         val workshop = workshop()
         val before = workshop.state.programText
-        workshop.handle(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
         workshop.handle(LearningEvent.StepChosen(4))
         assertEquals(before, workshop.state.programText)
         assertEquals(4, workshop.learning.tutorial?.step)
@@ -121,11 +121,11 @@ class LearningStateHolderTest {
         val workshop = workshop()
         workshop.handle(LearningEvent.TutorialBegun)
         workshop.edit("forward 1\n")
-        workshop.handle(LearningEvent.SolutionWanted(true))
+        workshop.handle(LearningEvent.SolutionRequested(true))
         assertEquals(Tutorial.steps[0].solution.text, workshop.state.programText)
-        workshop.handle(LearningEvent.SolutionWanted(false))
+        workshop.handle(LearningEvent.SolutionRequested(false))
         assertEquals("forward 1\n", workshop.state.programText)
-        workshop.handle(LearningEvent.SolutionWanted(true))
+        workshop.handle(LearningEvent.SolutionRequested(true))
         workshop.handle(LearningEvent.StepChosen(1))
         workshop.handle(LearningEvent.StepChosen(0))
         assertEquals("forward 1\n", workshop.state.programText)
@@ -151,7 +151,7 @@ class LearningStateHolderTest {
     fun `watching the solution does not do the task`() {
         val workshop = workshop()
         workshop.handle(LearningEvent.TutorialBegun)
-        workshop.handle(LearningEvent.SolutionWanted(true))
+        workshop.handle(LearningEvent.SolutionRequested(true))
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(4000)
         assertFalse(workshop.learning.isStepDone)
@@ -172,7 +172,7 @@ class LearningStateHolderTest {
     fun `a world of the gallery comes onto the desk with the programs there are`() {
         val workshop = workshop()
         workshop.edit("pen down\nforward 50\n")
-        workshop.handle(LearningEvent.PageWanted(LearningPage.WORLDS))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         workshop.handle(LearningEvent.WorldChosen("maze"))
         assertNull(workshop.learning.page)
         assertEquals(WorldGallery.named("maze")?.world(workshop.learning.language), workshop.state.world)
@@ -204,12 +204,12 @@ class LearningStateHolderTest {
     @Test
     fun `help is found on the word in the program, in either language`() {
         val workshop = workshop()
-        workshop.handle(LearningEvent.HelpWanted("turn left 90", 6))
+        workshop.handle(LearningEvent.HelpRequested("turn left 90", 6))
         assertEquals("left", workshop.learning.help.found?.word)
-        workshop.handle(LearningEvent.HelpWanted("class A {\n  Motor.A.forward();\n}", 22))
+        workshop.handle(LearningEvent.HelpRequested("class A {\n  Motor.A.forward();\n}", 22))
         assertEquals(ProgramLanguage.JAVA, workshop.learning.help.code)
         assertEquals("Motor.forward", workshop.learning.help.found?.word)
-        workshop.handle(LearningEvent.HelpWanted("var side = 3", 5))
+        workshop.handle(LearningEvent.HelpRequested("var side = 3", 5))
         assertEquals("side", workshop.learning.help.word)
         assertNull(workshop.learning.help.found)
     }
@@ -218,7 +218,7 @@ class LearningStateHolderTest {
     fun `the example of a word goes into a tab of its own, once`() {
         val workshop = workshop()
         repeat(2) {
-            workshop.handle(LearningEvent.HelpWanted("repeat", 1))
+            workshop.handle(LearningEvent.HelpRequested("repeat", 1))
             workshop.handle(LearningEvent.ExampleTried)
         }
         assertEquals(listOf("square.robo", "try.robo"), workshop.state.programs.programs.map { it.name })
@@ -230,7 +230,7 @@ class LearningStateHolderTest {
     fun `where the brick is full there is no room for an example, and that is said`() {
         val workshop = workshop()
         repeat(4) { workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG)) }
-        workshop.handle(LearningEvent.HelpWanted("repeat", 1))
+        workshop.handle(LearningEvent.HelpRequested("repeat", 1))
         workshop.handle(LearningEvent.ExampleTried)
         assertEquals(5, workshop.state.programs.programs.size)
         assertNotNull(workshop.state.notice)

@@ -7,7 +7,6 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.openWorkshop
-import robotran.workshop.state.Pace
 import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.WorkshopStatus
@@ -15,6 +14,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull
 import kotlin.test.assertNull
+import kotlin.test.assertTrue
 
 /** Stops in Java programs, and where they could not go on. */
 class JavaDebuggingTest {
@@ -73,7 +73,7 @@ class JavaDebuggingTest {
             workshop.state.runningLine
         }
         assertEquals(listOf(5, 6), lines)
-        assertEquals(Pace.PAUSED, workshop.state.run.pace)
+        assertTrue(workshop.state.run.isPaused)
     }
 
     @Test

@@ -17,7 +17,6 @@ import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Sharing
 import robotran.workshop.programs.asProject
 import robotran.workshop.state.DrawerTab
-import robotran.workshop.state.Pace
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.file.BuiltInWorlds
@@ -76,7 +75,7 @@ class RunStateHolderTest {
         did(RunEvent.StepPressed(StepKind.INTO))
         frames()
         assertEquals(2, workshop.state.runningLine)
-        assertEquals(Pace.PAUSED, run.pace)
+        assertTrue(run.isPaused)
     }
 
     @Test
@@ -126,7 +125,7 @@ class RunStateHolderTest {
         assertTrue(workshop.state.notice != null)
         assertFalse(run.inPast)
         assertEquals(800, run.length)
-        assertEquals(Pace.PAUSED, run.pace)
+        assertTrue(run.isPaused)
     }
 
     @Test
@@ -139,7 +138,7 @@ class RunStateHolderTest {
         did(RunEvent.PausePressed)
         frames(100)
         did(RunEvent.StopPressed)
-        assertEquals(Pace.PAUSED, run.pace)
+        assertTrue(run.isPaused)
         assertEquals(end, run.length)
     }
 

@@ -74,7 +74,7 @@ class SoundPlanTest {
         }
         assertTrue(speaker.tones.size in 5..30, "${speaker.tones.size} tones in ${speaker.milliseconds} ms")
         speaker.tones.zipWithNext { tone, next -> assertTrue(next.start >= tone.end - 1e-6, "$tone before $next") }
-        speaker.tones.zip(asked) { tone, now -> assertTrue(tone.start - now <= SoundPlan.MOST_AHEAD) }
+        speaker.tones.zip(asked) { tone, now -> assertTrue(tone.start - now <= SoundPlan.MAX_AHEAD) }
     }
 
     @Test
@@ -117,7 +117,7 @@ class SoundPlanTest {
                 brick += gap
                 clock.milliseconds = brick / speed
                 planner.add(listOf(if (gap % 3 == 0) SoundEvent.Cut(brick) else SoundEvent.Tone(brick, 440.0, 10 + gap)))
-                clock.tones.lastOrNull()?.let { assertTrue(it.start <= clock.milliseconds + SoundPlan.MOST_AHEAD) }
+                clock.tones.lastOrNull()?.let { assertTrue(it.start <= clock.milliseconds + SoundPlan.MAX_AHEAD) }
             }
         }
     }

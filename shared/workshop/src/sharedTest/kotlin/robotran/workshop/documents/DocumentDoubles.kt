@@ -14,6 +14,7 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.FixedClock
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.MemoryStore
@@ -23,11 +24,10 @@ import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.Saving
 import robotran.workshop.platform.Sharing
-import robotran.workshop.platform.StandingClock
 import robotran.workshop.platform.WindowMemory
 import robotran.workshop.sound.NoLoudSpeaker
 import robotran.workshop.state.DocumentDialog
-import robotran.workshop.state.ShownWork
+import robotran.workshop.state.ProjectListEntry
 import robotran.world.file.BuiltInWorlds
 
 /** Files in memory: [chosen] is what a person would choose to open, [place] where they would save to, null if they changed their mind. */
@@ -77,7 +77,7 @@ internal class Machine {
     val files = MemoryFilePicker()
     val store = FillingStore()
     val clipboard = RememberingClipboard()
-    val clock = StandingClock(now = 1_000_000)
+    val clock = FixedClock(now = 1_000_000)
 
     /** Where links lead to, as far as the app knows by itself. */
     var page = "https://school.example/robotran/"
@@ -121,9 +121,9 @@ internal fun Workshop.write(text: String) {
 }
 
 /** All works, as My work shows them. */
-internal fun Workshop.works(): List<ShownWork> {
-    handle(DocumentEvent.WorksWanted)
-    val works = checkNotNull((state.document.dialog as DocumentDialog.Works).works)
+internal fun Workshop.works(): List<ProjectListEntry> {
+    handle(DocumentEvent.ProjectListRequested)
+    val works = checkNotNull((state.document.dialog as DocumentDialog.ProjectList).works)
     handle(DocumentEvent.DialogClosed)
     return works
 }

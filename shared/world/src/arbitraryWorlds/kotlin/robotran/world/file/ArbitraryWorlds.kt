@@ -31,7 +31,7 @@ import robotran.world.MarkFigure
 import robotran.world.Paper
 import robotran.world.PortSensor
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.Shade
 import robotran.world.Template
 import robotran.world.TouchKind
@@ -77,7 +77,7 @@ private class ArbitraryWorld(private val random: Random) {
         )
     }
 
-    private fun robot(number: Int) = RobotPlace(
+    private fun robot(number: Int) = RobotPlacement(
         start = Pose(number(30.0 + 40 * number, 32.0 + 40 * number), number(20.0, 30.0), number(-179.9, 180.0)),
         name = if (number == 0 && random.nextBoolean()) FIRST_ROBOT else name(),
         colour = RobotColour.entries.random(random),
@@ -161,7 +161,7 @@ private class ArbitraryWorld(private val random: Random) {
         return Shape.Polygon(if (random.nextBoolean()) left + right else (left + right).reversed())
     }
 
-    private fun way(least: Int): List<Point> = List(random.nextInt(least, least + 4)) { Point(number(-1000.0, 2000.0), it * 20.0) }
+    private fun way(min: Int): List<Point> = List(random.nextInt(min, min + 4)) { Point(number(-1000.0, 2000.0), it * 20.0) }
 
     private fun point() = Point(number(0.0, 1000.0), number(500.0, 1000.0))
 
@@ -199,7 +199,7 @@ private class ArbitraryWorld(private val random: Random) {
 
     private fun <T : Any> maybe(make: () -> T): T? = if (random.nextBoolean()) make() else null
 
-    private fun <T> some(most: Int, make: () -> T): List<T> = List(random.nextInt(most + 1)) { make() }
+    private fun <T> some(max: Int, make: () -> T): List<T> = List(random.nextInt(max + 1)) { make() }
 
     private companion object {
         const val KINDS = 13

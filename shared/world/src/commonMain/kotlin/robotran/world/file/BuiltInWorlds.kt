@@ -11,7 +11,7 @@ object BuiltInWorlds {
     val plain: World by lazy(LazyThreadSafetyMode.PUBLICATION) {
         when (val result = readWorld(texts.getValue("plain.world.json"))) {
             is WorldFileResult.Loaded -> result.world.copy(task = "", goals = emptyList())
-            is WorldFileResult.Refused -> error(result.message)
+            is WorldFileResult.Rejected -> error(result.message)
         }
     }
 }

@@ -46,7 +46,7 @@ internal fun elementOf(goal: Goal): JsonObject = jsonObject(goal.unknown.members
 internal fun ObjectBuilder.actorInRegion(condition: HasRegion) {
     put("region", jsonObject { shape(condition.region) })
     text("who", condition.who)
-    flag("whole", condition.whole, usual = false)
+    flag("whole", condition.whole, default = false)
 }
 
 internal fun ObjectBuilder.touchKinds(what: Set<TouchKind>) {

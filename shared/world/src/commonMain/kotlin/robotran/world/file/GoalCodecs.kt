@@ -24,7 +24,7 @@ internal val GOAL_CODECS: List<GoalCodec> = listOf(
         write = {
             actorInRegion(it)
             number("within", it.within)
-            flag("stays", it.stays, usual = false)
+            flag("stays", it.stays, default = false)
         },
     ),
     codec<StayOut>(
@@ -123,7 +123,7 @@ internal val GOAL_CODECS: List<GoalCodec> = listOf(
             PlaySound(times, lowest, highest, who())
         },
         write = {
-            number("times", it.times, usual = 1)
+            number("times", it.times, default = 1)
             number("lowest", it.lowest)
             number("highest", it.highest)
             text("who", it.who)

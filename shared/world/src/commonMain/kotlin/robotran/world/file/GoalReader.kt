@@ -10,19 +10,19 @@ import robotran.world.geometry.Shape
 internal class GoalReader(private val shapes: ShapeReader) {
     private var goals = 0
 
-    fun read(place: JsonCursor): List<Goal> = goals(place, depth = 1, least = 0)
+    fun read(place: JsonCursor): List<Goal> = goals(place, depth = 1, min = 0)
 
-    private fun goals(place: JsonCursor, depth: Int, least: Int): List<Goal> {
+    private fun goals(place: JsonCursor, depth: Int, min: Int): List<Goal> {
         val deepest = WorldLimits.MAXIMUM_GOAL_DEPTH
         if (depth > deepest) place.refuse(told { goalsTooDeep(deepest) })
-        return place.items(least..WorldLimits.MAXIMUM_GOALS).map { goal(it, depth) }
+        return place.items(min..WorldLimits.MAXIMUM_GOALS).map { goal(it, depth) }
     }
 
     private fun goal(place: JsonCursor, depth: Int): Goal {
         if (++goals > WorldLimits.MAXIMUM_GOALS) place.refuse(told { tooManyGoals(WorldLimits.MAXIMUM_GOALS) })
         val says = place.optional("says")?.text(WorldLimits.MAXIMUM_SENTENCE_CHARACTERS)
         val codec = place.member("kind").choice(CODECS)
-        val parts = { goals(place.member("goals"), depth + 1, least = 1) }
+        val parts = { goals(place.member("goals"), depth + 1, min = 1) }
         return Goal(codec.read(GoalConditionFields(place, shapes, parts)), says, unknownOf(place))
     }
 

@@ -6,16 +6,16 @@ import robotran.json.nearestDecimal
 import robotran.world.Paper
 import robotran.world.PortSensor
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.WorldLimits
 import robotran.world.geometry.Pose
 import robotran.world.geometry.normalHeading
 
-internal fun readRobot(place: JsonCursor, paper: Paper) = RobotPlace(
+internal fun readRobot(place: JsonCursor, paper: Paper) = RobotPlacement(
     start = readStart(place.member("start"), paper),
     name = place.optional("name")?.text(WorldLimits.MAXIMUM_NAME_CHARACTERS) ?: FIRST_ROBOT,
     colour = place.optional("colour")?.choice(COLOURS) ?: RobotColour.YELLOW,
-    ports = place.optional("ports")?.let(::readPorts) ?: RobotPlace.PENBOT_PORTS,
+    ports = place.optional("ports")?.let(::readPorts) ?: RobotPlacement.PENBOT_PORTS,
     lightFacing = place.optional("lightSensor")?.choice(FACINGS),
     beacon = place.optional("beacon")?.number(0.0..WorldLimits.MAXIMUM_BRIGHTNESS) ?: 0.0,
     program = place.optional("program")?.let(::readProgram),

@@ -22,8 +22,8 @@ internal class ShapeReader {
     }
 
     /** Two or more points of a line, no two of them the same one after the other. */
-    fun way(place: JsonCursor, least: Int, closed: Boolean): List<Point> {
-        val places = place.items(least..WorldLimits.MAXIMUM_LINE_POINTS)
+    fun way(place: JsonCursor, min: Int, closed: Boolean): List<Point> {
+        val places = place.items(min..WorldLimits.MAXIMUM_LINE_POINTS)
         val points = points(places)
         points.indices.firstOrNull { number -> points[number] == points.getOrNull(number - 1) }?.let {
             places[it].refuse(told { samePlaceAsBefore() })
@@ -54,7 +54,7 @@ internal class ShapeReader {
     )
 
     private fun polygon(place: JsonCursor): Shape.Polygon {
-        val corners = points(place.items(LEAST_CORNERS..WorldLimits.MAXIMUM_CORNERS))
+        val corners = points(place.items(MIN_CORNERS..WorldLimits.MAXIMUM_CORNERS))
         if (edgesCross(corners)) place.refuse(told { edgesCross() })
         if (abs(signedArea(corners)) / 2 < WorldLimits.MINIMUM_AREA) place.refuse(told { mustCoverPaper() })
         return Shape.Polygon(corners)
@@ -70,7 +70,7 @@ internal class ShapeReader {
 
     private companion object {
         val SHAPES = listOf("rectangle", "circle", "polygon")
-        const val LEAST_CORNERS = 3
+        const val MIN_CORNERS = 3
 
         /** Any number of coordinates: whatever is not two is refused in other words. */
         const val MANY = Int.MAX_VALUE

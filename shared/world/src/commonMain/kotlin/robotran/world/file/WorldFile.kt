@@ -25,5 +25,5 @@ fun writeWorld(world: World): String = writeJson(elementOf(world), TALL_LISTS)
 
 private fun resultOf(reading: JsonReading<World>): WorldFileResult = when (reading) {
     is JsonReading.Read -> WorldFileResult.Loaded(reading.value)
-    is JsonReading.Refused -> WorldFileResult.Refused(reading.message, reading.line, reading.path)
+    is JsonReading.Rejected -> WorldFileResult.Rejected(reading.message, reading.line, reading.path)
 }

@@ -13,5 +13,5 @@ sealed interface WorldFileResult {
      * @property line the line it is about, from 1; null if it is about the file as a whole.
      * @property path the field it is about, such as `walls[2].thickness`; empty if it is about none.
      */
-    data class Refused(val message: String, val line: Int? = null, val path: String = "") : WorldFileResult
+    data class Rejected(val message: String, val line: Int? = null, val path: String = "") : WorldFileResult
 }

@@ -43,7 +43,7 @@ internal const val WORLD_VERSION = 2
 /** Builds a [World] from the fields of a file. */
 private class WorldReader(private val file: JsonCursor) {
     private val shapes = ShapeReader()
-    private val things = ThingReader(shapes)
+    private val things = ElementReader(shapes)
 
     fun read(): World {
         file.member("format")

@@ -12,7 +12,7 @@ class BrokenWorldTest {
     fun `a file cut off at any byte is refused`() {
         for (file in files) {
             for (length in 0..<file.indexOfLast { it == '}'.code.toByte() }) {
-                assertTrue(readWorld(file.copyOf(length)) is WorldFileResult.Refused, "cut off at $length")
+                assertTrue(readWorld(file.copyOf(length)) is WorldFileResult.Rejected, "cut off at $length")
             }
         }
     }

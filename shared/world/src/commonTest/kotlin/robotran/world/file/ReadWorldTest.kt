@@ -23,7 +23,7 @@ import robotran.world.MarkFigure
 import robotran.world.Paper
 import robotran.world.PortSensor
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.Shade
 import robotran.world.Template
 import robotran.world.TouchKind
@@ -67,8 +67,8 @@ class ReadWorldTest {
         val program = "repeat forever\n\tforward 5\nend"
         assertEquals(
             listOf(
-                RobotPlace(Pose(40.0, 30.0, -90.0), "ann", RobotColour.BLUE, ports, LightFacing.FORWARD, 0.5, program),
-                RobotPlace(Pose(80.0, 30.0, 0.0), "bob", RobotColour.RED),
+                RobotPlacement(Pose(40.0, 30.0, -90.0), "ann", RobotColour.BLUE, ports, LightFacing.FORWARD, 0.5, program),
+                RobotPlacement(Pose(80.0, 30.0, 0.0), "bob", RobotColour.RED),
             ),
             full.robots,
         )
@@ -128,9 +128,9 @@ class ReadWorldTest {
 
     @Test
     fun `what a file leaves out is as it usually is`() {
-        val least = """{"format": "robotran-world", "version": 2, "title": "T", "paper": {"width": 50, "height": 50},
+        val min = """{"format": "robotran-world", "version": 2, "title": "T", "paper": {"width": 50, "height": 50},
             "robots": [{"start": {"x": 20, "y": 20, "heading": 0}}]}"""
-        assertEquals(World("T", Paper(50.0, 50.0), listOf(RobotPlace(Pose(20.0, 20.0, 0.0)))), loaded(least))
+        assertEquals(World("T", Paper(50.0, 50.0), listOf(RobotPlacement(Pose(20.0, 20.0, 0.0)))), loaded(min))
     }
 
     @Test

@@ -9,11 +9,11 @@ class WorldCountsTest {
         "\"format\": \"robotran-world\", \"version\": 2, \"title\": \"T\", \"paper\": {\"width\": 1000, \"height\": 1000}, " +
             "\"robots\": [{\"start\": {\"x\": 900, \"y\": 900, \"heading\": 0}}]"
 
-    private fun refused(fields: String): String = assertIs<WorldFileResult.Refused>(readWorld("{$start, $fields}")).message
+    private fun refused(fields: String): String = assertIs<WorldFileResult.Rejected>(readWorld("{$start, $fields}")).message
 
-    private fun check(field: String, item: String, most: Int) {
-        loaded("{$start, ${list(field, item, most)}}")
-        assertEquals("Line 1: $field has ${most + 1} entries, but at most $most are allowed.", refused(list(field, item, most + 1)))
+    private fun check(field: String, item: String, max: Int) {
+        loaded("{$start, ${list(field, item, max)}}")
+        assertEquals("Line 1: $field has ${max + 1} entries, but at most $max are allowed.", refused(list(field, item, max + 1)))
     }
 
     private fun list(field: String, item: String, count: Int) = List(count) { item }.joinToString(",", "\"$field\": [", "]")

@@ -61,10 +61,10 @@ internal val FULL_WORLD = """
 
 internal fun loaded(text: String): World = when (val result = readWorld(text)) {
     is WorldFileResult.Loaded -> result.world
-    is WorldFileResult.Refused -> throw AssertionError(result.message)
+    is WorldFileResult.Rejected -> throw AssertionError(result.message)
 }
 
-internal fun refusal(text: String): WorldFileResult.Refused = assertIs<WorldFileResult.Refused>(readWorld(text))
+internal fun refusal(text: String): WorldFileResult.Rejected = assertIs<WorldFileResult.Rejected>(readWorld(text))
 
 /** What is said about the full world with [new] in place of the first [old]. */
 internal fun refusalWith(old: String, new: String): String {
@@ -88,7 +88,7 @@ internal fun holds(result: WorldFileResult) {
             assertEquals<WorldFileResult>(result, readWorld(writeWorld(result.world)))
         }
 
-        is WorldFileResult.Refused -> {
+        is WorldFileResult.Rejected -> {
             assertTrue(result.message.endsWith("."), result.message)
             assertTrue(result.path.isEmpty() || result.line != null, result.message)
             assertTrue(result.line == null || result.message.startsWith("Line ${result.line}"), result.message)

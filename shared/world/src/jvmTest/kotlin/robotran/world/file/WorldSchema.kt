@@ -20,14 +20,14 @@ internal object WorldSchema {
     /** The names of all fields that it knows. */
     val fields: Set<String> = fieldsOf(definition)
 
-    fun mistakesIn(world: JsonElement): List<String> = mistakes(schema, world)
+    fun mistakesIn(world: JsonElement): List<String> = diagnostics(schema, world)
 
-    fun unknownIn(world: JsonElement): List<String> = mistakes(closedSchema, world)
+    fun unknownIn(world: JsonElement): List<String> = diagnostics(closedSchema, world)
 
-    private fun mistakes(schema: JsonSchema, world: JsonElement): List<String> {
-        val mistakes = mutableListOf<ValidationError>()
-        schema.validate(world, mistakes::add)
-        return mistakes.map { "${it.objectPath}: ${it.message}" }
+    private fun diagnostics(schema: JsonSchema, world: JsonElement): List<String> {
+        val diagnostics = mutableListOf<ValidationError>()
+        schema.validate(world, diagnostics::add)
+        return diagnostics.map { "${it.objectPath}: ${it.message}" }
     }
 
     private fun closed(element: JsonElement): JsonElement = when (element) {

@@ -41,7 +41,7 @@ class WorldSchemaTest {
     fun `every field of the schema is read`() {
         assertEquals(WorldSchema.fields, fieldsOf(full))
         for (changed in changes(full) { listOf(JsonObject(mapOf("strange" to JsonNull))) }) {
-            assertIs<WorldFileResult.Refused>(readWorld(writeCompactJson(changed)), writeCompactJson(changed))
+            assertIs<WorldFileResult.Rejected>(readWorld(writeCompactJson(changed)), writeCompactJson(changed))
         }
     }
 
@@ -53,7 +53,7 @@ class WorldSchemaTest {
                 if (WorldSchema.mistakesIn(changed).isNotEmpty()) {
                     refused++
                     val text = writeCompactJson(changed)
-                    assertIs<WorldFileResult.Refused>(readWorld(text), "${WorldSchema.mistakesIn(changed)}\n$text")
+                    assertIs<WorldFileResult.Rejected>(readWorld(text), "${WorldSchema.mistakesIn(changed)}\n$text")
                 }
             }
         }

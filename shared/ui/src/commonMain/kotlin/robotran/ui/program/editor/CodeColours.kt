@@ -5,7 +5,7 @@ import androidx.compose.runtime.Immutable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.luminance
-import robotran.textediting.code.PieceKind
+import robotran.textediting.code.CodeTokenKind
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 
@@ -25,13 +25,13 @@ internal data class CodeColours(
     val partner: Color,
     val breakpoint: Color,
 ) {
-    fun of(kind: PieceKind): Color = when (kind) {
-        PieceKind.KEYWORD -> keyword
-        PieceKind.KNOWN -> known
-        PieceKind.NUMBER -> number
-        PieceKind.TEXT -> text
-        PieceKind.COMMENT -> comment
-        PieceKind.NAME, PieceKind.SIGN -> plain
+    fun of(kind: CodeTokenKind): Color = when (kind) {
+        CodeTokenKind.KEYWORD -> keyword
+        CodeTokenKind.KNOWN -> known
+        CodeTokenKind.NUMBER -> number
+        CodeTokenKind.TEXT -> text
+        CodeTokenKind.COMMENT -> comment
+        CodeTokenKind.NAME, CodeTokenKind.SIGN -> plain
     }
 }
 

@@ -24,8 +24,8 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
-import robotran.programs.Mistake
-import robotran.textediting.code.CodePieces
+import robotran.programs.ProgramDiagnostic
+import robotran.textediting.code.CodeTokens
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextLines
 import robotran.textediting.text.TextSelection
@@ -57,13 +57,13 @@ internal fun CodeEditor(
     onCommand: (EditorCommand) -> Unit,
     onBreakpoint: (Int) -> Unit,
     onZoom: (Float) -> Unit,
-    onFix: (Mistake) -> Unit,
+    onFix: (ProgramDiagnostic) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     control.follow(draft)
     control.clipboard = LocalClipboardManager.current
     val layouts = rememberLineLayouts(control.language, codeSize)
-    val pieces = remember(draft.lines, control.language) { CodePieces(draft.lines, control.language) }
+    val pieces = remember(draft.lines, control.language) { CodeTokens(draft.lines, control.language) }
     val hasFocus = control.hasFocus
     var composing by remember { mutableStateOf<TextSpan?>(null) }
     val shownNotes = notesBesideTyping(notes, draft, hasFocus && !pointedOut)
@@ -99,7 +99,7 @@ internal fun CodeEditor(
 }
 
 @Composable
-private fun KeepInSight(view: EditorView, draft: Draft, layouts: LineLayouts, pieces: CodePieces, marks: EditorMarks, hasFocus: Boolean) {
+private fun KeepInSight(view: EditorView, draft: Draft, layouts: LineLayouts, pieces: CodeTokens, marks: EditorMarks, hasFocus: Boolean) {
     val runningLine = marks.runningLine
     LaunchedEffect(draft, view.size, layouts) {
         // The lines have their places only once they were laid out.
@@ -123,7 +123,7 @@ private fun KeepInSight(view: EditorView, draft: Draft, layouts: LineLayouts, pi
 }
 
 private fun TextLines.lineOfFix(note: InlineDiagnostic): String {
-    val line = note.mistake.fix?.range?.line ?: return ""
+    val line = note.diagnostic.fix?.range?.line ?: return ""
     return if (line in 1..count) line(line - 1) else ""
 }
 
@@ -140,7 +140,7 @@ private fun Overlays(
     view: EditorView,
     draft: Draft,
     layouts: LineLayouts,
-    pieces: CodePieces,
+    pieces: CodeTokens,
     codeSize: Float,
     hasFocus: Boolean,
     onCommand: (EditorCommand) -> Unit,
@@ -183,7 +183,7 @@ private fun notesBesideTyping(notes: List<InlineDiagnostic>, draft: Draft, isWri
     val caretLine = draft.lines.lineOf(draft.selection.caret) + 1
     val isTyping = isWriting && draft.text != restingText
     return remember(notes, isTyping, if (isTyping) caretLine else 0) {
-        notes.filter { it.line != null && !(isTyping && it.line == caretLine) }.take(MOST_NOTES)
+        notes.filter { it.line != null && !(isTyping && it.line == caretLine) }.take(MAX_NOTES)
     }
 }
 
@@ -194,4 +194,4 @@ private const val REST = 700L
 private const val SLOW = 150L
 
 /** More mistakes at once help nobody. */
-private const val MOST_NOTES = 30
+private const val MAX_NOTES = 30

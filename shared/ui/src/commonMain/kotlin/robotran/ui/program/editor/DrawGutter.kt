@@ -18,12 +18,12 @@ internal class NumberLayouts(private val measurer: TextMeasurer, private val sty
     private val kept = HashMap<String, TextLayoutResult>()
 
     fun of(text: String): TextLayoutResult {
-        if (kept.size > MOST_KEPT) kept.clear()
+        if (kept.size > MAX_KEPT) kept.clear()
         return kept.getOrPut(text) { measurer.measure(text, style) }
     }
 
     private companion object {
-        const val MOST_KEPT = 400
+        const val MAX_KEPT = 400
     }
 }
 
@@ -35,7 +35,7 @@ internal class GutterDrawing(
     private val colours: RobotranColours,
     private val code: CodeColours,
 ) {
-    private val mistaken = marks.mistakes.mapTo(mutableSetOf(marks.failedLine)) { it.line }
+    private val mistaken = marks.diagnostics.mapTo(mutableSetOf(marks.failedLine)) { it.line }
     private val doubtful = marks.doubts.mapTo(mutableSetOf()) { it.line }
 
     fun DrawScope.draw(lines: Int) {
@@ -58,7 +58,7 @@ internal class GutterDrawing(
         }
         val colour = when {
             hasStop -> Color.White
-            line in mistaken -> colours.mistake
+            line in mistaken -> colours.error
             line in doubtful -> code.doubt
             line == marks.runningLine -> colours.onPane
             else -> colours.quiet

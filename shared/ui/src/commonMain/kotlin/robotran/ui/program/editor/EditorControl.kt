@@ -219,7 +219,7 @@ internal class EditorControl(
     private fun offer(after: Draft, isTyping: Boolean, isWanted: Boolean = false) {
         val list = if (isTyping) completionsAt(after, language, help, isWanted) else null
         val isMember = list != null && after.text.getOrNull(list.start - 1) == '.'
-        offered = list?.takeIf { isMember || isWanted || after.selection.caret - it.start >= LEAST_TYPED }
+        offered = list?.takeIf { isMember || isWanted || after.selection.caret - it.start >= MIN_TYPED }
         chosen = 0
     }
 
@@ -240,6 +240,6 @@ internal class EditorControl(
         val VERTICAL = setOf(CaretMove.UP, CaretMove.DOWN, CaretMove.PAGE_UP, CaretMove.PAGE_DOWN)
 
         /** Fewer characters say too little. */
-        const val LEAST_TYPED = 2
+        const val MIN_TYPED = 2
     }
 }

@@ -8,7 +8,7 @@ package robotran.ui.program.editor
 internal data class EditorGeometry(
     val lineHeight: Float,
     val lines: Int,
-    val notes: List<NotePlace> = emptyList(),
+    val notes: List<NoteBounds> = emptyList(),
 ) {
     /** The heights of all notes before each, and of all at the end. */
     private val heightsBefore: FloatArray = FloatArray(notes.size + 1).also { sums ->
@@ -39,4 +39,4 @@ internal data class EditorGeometry(
 }
 
 /** A note under [line]. */
-internal data class NotePlace(val line: Int, val height: Float)
+internal data class NoteBounds(val line: Int, val height: Float)

@@ -46,7 +46,7 @@ internal suspend fun PointerInputScope.listenFor(touch: EditorTouch) {
         val down = awaitFirstDown()
         val near = abs(down.position.x - lastPlace.x) < NEAR.toPx() && abs(down.position.y - lastPlace.y) < NEAR.toPx()
         val again = down.uptimeMillis - lastTap < viewConfiguration.doubleTapTimeoutMillis && near
-        taps = if (again) taps % MOST_TAPS + 1 else 1
+        taps = if (again) taps % MAX_TAPS + 1 else 1
         lastTap = down.uptimeMillis
         lastPlace = down.position
         if (down.type == PointerType.Mouse) mouse(down, taps, touch) else finger(down, taps, touch)
@@ -98,5 +98,5 @@ internal suspend fun PointerInputScope.listenForZoom(touch: EditorTouch) = await
 }
 
 private val NEAR = 24.dp
-private const val MOST_TAPS = 3
+private const val MAX_TAPS = 3
 private const val WHEEL = 1.08f

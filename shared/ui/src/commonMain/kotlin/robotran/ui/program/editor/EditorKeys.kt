@@ -45,7 +45,7 @@ internal sealed interface EditorCommand {
         FIX,
         LARGER,
         SMALLER,
-        USUAL_SIZE,
+        DEFAULT_SIZE,
         HELP,
         RENAME,
         LEAVE,
@@ -118,8 +118,8 @@ private val CONTROL = mapOf(
     Key.NumPadAdd to EditorCommand.Plain.LARGER,
     Key.Minus to EditorCommand.Plain.SMALLER,
     Key.NumPadSubtract to EditorCommand.Plain.SMALLER,
-    Key.Zero to EditorCommand.Plain.USUAL_SIZE,
-    Key.NumPad0 to EditorCommand.Plain.USUAL_SIZE,
+    Key.Zero to EditorCommand.Plain.DEFAULT_SIZE,
+    Key.NumPad0 to EditorCommand.Plain.DEFAULT_SIZE,
     Key.Backspace to EditorCommand.Plain.ERASE_WORD_BACKWARDS,
     Key.Delete to EditorCommand.Plain.ERASE_WORD_FORWARDS,
 )
@@ -132,7 +132,7 @@ private val CONTROL_SHIFT = mapOf(
 )
 
 /** On some keyboards these signs take Shift. */
-private val SAME_WITH_SHIFT = setOf(EditorCommand.Plain.LARGER, EditorCommand.Plain.TOGGLE_COMMENT, EditorCommand.Plain.USUAL_SIZE)
+private val SAME_WITH_SHIFT = setOf(EditorCommand.Plain.LARGER, EditorCommand.Plain.TOGGLE_COMMENT, EditorCommand.Plain.DEFAULT_SIZE)
 
 private val ALT = mapOf(
     Key.DirectionUp to EditorCommand.Plain.MOVE_LINES_UP,

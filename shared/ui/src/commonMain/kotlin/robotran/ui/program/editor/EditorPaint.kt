@@ -10,7 +10,7 @@ import robotran.textediting.text.TextSpan
  *
  * @property runningLine the line that is running; 0 for none.
  * @property failedLine the line that a run could not go on at; 0 for none.
- * @property mistakes the places to underline, and [doubts] those to underline more quietly.
+ * @property diagnostics the places to underline, and [doubts] those to underline more quietly.
  * @property matches what was found, in its order.
  * @property partners the lines that belong to what somebody looks at on the other side.
  * @property composing what an input method is still working on.
@@ -19,7 +19,7 @@ import robotran.textediting.text.TextSpan
 internal data class EditorMarks(
     val runningLine: Int = 0,
     val failedLine: Int = 0,
-    val mistakes: List<SourceRange> = emptyList(),
+    val diagnostics: List<SourceRange> = emptyList(),
     val doubts: List<SourceRange> = emptyList(),
     val breakpoints: Set<Int> = emptySet(),
     val matches: List<TextSpan> = emptyList(),

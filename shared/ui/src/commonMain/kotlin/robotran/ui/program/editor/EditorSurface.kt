@@ -11,7 +11,7 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.IntSize
 import androidx.compose.ui.unit.dp
-import robotran.textediting.code.CodePieces
+import robotran.textediting.code.CodeTokens
 import robotran.ui.theme.LocalRobotranColours
 
 /**
@@ -22,7 +22,7 @@ import robotran.ui.theme.LocalRobotranColours
 @Composable
 internal fun EditorSurface(
     paint: EditorPaint,
-    pieces: CodePieces,
+    pieces: CodeTokens,
     view: EditorView,
     layouts: LineLayouts,
     noteLines: List<Int>,
@@ -53,7 +53,7 @@ internal fun EditorSurface(
         val width = (size.width - gutter.toInt()).coerceAtLeast(0)
         val placed = measurables.map { it.measure(Constraints(minWidth = width, maxWidth = width)) }
         val places = placed.mapIndexed { index, note ->
-            NotePlace((noteLines[index] - 1).coerceIn(0, lines.count - 1), note.height.toFloat())
+            NoteBounds((noteLines[index] - 1).coerceIn(0, lines.count - 1), note.height.toFloat())
         }
         val geometry = EditorGeometry(layouts.lineHeight, lines.count, places)
         view.size = size

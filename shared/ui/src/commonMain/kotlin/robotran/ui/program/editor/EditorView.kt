@@ -8,7 +8,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.IntSize
-import robotran.textediting.code.CodePieces
+import robotran.textediting.code.CodeTokens
 import robotran.textediting.text.Draft
 
 /** What of a text is to be seen, and where on the screen it is. */
@@ -28,7 +28,7 @@ internal class EditorView {
     /** Pixels that the longest line takes. */
     var textWidth by mutableFloatStateOf(0f)
 
-    private val most: Offset
+    private val max: Offset
         get() = Offset(
             (gutter + textWidth - size.width).coerceAtLeast(0f),
             (geometry.height + geometry.lineHeight * ROOM_BELOW - size.height).coerceAtLeast(0f),
@@ -43,14 +43,14 @@ internal class EditorView {
     /** Scrolls down by [pixels] as far as there is text; gives how far that was. */
     fun scrollDown(pixels: Float): Float {
         val before = scrollY
-        scrollY = (scrollY + pixels).coerceIn(0f, most.y)
+        scrollY = (scrollY + pixels).coerceIn(0f, max.y)
         return scrollY - before
     }
 
     /** The same to the right. */
     fun scrollRight(pixels: Float): Float {
         val before = scrollX
-        scrollX = (scrollX + pixels).coerceIn(0f, most.x)
+        scrollX = (scrollX + pixels).coerceIn(0f, max.x)
         return scrollX - before
     }
 
@@ -89,14 +89,14 @@ internal class EditorView {
     }
 
     /** The rectangle of [column] of [line] on the screen, as thin as a caret. */
-    fun caretPlace(line: Int, column: Int, draft: Draft, layouts: LineLayouts, pieces: CodePieces): Rect {
+    fun caretPlace(line: Int, column: Int, draft: Draft, layouts: LineLayouts, pieces: CodeTokens): Rect {
         val x = gutter + layouts.of(draft.lines.line(line), pieces.startsInComment(line)).x(column) - scrollX
         val top = geometry.top(line) - scrollY
         return Rect(x, top, x, top + geometry.lineHeight)
     }
 
     /** The place of the text nearest to [position] on the screen. */
-    fun offsetAt(position: Offset, draft: Draft, layouts: LineLayouts, pieces: CodePieces): Int {
+    fun offsetAt(position: Offset, draft: Draft, layouts: LineLayouts, pieces: CodeTokens): Int {
         val line = geometry.lineAt(position.y + scrollY).coerceIn(0, draft.lines.count - 1)
         val column = layouts.of(draft.lines.line(line), pieces.startsInComment(line)).column(position.x - gutter + scrollX)
         return draft.lines.offset(line, column.coerceAtLeast(0))

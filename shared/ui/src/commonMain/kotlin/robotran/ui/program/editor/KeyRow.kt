@@ -24,8 +24,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.editor_caret_left
 import robotran.ui.resources.editor_caret_right
 import robotran.ui.resources.editor_indent
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 
 /** The signs that a keyboard on the screen hides on its second page, for who writes with fingers. */
 @Composable
@@ -52,7 +52,7 @@ internal fun KeyRow(control: EditorControl) {
 private fun TouchKey(sign: String, words: String, onClick: () -> Unit) {
     Box(
         Modifier
-            .defaultMinSize(Measures.TARGET, Measures.TARGET)
+            .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
             .testTag("key-$sign")
             .focusProperties { canFocus = false }
             .clickable(role = Role.Button, onClick = onClick)

@@ -22,7 +22,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.programs.Mistake
+import robotran.programs.ProgramDiagnostic
 import robotran.ui.resources.Res
 import robotran.ui.resources.mistake
 import robotran.ui.theme.LocalRobotranColours
@@ -35,26 +35,26 @@ import robotran.workshop.state.InlineDiagnostic
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, onFix: (Mistake) -> Unit) {
+internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, onFix: (ProgramDiagnostic) -> Unit) {
     val colours = LocalRobotranColours.current
-    val spoken = stringResource(Res.string.mistake, note.line ?: 0, note.mistake.message)
+    val spoken = stringResource(Res.string.mistake, note.line ?: 0, note.diagnostic.message)
     val frame = Modifier
         .testTag(note.kind.name.lowercase())
         .fillMaxWidth()
         .padding(end = 8.dp, top = 2.dp, bottom = 4.dp)
         .clip(RoundedCornerShape(8.dp))
-        .background(if (note.isDoubt) colours.line.copy(alpha = QUIET) else colours.mistakePane)
+        .background(if (note.isDoubt) colours.line.copy(alpha = QUIET) else colours.errorPane)
         .padding(start = 12.dp, end = 4.dp)
     val message: @Composable (Modifier) -> Unit = { modifier ->
         Text(
-            note.mistake.message,
+            note.diagnostic.message,
             modifier
                 .padding(vertical = 8.dp)
                 .clearAndSetSemantics {
                     text = AnnotatedString(spoken)
                     liveRegion = LiveRegionMode.Polite
                 },
-            color = if (note.isDoubt) colours.onPane else colours.mistake,
+            color = if (note.isDoubt) colours.onPane else colours.error,
             fontSize = 15.sp,
             lineHeight = 20.sp,
             fontWeight = if (standsOut) FontWeight.Bold else FontWeight.Normal,
@@ -63,7 +63,7 @@ internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, 
     // A button that does not fit beside the message goes under it.
     FlowRow(frame, Arrangement.spacedBy(8.dp)) {
         message(Modifier.align(Alignment.CenterVertically))
-        if (note.mistake.fix != null) FixButton(note.mistake, line, onFix)
+        if (note.diagnostic.fix != null) FixButton(note.diagnostic, line, onFix)
     }
 }
 

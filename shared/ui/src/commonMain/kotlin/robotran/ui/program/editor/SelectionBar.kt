@@ -37,8 +37,8 @@ import robotran.ui.resources.editor_cut
 import robotran.ui.resources.editor_help
 import robotran.ui.resources.editor_paste
 import robotran.ui.resources.editor_select_all
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 
 /** The buttons for what a finger has selected, above it or, at the upper edge, under it. */
 @Composable
@@ -56,7 +56,7 @@ internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> U
         for ((command, words) in BUTTONS) {
             val tag = "selection-${command.name.lowercase()}"
             // With the focus gone from the text the bar would be gone too.
-            val modifier = Modifier.focusProperties { canFocus = false }.defaultMinSize(minHeight = Measures.TARGET).testTag(tag)
+            val modifier = Modifier.focusProperties { canFocus = false }.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag)
             TextButton({ onCommand(command) }, modifier) {
                 Text(stringResource(words), color = colours.onPane, fontSize = 15.sp)
             }
@@ -79,7 +79,7 @@ internal fun SelectionHandle(place: () -> Rect, tag: String, onDrag: (Offset) ->
                 }
             }
             .testTag(tag)
-            .size(Measures.TARGET)
+            .size(Dimensions.TARGET)
             .clearAndSetSemantics { }
             .pointerInput(Unit) {
                 detectDragGestures(
@@ -91,7 +91,7 @@ internal fun SelectionHandle(place: () -> Rect, tag: String, onDrag: (Offset) ->
                 }
             },
     ) {
-        Canvas(Modifier.size(Measures.TARGET)) { drawCircle(colour, 10.dp.toPx(), Offset(size.width / 2, 11.dp.toPx())) }
+        Canvas(Modifier.size(Dimensions.TARGET)) { drawCircle(colour, 10.dp.toPx(), Offset(size.width / 2, 11.dp.toPx())) }
     }
 }
 
@@ -101,7 +101,7 @@ private fun Modifier.beside(selection: () -> Rect) = layout { measurable, constr
         val place = selection()
         val margin = 8.dp.roundToPx()
         val above = place.top.toInt() - placed.height - margin
-        val below = place.bottom.toInt() + Measures.TARGET.roundToPx()
+        val below = place.bottom.toInt() + Dimensions.TARGET.roundToPx()
         val y = if (above >= 0) above else minOf(below, constraints.maxHeight - placed.height)
         val x = (place.left.toInt() - placed.width / 2).coerceIn(0, (constraints.maxWidth - placed.width).coerceAtLeast(0))
         placed.place(x, y.coerceAtLeast(0))

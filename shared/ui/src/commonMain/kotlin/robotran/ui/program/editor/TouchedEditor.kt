@@ -11,7 +11,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.platform.LocalSoftwareKeyboardController
-import robotran.textediting.code.CodePieces
+import robotran.textediting.code.CodeTokens
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 
@@ -28,7 +28,7 @@ internal fun rememberTouch(
     control: EditorControl,
     view: EditorView,
     layouts: LineLayouts,
-    pieces: CodePieces,
+    pieces: CodeTokens,
     draft: Draft,
     focus: FocusRequester,
     onBreakpoint: (Int) -> Unit,

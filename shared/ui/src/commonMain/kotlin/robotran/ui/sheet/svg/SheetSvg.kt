@@ -15,7 +15,7 @@ import robotran.world.geometry.Point
 internal class SheetSvg(private val world: World, private val state: SessionState) {
     private val svg = SvgWriter()
     private val shapes = SvgShapes(svg, world.paper.height)
-    private val things = SvgThings(svg, shapes)
+    private val things = SvgElements(svg, shapes)
 
     fun write(): String {
         val paper = world.paper

@@ -7,12 +7,12 @@ import robotran.simulation.state.RobotState
 import robotran.ui.sheet.RobotColours
 import robotran.ui.sheet.RobotPlan
 import robotran.ui.sheet.SheetColours
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 
 /** Writes the penbot from above, the same as on the screen, see [RobotPlan]. */
 internal class SvgRobot(private val svg: SvgWriter) {
     /** @param down how far down the picture its pen is. */
-    fun write(build: RobotPlace, robot: RobotState, down: Double) {
+    fun write(build: RobotPlacement, robot: RobotState, down: Double) {
         val place = "translate(${figure(robot.pose.x)} ${figure(down)}) rotate(${figure(-robot.pose.heading)})"
         svg.element("g", "transform" to place) {
             for (side in listOf(-1, 1)) wheel(side * RobotPlan.WHEEL_MIDDLE)
@@ -47,7 +47,7 @@ internal class SvgRobot(private val svg: SvgWriter) {
         plate(moved, if (pressed) RobotColours.BUMPER_EDGE else RobotColours.BUMPER, 0.6, RobotColours.BUMPER_EDGE)
     }
 
-    private fun brick(build: RobotPlace) {
+    private fun brick(build: RobotPlacement) {
         plate(RobotPlan.BRICK, RobotColours.brick(build.colour), 0.6, RobotColours.edge(build.colour))
         plate(RobotPlan.DISPLAY, RobotColours.GLASS, 0.2, RobotColours.CHASSIS)
         for ((place, colour) in RobotPlan.BUTTONS.zip(RobotColours.BUTTONS)) disc(place, 0.55f, colour)

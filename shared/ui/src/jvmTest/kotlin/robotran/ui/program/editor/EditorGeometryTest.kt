@@ -5,7 +5,7 @@ import kotlin.test.assertEquals
 
 class EditorGeometryTest {
     private val plain = EditorGeometry(20f, 100)
-    private val noted = EditorGeometry(20f, 100, listOf(NotePlace(1, 48f), NotePlace(1, 30f), NotePlace(99, 48f)))
+    private val noted = EditorGeometry(20f, 100, listOf(NoteBounds(1, 48f), NoteBounds(1, 30f), NoteBounds(99, 48f)))
 
     @Test
     fun `lines without notes lie one below the other`() {

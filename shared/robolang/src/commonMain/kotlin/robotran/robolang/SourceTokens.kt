@@ -1,0 +1,45 @@
+package robotran.robolang
+
+import robotran.robolang.check.BuiltIn
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.messages.EnglishMessages
+import robotran.robolang.syntax.Token
+import robotran.robolang.syntax.TokenKind
+import robotran.robolang.syntax.lowercaseKeyword
+import robotran.robolang.syntax.scan
+
+/**
+ * A word, a number or a sign of a line, for an editor that colours them.
+ *
+ * @property start its first column, from 0.
+ * @property end the column behind its last character.
+ */
+data class SourceToken(
+    val kind: SourceTokenKind,
+    val start: Int,
+    val end: Int,
+)
+
+enum class SourceTokenKind { KEYWORD, BUILT_IN, NAME, NUMBER, TEXT, SIGN, COMMENT }
+
+/** Takes one [line] apart as the scanner does; what it does not know is left out. Never throws. */
+fun robolangPieces(line: String): List<SourceToken> {
+    val scanned = scan(line, DiagnosticSink(EnglishMessages)).first()
+    return (scanned.tokens + listOfNotNull(scanned.comment)).map { SourceToken(kindOf(it), it.range.column - 1, it.range.endColumn - 1) }
+}
+
+private fun kindOf(token: Token): SourceTokenKind = when (token.kind) {
+    TokenKind.WORD -> when {
+        token.keyword != null -> SourceTokenKind.KEYWORD
+        BuiltIn.of(lowercaseKeyword(token.text)) != null -> SourceTokenKind.BUILT_IN
+        else -> SourceTokenKind.NAME
+    }
+
+    TokenKind.NUMBER -> SourceTokenKind.NUMBER
+
+    TokenKind.TEXT -> SourceTokenKind.TEXT
+
+    TokenKind.COMMENT -> SourceTokenKind.COMMENT
+
+    else -> SourceTokenKind.SIGN
+}

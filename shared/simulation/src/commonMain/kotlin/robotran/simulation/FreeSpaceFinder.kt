@@ -1,0 +1,65 @@
+package robotran.simulation
+
+import robotran.simulation.goal.Actor
+import robotran.simulation.goal.Places
+import robotran.simulation.goal.meets
+import robotran.world.Wall
+import robotran.world.World
+import robotran.world.geometry.Outline
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Trigonometry
+import robotran.world.geometry.length
+import robotran.world.geometry.outline
+
+/** Finds room for blocks that somebody puts down. */
+internal class FreeSpaceFinder(private val world: World, trigonometry: Trigonometry) {
+    private val places = Places(world, trigonometry)
+    private val solids = world.walls.map { it.outline() } + world.barriers.map { it.shape.outline(trigonometry) }
+    private val directions = List(DIRECTIONS) {
+        val angle = it * 2 * kotlin.math.PI / DIRECTIONS
+        Point(trigonometry.cosine(angle), trigonometry.sine(angle))
+    }
+
+    /**
+     * How far a block is to be moved so that it lies as near as can be to where [moved] would bring it, without lying in anything; [moved] itself if there
+     * is no room within [FARTHEST] centimetres.
+     *
+     * @param robots where the robots stand.
+     * @param blocks how far the blocks have been moved.
+     */
+    fun nearest(block: Int, moved: Pose, robots: List<Pose>, blocks: List<Pose>): Pose {
+        val others = solids + robots.mapIndexed { number, pose -> places.footprint(Actor.OfRobots(number), pose) } +
+            blocks.indices.filter { it != block }.map { places.footprint(Actor.OfBlocks(it), blocks[it]) }
+        return sequenceOf(moved).plus(around(moved)).firstOrNull { isFree(block, it, others) } ?: moved
+    }
+
+    private fun around(moved: Pose): Sequence<Pose> = (1..(FARTHEST / STEP).toInt()).asSequence().flatMap { ring ->
+        directions.asSequence().map { moved.copy(x = moved.x + ring * STEP * it.x, y = moved.y + ring * STEP * it.y) }
+    }
+
+    private fun isFree(block: Int, moved: Pose, others: List<Outline>): Boolean {
+        val middle = places.blockCentre(block, moved)
+        if (!world.paper.contains(middle.x, middle.y)) return false
+        val outline = places.footprint(Actor.OfBlocks(block), moved)
+        return others.none { outline.meets(it) }
+    }
+
+    private companion object {
+        const val DIRECTIONS = 16
+        const val STEP = 0.5
+        const val FARTHEST = 40.0
+    }
+}
+
+private fun Wall.outline(): Outline {
+    val along = length(to.x - from.x, to.y - from.y)
+    val reachX = if (along == 0.0) thickness / 2 else (to.x - from.x) / along * thickness / 2
+    val reachY = if (along == 0.0) 0.0 else (to.y - from.y) / along * thickness / 2
+    return Outline.Angular(
+        listOf(
+            Point(from.x - reachX + reachY, from.y - reachY - reachX), Point(to.x + reachX + reachY, to.y + reachY - reachX),
+            Point(to.x + reachX - reachY, to.y + reachY + reachX), Point(from.x - reachX - reachY, from.y - reachY + reachX),
+        ),
+    )
+}

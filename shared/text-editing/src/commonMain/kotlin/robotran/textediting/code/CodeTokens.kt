@@ -1,0 +1,48 @@
+package robotran.textediting.code
+
+import robotran.language.ProgramLanguage
+import robotran.robolang.SourceTokenKind
+import robotran.robolang.robolangPieces
+import robotran.textediting.text.TextLines
+
+/** The pieces of the lines of a program, worked out when they are asked for. */
+class CodeTokens(
+    private val lines: TextLines,
+    private val language: ProgramLanguage,
+) {
+    private val startsInComment: BooleanArray? by lazy(LazyThreadSafetyMode.PUBLICATION) { commentStarts() }
+
+    /** Whether [line], from 0, begins inside a comment of several lines. */
+    fun startsInComment(line: Int): Boolean = startsInComment?.get(line) ?: false
+
+    /** The pieces of [line], from 0. */
+    fun of(line: Int): List<CodeToken> = piecesOf(lines.line(line), language, startsInComment(line))
+
+    private fun commentStarts(): BooleanArray? {
+        if (language == ProgramLanguage.ROBOLANG || "/*" !in lines.text) return null
+        val starts = BooleanArray(lines.count)
+        var inComment = false
+        for (line in 0..<lines.count) {
+            starts[line] = inComment
+            val text = lines.line(line)
+            if (inComment || "/*" in text) inComment = piecesOfJava(text, inComment).endsInComment
+        }
+        return starts
+    }
+}
+
+/** The pieces of one [line]. Never throws, whatever it holds. */
+fun piecesOf(line: String, language: ProgramLanguage, startsInComment: Boolean): List<CodeToken> = when (language) {
+    ProgramLanguage.ROBOLANG -> robolangPieces(line).map { CodeToken(kindOf(it.kind), it.start, it.end) }
+    ProgramLanguage.JAVA -> piecesOfJava(line, startsInComment).pieces
+}
+
+private fun kindOf(kind: SourceTokenKind): CodeTokenKind = when (kind) {
+    SourceTokenKind.KEYWORD -> CodeTokenKind.KEYWORD
+    SourceTokenKind.BUILT_IN -> CodeTokenKind.KNOWN
+    SourceTokenKind.NAME -> CodeTokenKind.NAME
+    SourceTokenKind.NUMBER -> CodeTokenKind.NUMBER
+    SourceTokenKind.TEXT -> CodeTokenKind.TEXT
+    SourceTokenKind.SIGN -> CodeTokenKind.SIGN
+    SourceTokenKind.COMMENT -> CodeTokenKind.COMMENT
+}

@@ -1,0 +1,44 @@
+package robotran.tinyvm.link
+
+import robotran.tinyvm.classfile.ClassFile
+import robotran.tinyvm.classfile.ClassFileResult
+import robotran.tinyvm.classfile.readClassFile
+import robotran.tinyvm.diagnostic.LinkException
+import robotran.tinyvm.messages.TinyVmMessages
+
+/** The class files a program is linked from: all of its own, and those of the [library] that are asked for. */
+internal class ClassPath(
+    program: Map<String, ByteArray>,
+    private val library: Map<String, ByteArray>,
+    private val messages: TinyVmMessages,
+) {
+    private val own = LinkedHashMap<String, ClassFile>()
+
+    /** The names of the program's classes, with slashes. */
+    val ownNames: Set<String> get() = own.keys
+
+    init {
+        for ((name, bytes) in program) {
+            val file = read(bytes, name)
+            if (own.put(file.name, file) != null) CodeLocation(file.name).refuse(messages.classTwice(file.name.replace('/', '.')))
+        }
+    }
+
+    /** The file that the source of the program's class [name] stands in; null if all of them stand in the same. */
+    fun sourceFileOf(name: String): String? = own[name]?.sourceFile?.takeIf { hasSeveralSources }
+
+    private val hasSeveralSources: Boolean by lazy(LazyThreadSafetyMode.NONE) {
+        own.values.mapNotNull { it.sourceFile }.distinct().size > 1
+    }
+
+    fun isOwn(name: String): Boolean = name in own
+
+    /** The class with the internal name [name], a program's own before the library's; null if there is none. */
+    fun find(name: String): ClassFile? = own[name] ?: library[name]?.let { read(it, name) }?.takeIf { it.name == name }
+
+    private fun read(bytes: ByteArray, name: String): ClassFile =
+        when (val result = readClassFile(bytes, name.removeSuffix(".class").replace('/', '.'), messages)) {
+            is ClassFileResult.Read -> result.classFile
+            is ClassFileResult.Rejected -> throw LinkException(result.refusal)
+        }
+}

@@ -1,0 +1,60 @@
+package robotran.tinyvm.link
+
+/** What instructions do to a [FrameState] that read or write fields, call methods or return from them. */
+internal class MemberTransferFunctions(
+    private val method: LinkedMethod,
+    private val types: TypeTable,
+    private val relations: TypeRelations,
+    private val resolver: Resolver,
+    private val code: ResolvedCode,
+) {
+    fun field(instruction: Instruction, situation: FrameState, place: CodeLocation) {
+        val isStatic = instruction.opcode <= Opcode.PUTSTATIC
+        val field = code.fields.getOrPut(instruction.place) { resolver.field(instruction.operand, isStatic, place) }
+        val isWrite = instruction.opcode == Opcode.PUTSTATIC || instruction.opcode == Opcode.PUTFIELD
+        if (isWrite) popOf(field.descriptor, situation, place)
+        if (!isStatic && !relations.fits(situation.popReference(), field.owner)) unsound()
+        if (!isWrite) pushOf(field.descriptor, situation, place)
+    }
+
+    fun call(instruction: Instruction, situation: FrameState, place: CodeLocation) {
+        val opcode = instruction.opcode
+        val called = code.methods.getOrPut(instruction.place) {
+            resolver.method(instruction.operand, opcode == Opcode.INVOKESTATIC, place)
+        }
+        if (called.isConstructor && opcode != Opcode.INVOKESPECIAL) unsound()
+        if (opcode == Opcode.INVOKESPECIAL && called.owner.isInterface) unsound()
+        for (parameter in called.types.parameters.asReversed()) popOf(parameter, situation, place)
+        if (!called.isStatic && !relations.fits(situation.popReference(), called.owner)) unsound()
+        if (called.resultWords > 0) pushOf(called.types.result, situation, place)
+    }
+
+    fun result(opcode: Int, situation: FrameState, place: CodeLocation) {
+        val result = method.types.result
+        val expected = when {
+            result == "V" -> Opcode.RETURN
+            isReferenceDescriptor(result) -> Opcode.ARETURN
+            else -> Opcode.IRETURN + KINDS.indexOf(RESULT_KINDS[VerificationType.ofLetter(result[0])])
+        }
+        if (opcode != expected) unsound()
+        if (opcode != Opcode.RETURN) popOf(result, situation, place)
+    }
+
+    private fun popOf(descriptor: String, situation: FrameState, place: CodeLocation) {
+        if (!isReferenceDescriptor(descriptor)) return situation.popValue(VerificationType.ofLetter(descriptor[0]))
+        if (!relations.fits(situation.popReference(), types.typeOf(descriptor, place))) unsound()
+    }
+
+    private fun pushOf(descriptor: String, situation: FrameState, place: CodeLocation) {
+        val isReference = isReferenceDescriptor(descriptor)
+        situation.pushValue(if (isReference) VerificationType.reference(types.typeOf(descriptor, place)) else VerificationType.ofLetter(descriptor[0]))
+    }
+
+    private companion object {
+        /** The kinds that returns come in, in the order of their numbers. */
+        const val KINDS = "IJFD"
+
+        /** The letters of [VerificationType]'s kinds by their numbers. */
+        const val RESULT_KINDS = " IFJD"
+    }
+}

@@ -1,0 +1,27 @@
+package robotran.tinyvm.run
+
+import robotran.rcxrom.program.RuntimeWarning
+import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.messages.RunMessages
+
+/** What a learner is told of a run, each thing once a line. @param programBytes what the program itself takes of the brick's memory. */
+internal class RuntimeWarnings(private val mode: TinyVmMode, private val messages: RunMessages, private val programBytes: Int) {
+    private val places = HashSet<Triple<Quirk, Int, String?>>()
+
+    /** All so far; a new list with each that comes. */
+    var all: List<RuntimeWarning> = emptyList()
+        private set
+
+    fun add(quirk: Quirk, line: Int, file: String?) {
+        if (all.size == TinyVmLimits.REMARKS || !places.add(Triple(quirk, line, file))) return
+        all = all + RuntimeWarning(messageOf(quirk), line, file)
+    }
+
+    private fun messageOf(quirk: Quirk): String = when {
+        mode == TinyVmMode.FORGIVING -> messages.wouldBite(quirk)
+        quirk == Quirk.HEAP_FULL -> messages.bites(quirk) + " " + messages.sharesMemory(programBytes, TinyVmLimits.MEMORY_BYTES)
+        else -> messages.bites(quirk)
+    }
+}

@@ -1,0 +1,118 @@
+package robotran.workshop.documents
+
+import kotlinx.coroutines.yield
+import robotran.documents.ProjectLock
+import robotran.documents.ProjectSummary
+import robotran.documents.SavedProject
+import robotran.documents.SavedProjectResult
+import robotran.documents.StoreResult
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.platform.Platform
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.Notice
+import robotran.workshop.state.ProjectListEntry
+
+/**
+ * The works that are kept: shown to choose from, opened and deleted.
+ */
+internal class SavedProjectList(
+    private val platform: Platform,
+    private val preferences: Preferences,
+    private val editor: ProjectEditor,
+    private val notices: Notices,
+    private val keeper: DocumentAutosaver,
+    private val view: DocumentView,
+    private val replacement: ProjectReplacement,
+) {
+    suspend fun handle(event: DocumentEvent.OfWorks) {
+        val asked = view.dialog as? DocumentDialog.ProjectList
+        when (event) {
+            DocumentEvent.ProjectListRequested -> showAll()
+
+            is DocumentEvent.SavedProjectChosen -> open(event.id)
+
+            is DocumentEvent.ProjectDeletionRequested -> view.show(
+                asked?.copy(
+                    deleting = asked.works?.firstOrNull {
+                        it.entry.id == event.id
+                    },
+                ),
+            )
+
+            is DocumentEvent.ProjectDeletionAnswered -> delete(asked?.deleting?.takeIf { event.delete })
+        }
+    }
+
+    /** The work called [id] and the right to change it; null if another window has it, or it cannot be used. */
+    suspend fun claim(id: String): Pair<SavedProject, ProjectLock>? {
+        val claim = keeper.shelf.claim(id) ?: return null
+        val found = keeper.shelf.read(id) as? SavedProjectResult.Found
+        if (found == null) claim.release()
+        return found?.let { it.work to claim }
+    }
+
+    private suspend fun showAll() {
+        if (view.dialog !is DocumentDialog.ProjectList) view.show(DocumentDialog.ProjectList(works = null))
+        view.keepNow()
+        val language = preferences.settings.language?.tag.orEmpty()
+        val works = keeper.shelf.works().map { ProjectListEntry(it, platform.clock.describe(it.keptAt, language), it.id == keeper.openId) }
+        if (view.dialog is DocumentDialog.ProjectList) view.show(DocumentDialog.ProjectList(works))
+        for (work in works) {
+            yield()
+            lookInto(work.entry)
+        }
+    }
+
+    /** Tells in the list what is in the work of [entry], if that is still to be seen. */
+    private suspend fun lookInto(entry: ProjectSummary) {
+        if (view.dialog !is DocumentDialog.ProjectList) return
+        val project = (keeper.shelf.read(entry.id) as? SavedProjectResult.Found)?.work?.project ?: return
+        val programs = project.robots.flatMap { robot -> robot.programs.map { it.name } }
+        val now = view.dialog as? DocumentDialog.ProjectList ?: return
+        view.show(now.copy(works = now.works?.map { if (it.entry == entry) it.copy(world = project.world, programs = programs) else it }))
+    }
+
+    private suspend fun open(id: String) {
+        if (id == keeper.openId) return view.show(null)
+        val claim = keeper.shelf.claim(id)
+        if (claim == null) {
+            notices.say(Notice.ProjectOpenElsewhere)
+            return
+        }
+        when (val reading = keeper.shelf.read(id)) {
+            is SavedProjectResult.Found -> {
+                replacement.replace {
+                    editor.openProject(reading.work.project)
+                    keeper.tookUp(reading.work, claim)
+                    view.show(null)
+                }
+            }
+
+            is SavedProjectResult.Unusable -> {
+                claim.release()
+                notices.say(Notice.ProjectUnusable(reading.reason(preferences.language)))
+            }
+
+            SavedProjectResult.Missing -> {
+                claim.release()
+                showAll()
+            }
+        }
+    }
+
+    private suspend fun delete(work: ProjectListEntry?) {
+        if (work == null) return showAll()
+        val claim = keeper.shelf.claim(work.entry.id)
+        if (claim == null) {
+            notices.say(Notice.ProjectOpenElsewhere)
+        } else {
+            val result = keeper.shelf.delete(work.entry.id)
+            if (result is StoreResult.Failed) notices.say(Notice.ProjectNotDeleted(result.reason))
+            claim.release()
+        }
+        showAll()
+    }
+}

@@ -1,0 +1,74 @@
+package robotran.workshop.run
+
+import robotran.rcxrom.log.RomLogFilter
+import robotran.runcontrol.ChartLane
+import robotran.runcontrol.FilteredRomCalls
+import robotran.runcontrol.PlaybackState
+import robotran.runcontrol.RunPlayer
+import robotran.runcontrol.VariableWatch
+import robotran.workshop.state.DrawerState
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.LogState
+import robotran.workshop.state.VariablesState
+import robotran.workshop.state.WhyState
+
+/** Fills the drawer with what its open tabs show of a run. */
+internal class DrawerUpdater {
+    val variables = VariableWatch()
+    private var calls = FilteredRomCalls(RomLogFilter())
+
+    /** The thread and the place in its call stack that somebody has chosen; null for where the program is. */
+    private var chosen: Pair<Int, Int>? = null
+
+    /** Whether there is more to come although time stands still. */
+    val isBusy: Boolean get() = !calls.isComplete
+
+    fun filter(filter: RomLogFilter) {
+        calls = FilteredRomCalls(filter)
+    }
+
+    fun choose(thread: Int, frame: Int) {
+        chosen = thread to frame
+    }
+
+    /** The program goes on: what was chosen is not there any more. */
+    fun goesOn() {
+        chosen = null
+    }
+
+    /** Another run has begun. */
+    fun beginAfresh() {
+        chosen = null
+        variables.forget()
+    }
+
+    /** [drawer] with what there is to see of [player] now. */
+    fun fill(drawer: DrawerState, player: RunPlayer): DrawerState =
+        drawer.open.fold(drawer) { filled, tab -> fill(filled, tab, player) }
+
+    private fun fill(drawer: DrawerState, tab: DrawerTab, player: RunPlayer): DrawerState = when (tab) {
+        // On the way to another time the program is somewhere that nobody wants to see.
+        DrawerTab.VARIABLES -> if (player.playback is PlaybackState.Seeking) drawer else drawer.copy(variables = lookAtVariables(player))
+
+        DrawerTab.LOG -> drawer.copy(log = lookAtLog(player))
+
+        DrawerTab.CHART -> drawer.copy(chart = drawer.chart.copy(lines = ChartLane.entries.map(player::chart)))
+
+        DrawerTab.WHY -> drawer.copy(why = WhyState(player.session.explain(), player.state.robots[player.watched].remarks))
+
+        DrawerTab.GOALS -> drawer
+    }
+
+    private fun lookAtVariables(player: RunPlayer): VariablesState {
+        val threads = player.session.threads
+        val current = threads.find { it.isCurrent } ?: threads.firstOrNull() ?: return VariablesState()
+        val thread = threads.find { it.number == chosen?.first } ?: current
+        val frame = chosen?.second?.takeIf { thread.number == chosen?.first && it in thread.callStack.indices } ?: 0
+        return VariablesState(threads, thread.number, frame, variables.look(player.session, thread.number, frame))
+    }
+
+    private fun lookAtLog(player: RunPlayer): LogState {
+        val now = player.romCalls
+        return LogState(calls.find(now), calls.filter, now.count, calls.isComplete)
+    }
+}
