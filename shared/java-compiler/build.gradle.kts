@@ -6,7 +6,12 @@ plugins {
 
 texts {
     constant("commonTest", "robotran.javacompiler.librarySources", "shared/lejos-library/src/brick/java", "**/*.java")
-    constant("commonTest", "robotran.javacompiler.testPrograms", "shared/lejos-library/src/commonTest/resources/programs", "**/*.java")
+    constant(
+        "commonTest",
+        "robotran.javacompiler.testPrograms",
+        "shared/lejos-library/src/commonTest/resources/programs",
+        "**/*.java",
+    )
     constant("commonTest", "robotran.javacompiler.examplePrograms", "examples/lejos", "*.java")
 }
 

@@ -7,7 +7,12 @@ plugins {
 texts {
     constant("commonMain", "robotran.lejoslibrary.librarySources", "shared/lejos-library/src/brick/java", "**/*.java")
     constant("jvmTest", "robotran.lejoslibrary.documentedNatives", "shared/lejos-library/src/brick", "natives.md")
-    constant("jvmTest", "robotran.lejoslibrary.testPrograms", "shared/lejos-library/src/commonTest/resources/programs", "**/*.java")
+    constant(
+        "jvmTest",
+        "robotran.lejoslibrary.testPrograms",
+        "shared/lejos-library/src/commonTest/resources/programs",
+        "**/*.java",
+    )
     constant("jvmTest", "robotran.lejoslibrary.examplePrograms", "examples/lejos", "*.java")
     constant("jvmTest", "robotran.lejoslibrary.lejosDocument", "docs", "lejos.md")
     blocks("jvmTest", "robotran.lejoslibrary.documentedPrograms", "docs", "lejos.md", "java")

@@ -4,7 +4,19 @@ import { test } from 'node:test';
 import { isKept } from './kept.mjs';
 import { isReady, photograph } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
-import { appears, choose, disappears, isSaid, placeOf, press, programText, says, tap, words, writeProgram } from './words.mjs';
+import {
+  appears,
+  choose,
+  disappears,
+  isSaid,
+  placeOf,
+  press,
+  programText,
+  says,
+  tap,
+  words,
+  writeProgram,
+} from './words.mjs';
 
 const FULL = 200_000;
 const LINE = 'forward 20\n';
@@ -12,7 +24,7 @@ const LINE = 'forward 20\n';
 /** Waits until the program reads so. */
 async function reads(page, text) {
   const end = Date.now() + 10_000;
-  while (await programText(page) !== text && Date.now() < end) await page.waitForTimeout(100);
+  while ((await programText(page)) !== text && Date.now() < end) await page.waitForTimeout(100);
   assert.equal(await programText(page), text);
 }
 
@@ -28,7 +40,10 @@ async function askWhatCouldCome(page, point) {
   await point(page, 'tool-complete');
 }
 
-for (const [how, point] of [['a mouse', press], ['a finger', tap]]) {
+for (const [how, point] of [
+  ['a mouse', press],
+  ['a finger', tap],
+]) {
   test(`what could come where the caret is is offered to ${how}, chosen and written over`, () =>
     onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
       await writeProgram(page, 'turn ');
@@ -48,48 +63,51 @@ for (const [how, point] of [['a mouse', press], ['a finger', tap]]) {
       assert.deepEqual(troubles, []);
     }));
 
-  test(`a fix says what it does, does it for ${how}, and one writes on`, () => onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
-    await writeProgram(page, 'forward5');
-    await says(page, 'fix', /Put a space: forward 5/);
-    await photograph(page, 'fix-space');
-    await point(page, 'fix');
-    await disappears(page, 'fix');
-    await page.keyboard.type('0');
-    await reads(page, 'forward 50');
+  test(`a fix says what it does, does it for ${how}, and one writes on`, () =>
+    onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
+      await writeProgram(page, 'forward5');
+      await says(page, 'fix', /Put a space: forward 5/);
+      await photograph(page, 'fix-space');
+      await point(page, 'fix');
+      await disappears(page, 'fix');
+      await page.keyboard.type('0');
+      await reads(page, 'forward 50');
 
-    await choose(page, 'add-program', 'new-java');
-    await press(page, 'program');
-    await page.keyboard.press('Control+a');
-    const java = (end) => 'public class Program {\n    public static void main(String[] args) {\n        int rounds = 0;\n'
-      + `        for (int i = 0; i < 3; i++) {\n            rounds = rounds + i${end}\n        }\n    }\n}\n`;
-    await page.keyboard.insertText(java(''));
-    await isSaid(page, /Line 5: Put a ";" at the end/);
-    await says(page, 'fix', /Add ;/);
-    await point(page, 'fix');
-    await reads(page, java(';'));
-    await page.keyboard.type('//');
-    await reads(page, `${java(';')}//`);
-    assert.deepEqual(troubles, []);
-  }));
+      await choose(page, 'add-program', 'new-java');
+      await press(page, 'program');
+      await page.keyboard.press('Control+a');
+      const java = (end) =>
+        'public class Program {\n    public static void main(String[] args) {\n        int rounds = 0;\n' +
+        `        for (int i = 0; i < 3; i++) {\n            rounds = rounds + i${end}\n        }\n    }\n}\n`;
+      await page.keyboard.insertText(java(''));
+      await isSaid(page, /Line 5: Put a ";" at the end/);
+      await says(page, 'fix', /Add ;/);
+      await point(page, 'fix');
+      await reads(page, java(';'));
+      await page.keyboard.type('//');
+      await reads(page, `${java(';')}//`);
+      assert.deepEqual(troubles, []);
+    }));
 }
 
-test('a word that needs a value comes with one to write over', () => onPage(TABLET, async ({ page, troubles }) => {
-  await writeProgram(page, '');
-  await page.keyboard.type('forw');
-  await appears(page, 'completions');
-  await page.keyboard.press('Enter');
-  await page.keyboard.type('35');
-  await reads(page, 'forward 35');
-  await page.keyboard.press('Enter');
-  await page.keyboard.type('tur');
-  await appears(page, 'completions');
-  await page.keyboard.press('Enter');
-  await appears(page, 'completions');
-  await page.keyboard.press('ArrowDown');
-  await page.keyboard.press('Enter');
-  await reads(page, 'forward 35\nturn right 90');
-  assert.deepEqual(troubles, []);
-}));
+test('a word that needs a value comes with one to write over', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await writeProgram(page, '');
+    await page.keyboard.type('forw');
+    await appears(page, 'completions');
+    await page.keyboard.press('Enter');
+    await page.keyboard.type('35');
+    await reads(page, 'forward 35');
+    await page.keyboard.press('Enter');
+    await page.keyboard.type('tur');
+    await appears(page, 'completions');
+    await page.keyboard.press('Enter');
+    await appears(page, 'completions');
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('Enter');
+    await reads(page, 'forward 35\nturn right 90');
+    assert.deepEqual(troubles, []);
+  }));
 
 test('what is too long for a program is refused at once, and what fits is written in without waiting', () =>
   onPage({ ...TABLET, permissions: ['clipboard-read', 'clipboard-write'] }, async ({ page, troubles }) => {

@@ -2,16 +2,20 @@
 import assert from 'node:assert/strict';
 
 /** All texts of works, in the order of their names. */
-export const keptWorks = (page) => page.evaluate(() => new Promise((resolve, reject) => {
-  const request = indexedDB.open('robotran', 1);
-  request.onerror = () => reject(request.error);
-  request.onsuccess = () => {
-    const texts = request.result.transaction('texts').objectStore('texts');
-    const names = texts.getAllKeys();
-    const all = texts.getAll();
-    all.onsuccess = () => resolve(all.result.filter((_, place) => names.result[place].startsWith('work-')));
-  };
-}));
+export const keptWorks = (page) =>
+  page.evaluate(
+    () =>
+      new Promise((resolve, reject) => {
+        const request = indexedDB.open('robotran', 1);
+        request.onerror = () => reject(request.error);
+        request.onsuccess = () => {
+          const texts = request.result.transaction('texts').objectStore('texts');
+          const names = texts.getAllKeys();
+          const all = texts.getAll();
+          all.onsuccess = () => resolve(all.result.filter((_, place) => names.result[place].startsWith('work-')));
+        };
+      }),
+  );
 
 /** Waits until `test`, a function of what is kept, says yes; answers what is kept then. */
 async function worksSuch(page, test) {

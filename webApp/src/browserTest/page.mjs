@@ -12,25 +12,43 @@ export const RUN_GREEN = [0x2e, 0x9e, 0x4f];
 const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated/;
 
 /**
- * Opens the page and waits until the workshop is there; what goes wrong in the page, or is fetched from elsewhere, is collected in
- * `troubles`, the addresses of all that is fetched in `fetched`.
- * The function `prepare`, if there is one, runs in the page before anything else. Whoever opens a page in a new context is here for the first time; the
- * welcome is put away unless the test wants it (`welcome`). `address` is what comes behind that of the page; the rest is for the browser's context,
- * in which nothing is kept for days without a network unless `serviceWorkers` is 'allow'.
+ * Opens the page and waits until the workshop is there; what goes wrong in the page, or is fetched from elsewhere, is
+ * collected in `troubles`, the addresses of all that is fetched in `fetched`. The function `prepare`, if there is one,
+ * runs in the page before anything else. Whoever opens a page in a new context is here for the first time; the welcome
+ * is put away unless the test wants it (`welcome`). `address` is what comes behind that of the page; the rest is for
+ * the browser's context, in which nothing is kept for days without a network unless `serviceWorkers` is 'allow'.
  */
-export async function openPage(browser, site, { width, height, dark = false, prepare, welcome = false, address = '', ...more }) {
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light', serviceWorkers: 'block', ...more });
+export async function openPage(
+  browser,
+  site,
+  { width, height, dark = false, prepare, welcome = false, address = '', ...more },
+) {
+  const context = await browser.newContext({
+    viewport: { width, height },
+    colorScheme: dark ? 'dark' : 'light',
+    serviceWorkers: 'block',
+    ...more,
+  });
   const page = await context.newPage();
   if (prepare) await page.addInitScript(prepare);
   const troubles = [];
   const fetched = [];
   page.on('request', (request) => fetched.push(request.url()));
   page.on('pageerror', (error) => troubles.push(String(error)));
-  page.on('console', (message) => message.type() === 'error' && !KNOWN_COMPLAINT.test(message.text()) && troubles.push(message.text()));
-  page.on('request', (request) => request.url().startsWith(site.address) || /^(data|blob):/.test(request.url()) || troubles.push(`fetched ${request.url()}`));
+  page.on(
+    'console',
+    (message) => message.type() === 'error' && !KNOWN_COMPLAINT.test(message.text()) && troubles.push(message.text()),
+  );
+  page.on(
+    'request',
+    (request) =>
+      request.url().startsWith(site.address) ||
+      /^(data|blob):/.test(request.url()) ||
+      troubles.push(`fetched ${request.url()}`),
+  );
   await page.goto(site.address + address);
   await isReady(page);
-  if (!welcome && await words(page, 'first-run').count() > 0) await putWelcomeAway(page);
+  if (!welcome && (await words(page, 'first-run').count()) > 0) await putWelcomeAway(page);
   return { page, troubles, fetched };
 }
 
@@ -55,8 +73,12 @@ export const photograph = (page, name) => page.screenshot({ path: path.join(proc
 export async function assertRecordedRun(page, file, runs) {
   const record = path.join(runs, path.parse(file).name);
   const program = await readFile(file, 'utf8');
-  const run = await page.evaluate(([text, name]) => globalThis.robotran.run(text, 60_000, name), [program, path.basename(file)]);
+  const run = await page.evaluate(
+    ([text, name]) => globalThis.robotran.run(text, 60_000, name),
+    [program, path.basename(file)],
+  );
   // The trace hash in the report counts all that a ROM log tells; only short logs are recorded as well.
-  if (existsSync(`${record}.rom-log.txt`)) assert.equal(run.romLog, await readFile(`${record}.rom-log.txt`, 'utf8'), file);
+  if (existsSync(`${record}.rom-log.txt`))
+    assert.equal(run.romLog, await readFile(`${record}.rom-log.txt`, 'utf8'), file);
   assert.equal(`${run.report}\n`, await readFile(`${record}.report.json`, 'utf8'), file);
 }

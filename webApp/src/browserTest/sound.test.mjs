@@ -10,7 +10,18 @@ function listen() {
   const sounds = { contexts: 0, resumed: 0, tones: [] };
   globalThis.sounds = sounds;
   const begin = performance.now();
-  const parameter = () => ({ value: 0, setValueAtTime() { return this; }, linearRampToValueAtTime() { return this; }, cancelScheduledValues() { return this; } });
+  const parameter = () => ({
+    value: 0,
+    setValueAtTime() {
+      return this;
+    },
+    linearRampToValueAtTime() {
+      return this;
+    },
+    cancelScheduledValues() {
+      return this;
+    },
+  });
   const node = (more) => ({ connect: (next) => next, disconnect() {}, ...more });
   globalThis.AudioContext = class {
     constructor() {
@@ -38,7 +49,16 @@ function listen() {
     }
 
     createOscillator() {
-      const tone = node({ type: 'sine', frequency: parameter(), start: (time) => { tone.from = time; }, stop: (time) => { tone.until = time; } });
+      const tone = node({
+        type: 'sine',
+        frequency: parameter(),
+        start: (time) => {
+          tone.from = time;
+        },
+        stop: (time) => {
+          tone.until = time;
+        },
+      });
       sounds.tones.push(tone);
       return tone;
     }
@@ -48,7 +68,11 @@ function listen() {
 const heard = (page) =>
   page.evaluate(() => {
     const { contexts, resumed, tones } = globalThis.sounds;
-    return { contexts, resumed, tones: tones.map(({ type, frequency, from, until }) => ({ type, hertz: frequency.value, from, until })) };
+    return {
+      contexts,
+      resumed,
+      tones: tones.map(({ type, frequency, from, until }) => ({ type, hertz: frequency.value, from, until })),
+    };
   });
 
 test('the page makes no sound before it is touched, and the beeps of the brick after', () =>
@@ -63,17 +87,32 @@ test('the page makes no sound before it is touched, and the beeps of the brick a
     const { contexts, resumed, tones } = await heard(page);
     assert.equal(contexts, 1);
     assert.equal(resumed, 1);
-    assert.deepEqual(tones.slice(-2).map(({ type, hertz }) => [type, hertz]), [['square', 1000], ['square', 1000]]);
-    assert.ok(tones.every(({ from, until }) => until > from && until - from < 0.2), JSON.stringify(tones));
+    assert.deepEqual(
+      tones.slice(-2).map(({ type, hertz }) => [type, hertz]),
+      [
+        ['square', 1000],
+        ['square', 1000],
+      ],
+    );
+    assert.ok(
+      tones.every(({ from, until }) => until > from && until - from < 0.2),
+      JSON.stringify(tones),
+    );
     const [first, second] = tones.slice(-2);
-    assert.ok(second.from - first.from > 0.199, 'the two beeps keep the rhythm of the brick, or a slower one on a slow machine');
+    assert.ok(
+      second.from - first.from > 0.199,
+      'the two beeps keep the rhythm of the brick, or a slower one on a slow machine',
+    );
     assert.deepEqual(troubles, []);
   }));
 
-test('the browser itself plays the beeps without a complaint', () => onPage(TABLET, async ({ page, troubles }) => {
-  const { x, y } = await findColour(page, RUN_GREEN);
-  await page.mouse.click(x, y);
-  await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended', null, { timeout: 60_000 });
-  await page.waitForTimeout(500);
-  assert.deepEqual(troubles, []);
-}));
+test('the browser itself plays the beeps without a complaint', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    const { x, y } = await findColour(page, RUN_GREEN);
+    await page.mouse.click(x, y);
+    await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended', null, {
+      timeout: 60_000,
+    });
+    await page.waitForTimeout(500);
+    assert.deepEqual(troubles, []);
+  }));

@@ -1,25 +1,33 @@
-// What the page says of itself to screen readers, in the HTML over its canvas: tests find things there, and press where those are.
+// What the page says of itself to screen readers, in the HTML over its canvas: tests find things there, and press where
+// those are.
 
 /** What is called `tag` in the app. */
 export const words = (page, tag) => page.locator(`#robotran-words [data-tag="${tag}"]`);
 
 /** The middle of `tag`, in CSS pixels, once it is there and lies still: the words follow the picture a little later. */
 export async function placeOf(page, tag) {
-  const place = await page.waitForFunction((wanted) => {
-    const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
-    if (!element) return null;
-    const { left, top, width, height } = element.getBoundingClientRect();
-    const now = [left, top, width, height].join();
-    const seen = globalThis.seenStill ??= {};
-    if (seen[wanted]?.now !== now) seen[wanted] = { now, since: performance.now() };
-    if (width === 0 || performance.now() - seen[wanted].since < 450) return null;
-    delete seen[wanted];
-    return { x: left + width / 2, y: top + height / 2 };
-  }, tag, { timeout: 30_000 });
+  const place = await page.waitForFunction(
+    (wanted) => {
+      const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
+      if (!element) return null;
+      const { left, top, width, height } = element.getBoundingClientRect();
+      const now = [left, top, width, height].join();
+      const seen = (globalThis.seenStill ??= {});
+      if (seen[wanted]?.now !== now) seen[wanted] = { now, since: performance.now() };
+      if (width === 0 || performance.now() - seen[wanted].since < 450) return null;
+      delete seen[wanted];
+      return { x: left + width / 2, y: top + height / 2 };
+    },
+    tag,
+    { timeout: 30_000 },
+  );
   return place.jsonValue();
 }
 
-/** Clicks on `tag` as a mouse does, and turns its wheel first if that lies below what is in sight, as the end of a long menu may. */
+/**
+ * Clicks on `tag` as a mouse does, and turns its wheel first if that lies below what is in sight, as the end of a long
+ * menu may.
+ */
 export async function press(page, tag) {
   let { x, y } = await placeOf(page, tag);
   const { height } = page.viewportSize();
@@ -57,20 +65,27 @@ export const appears = (page, tag) => words(page, tag).first().waitFor({ state: 
 export const disappears = (page, tag) => words(page, tag).first().waitFor({ state: 'detached', timeout: 30_000 });
 
 /** Waits until what `tag` says matches. */
-export const says = (page, tag, pattern) => page.waitForFunction(([wanted, source]) => {
-  const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
-  const text = element && (element.value ?? '') + element.textContent + (element.getAttribute('aria-label') ?? '');
-  return text !== null && new RegExp(source, 's').test(text);
-}, [tag, pattern.source], { timeout: 30_000 });
+export const says = (page, tag, pattern) =>
+  page.waitForFunction(
+    ([wanted, source]) => {
+      const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
+      const text = element && (element.value ?? '') + element.textContent + (element.getAttribute('aria-label') ?? '');
+      return text !== null && new RegExp(source, 's').test(text);
+    },
+    [tag, pattern.source],
+    { timeout: 30_000 },
+  );
 
 /** Waits until anything on the screen says so. */
-export const isSaid = (page, pattern) => page.locator('#robotran-words').getByText(pattern).first().waitFor({ state: 'attached', timeout: 30_000 });
+export const isSaid = (page, pattern) =>
+  page.locator('#robotran-words').getByText(pattern).first().waitFor({ state: 'attached', timeout: 30_000 });
 
 /** What is in the program's editor. */
-export const programText = (page) => page.evaluate(() => {
-  const field = document.activeElement?.tagName === 'TEXTAREA' ? document.activeElement : null;
-  return field?.value ?? document.querySelector('#robotran-words [data-tag="program"]')?.value;
-});
+export const programText = (page) =>
+  page.evaluate(() => {
+    const field = document.activeElement?.tagName === 'TEXTAREA' ? document.activeElement : null;
+    return field?.value ?? document.querySelector('#robotran-words [data-tag="program"]')?.value;
+  });
 
 /** Clicks into the program and writes `text`, key by key, in place of what is there. */
 export async function writeProgram(page, text) {
@@ -87,7 +102,10 @@ export async function writeProgram(page, text) {
   }
 }
 
-/** Waits until the run's report is as `test` wants it, a function of the report; the page itself runs no code made of texts. */
+/**
+ * Waits until the run's report is as `test` wants it, a function of the report; the page itself runs no code made of
+ * texts.
+ */
 export async function reports(page, test) {
   const end = Date.now() + 60_000;
   for (;;) {

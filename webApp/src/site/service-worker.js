@@ -1,8 +1,9 @@
 // Keeps the whole app in the browser, so that it opens without a network, and never mixes two versions of it.
 //
-// Each version has a cache of its own, filled completely before this worker takes over. From then on whoever opens or reloads the page gets this
-// version, from its cache. A page that is open goes on with the version it began with: what is in a file is in its name, its own version's cache is
-// kept as long as it holds a lock of that name, and this worker looks there, too.
+// Each version has a cache of its own, filled completely before this worker takes over. From then on whoever opens or
+// reloads the page gets this version, from its cache. A page that is open goes on with the version it began with: what
+// is in a file is in its name, its own version's cache is kept as long as it holds a lock of that name, and this worker
+// looks there, too.
 const VERSION = '{{version}}';
 // Address and SHA-256 of each file, relative to this one; the page itself is the empty address.
 const FILES = {{files}};
@@ -35,7 +36,10 @@ async function foundIn(names, address) {
 
 const ownCaches = async () => (await caches.keys()).filter((name) => name.startsWith(PREFIX));
 
-/** Fills the cache, going on where an earlier attempt broke off. One file at a time, so that the open page has the network to itself. */
+/**
+ * Fills the cache, going on where an earlier attempt broke off. One file at a time, so that the open page has the
+ * network to itself.
+ */
 async function fill() {
   const others = (await ownCaches()).filter((name) => name !== CACHE);
   const cache = await caches.open(CACHE);

@@ -1,11 +1,13 @@
-// Loads the app and shows how far it is; says honestly what is the matter where it cannot start, instead of leaving an empty page.
+// Loads the app and shows how far it is; says honestly what is the matter where it cannot start, instead of leaving an
+// empty page.
 (() => {
   const WORDS = {
     en: {
       loading: 'Robotran is getting ready.',
       starting: 'Everything is here. Robotran starts.',
       oldBrowser: 'This browser is too old for Robotran. Please use a newer Chrome, Edge, Firefox or Safari.',
-      noDrawing: 'This browser cannot draw Robotran, because WebGL is switched off or missing in it. Please allow WebGL, or use another browser.',
+      noDrawing:
+        'This browser cannot draw Robotran, because WebGL is switched off or missing in it. Please allow WebGL, or use another browser.',
       notFetched: 'A part of Robotran could not be fetched. Perhaps the network is away or blocks it.',
       noNetwork: 'The network is still away. Please try again a little later.',
       notStarted: 'Robotran could not start.',
@@ -16,7 +18,8 @@
       loading: 'Robotran se está preparando.',
       starting: 'Ya está todo aquí. Robotran empieza.',
       oldBrowser: 'Este navegador es demasiado antiguo para Robotran. Usa un Chrome, Edge, Firefox o Safari más nuevo.',
-      noDrawing: 'Este navegador no puede dibujar Robotran, porque WebGL está apagado o le falta. Permite WebGL o usa otro navegador.',
+      noDrawing:
+        'Este navegador no puede dibujar Robotran, porque WebGL está apagado o le falta. Permite WebGL o usa otro navegador.',
       notFetched: 'No se ha podido traer una parte de Robotran. Quizá no hay red, o la red no la deja pasar.',
       noNetwork: 'Sigue sin haber red. Inténtalo otra vez un poco más tarde.',
       notStarted: 'Robotran no ha podido empezar.',
@@ -27,8 +30,10 @@
       loading: 'Robotran macht sich bereit.',
       starting: 'Alles ist da. Robotran fängt an.',
       oldBrowser: 'Dieser Browser ist zu alt für Robotran. Nimm bitte ein neueres Chrome, Edge, Firefox oder Safari.',
-      noDrawing: 'Dieser Browser kann Robotran nicht zeichnen, weil WebGL ausgeschaltet ist oder fehlt. Erlaube WebGL oder nimm einen anderen Browser.',
-      notFetched: 'Ein Teil von Robotran ließ sich nicht holen. Vielleicht ist das Netz weg oder lässt ihn nicht durch.',
+      noDrawing:
+        'Dieser Browser kann Robotran nicht zeichnen, weil WebGL ausgeschaltet ist oder fehlt. Erlaube WebGL oder nimm einen anderen Browser.',
+      notFetched:
+        'Ein Teil von Robotran ließ sich nicht holen. Vielleicht ist das Netz weg oder lässt ihn nicht durch.',
       noNetwork: 'Das Netz ist noch weg. Versuche es bitte etwas später noch einmal.',
       notStarted: 'Robotran konnte nicht starten.',
       again: 'Noch einmal versuchen',
@@ -38,7 +43,8 @@
   const ATTEMPTS = 3;
   const MOST_DETAILS = 4000;
 
-  // Some browsers hand on what the machine calls its language, such as `C`, which is none; Compose would not start with it.
+  // Some browsers hand on what the machine calls its language, such as `C`, which is none; Compose would not start with
+  // it.
   const isLanguage = (tag) => {
     try {
       return Boolean(new Intl.Locale(tag));
@@ -73,8 +79,16 @@
   /** What somebody who is asked for help needs to know. */
   const report = (error) => {
     const [name, stack] = [String(error || ''), String((error && error.stack) || '')];
-    return [stack.includes(name) ? stack : `${name}\n${stack}`, navigator.userAgent, `Robotran ${site.version}`, languages.join()]
-      .map((line) => line.trim()).filter(Boolean).join('\n').slice(0, MOST_DETAILS);
+    return [
+      stack.includes(name) ? stack : `${name}\n${stack}`,
+      navigator.userAgent,
+      `Robotran ${site.version}`,
+      languages.join(),
+    ]
+      .map((line) => line.trim())
+      .filter(Boolean)
+      .join('\n')
+      .slice(0, MOST_DETAILS);
   };
 
   let trouble = null;
@@ -100,7 +114,9 @@
   };
   const failToStart = (error) => fail(error && error.name === 'CompileError' ? 'oldBrowser' : 'notStarted', error);
   const onError = (event) =>
-    (event.target instanceof HTMLScriptElement ? fail('notFetched', event.target.src) : failToStart(event.error || event.message));
+    event.target instanceof HTMLScriptElement
+      ? fail('notFetched', event.target.src)
+      : failToStart(event.error || event.message);
   const onRejection = (event) => failToStart(event.reason);
   addEventListener('error', onError, true);
   addEventListener('unhandledrejection', onRejection);
@@ -156,10 +172,13 @@
   const bring = ([address]) => {
     const whole = absolute(address);
     const response = download(whole);
-    coming.set(whole, response.then((answer) => {
-      countBytes(answer.clone()).catch((error) => fail('notFetched', error));
-      return typed(address, answer);
-    }));
+    coming.set(
+      whole,
+      response.then((answer) => {
+        countBytes(answer.clone()).catch((error) => fail('notFetched', error));
+        return typed(address, answer);
+      }),
+    );
     coming.get(whole).catch(() => undefined);
   };
   // Compose fetches a file of texts anew for each text that it shows.
@@ -183,7 +202,8 @@
 
   // As long as this page is open the service worker keeps the files of its version; see service-worker.js.
   const version = `robotran ${base.pathname} ${site.version}`;
-  if (navigator.locks) navigator.locks.request(version, { mode: 'shared' }, () => new Promise(() => undefined)).catch(() => undefined);
+  if (navigator.locks)
+    navigator.locks.request(version, { mode: 'shared' }, () => new Promise(() => undefined)).catch(() => undefined);
 
   const keepForLater = async () => {
     // A frame in another page is not what one goes back to.
@@ -199,7 +219,9 @@
     /** Where one of the app's resources lies: its name says what is in it. */
     addressOf: (path) => absolute(site.resources[path] || path),
 
-    /** The app is to be seen: it goes on by itself, and in a quiet moment everything is kept for days without a network. */
+    /**
+     * The app is to be seen: it goes on by itself, and in a quiet moment everything is kept for days without a network.
+     */
     started() {
       // Not before it is drawn.
       requestAnimationFrame(() => requestAnimationFrame(() => part('loading')?.remove()));

@@ -1,12 +1,14 @@
-// A page of a browser that Playwright does not drive, with as much of Playwright's `Page` as the tests of all engines need.
+// A page of a browser that Playwright does not drive, with as much of Playwright's `Page` as the tests of all engines
+// need.
 import { writeFile } from 'node:fs/promises';
 import { clicked, pressed, typed } from './actions.mjs';
 
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 /**
- * `size` is that of the page, in CSS pixels. `remote` is what a protocol does for it: `navigate(address)`, `reload()`, `call(text, argument)` of a
- * function's text in the page, whose answer, a string or a promise of one, it brings; `perform(actions)`, `capture()` of a PNG in base64, `close()`.
+ * `size` is that of the page, in CSS pixels. `remote` is what a protocol does for it: `navigate(address)`, `reload()`,
+ * `call(text, argument)` of a function's text in the page, whose answer, a string or a promise of one, it brings;
+ * `perform(actions)`, `capture()` of a PNG in base64, `close()`.
  */
 export class EnginePage {
   constructor(size, remote) {
@@ -43,7 +45,11 @@ export class EnginePage {
       count,
       first: () => this.locator(selector),
       waitFor: ({ state, timeout }) =>
-        this.waitForFunction(([wanted, there]) => (document.querySelector(wanted) !== null) === there, [selector, state === 'attached'], { timeout }),
+        this.waitForFunction(
+          ([wanted, there]) => (document.querySelector(wanted) !== null) === there,
+          [selector, state === 'attached'],
+          { timeout },
+        ),
     };
   }
 
@@ -54,7 +60,11 @@ export class EnginePage {
   }
 
   /** Whether the page answers nothing any more, since the process that held it is gone. */
-  crashed = () => this.evaluate(() => true).then(() => false, () => true);
+  crashed = () =>
+    this.evaluate(() => true).then(
+      () => false,
+      () => true,
+    );
 
   close = () => this.remote.close();
 }

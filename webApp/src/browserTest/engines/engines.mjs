@@ -6,8 +6,8 @@ import { openWebKit } from './webkit.mjs';
 const { CHROMIUM, FIREFOX, WEBKIT, WEBKIT_DRIVER } = process.env;
 
 /**
- * Their names and what opens a page in each, with as much of Playwright's `Page` as `EnginePage` has; null where the browser is missing, which the
- * build has said.
+ * Their names and what opens a page in each, with as much of Playwright's `Page` as `EnginePage` has; null where the
+ * browser is missing, which the build has said.
  */
 export const ENGINES = {
   Chromium: CHROMIUM ? openChromium : null,
@@ -20,7 +20,9 @@ async function openChromium({ width, height }) {
   const context = await browser.newContext({ viewport: { width, height }, serviceWorkers: 'allow' });
   const page = await context.newPage();
   let crashed = false;
-  page.on('crash', () => { crashed = true; });
+  page.on('crash', () => {
+    crashed = true;
+  });
   page.crashed = async () => crashed;
   page.close = () => browser.close();
   return page;

@@ -2,12 +2,16 @@
 import { serve } from '../serve.mjs';
 
 /**
- * How often a browser may crash in one visit. WebKitGTK 2.50.6 does now and then (2 of 14 visits): its interpreter of WebAssembly reads at a wild
- * address while the page starts, always at the same instruction. A page can neither cause nor prevent that.
+ * How often a browser may crash in one visit. WebKitGTK 2.50.6 does now and then (2 of 14 visits): its interpreter of
+ * WebAssembly reads at a wild address while the page starts, always at the same instruction. A page can neither cause
+ * nor prevent that.
  */
 const MAX_CRASHES = 3;
 
-/** `open` opens an empty page. Each step gets the page and the site, in the state in which the step before it has left them. */
+/**
+ * `open` opens an empty page. Each step gets the page and the site, in the state in which the step before it has left
+ * them.
+ */
 export class Visit {
   constructor(open) {
     this.open = open;
@@ -15,7 +19,10 @@ export class Visit {
     this.crashes = 0;
   }
 
-  /** Takes a step. After a crash of the browser it is told to `tell`, all earlier steps are taken again in a new browser, and this one too. */
+  /**
+   * Takes a step. After a crash of the browser it is told to `tell`, all earlier steps are taken again in a new
+   * browser, and this one too.
+   */
   async step(action, tell) {
     for (const taken of this.page ? [action] : [...this.done, action]) {
       try {

@@ -53,7 +53,8 @@ final class ClassStubber {
         }
 
         @Override
-        public void visit(int version, int access, String name, String signature, String originalParent, String[] interfaces) {
+        public void visit(
+                int version, int access, String name, String signature, String originalParent, String[] interfaces) {
             String[] knownInterfaces = Arrays.stream(interfaces).filter(known::contains).toArray(String[]::new);
             boolean hasKnownParent = originalParent == null || known.contains(originalParent);
             // A signature repeats parent and interfaces, so it must go when one of them goes.

@@ -23,13 +23,12 @@ import kotlin.coroutines.CoroutineContext
 import kotlin.coroutines.EmptyCoroutineContext
 
 /** What Android offers to the app; work is kept among the app's own files. */
-class AndroidPlatform(
-    private val context: Context,
-) : Platform {
+class AndroidPlatform(private val context: Context) : Platform {
     override val pictures: WorldPictures = DrawnWorldPictures()
     override val arrivals = OpenRequests()
     override val speaker: LoudSpeaker = audioTrackSpeaker()
-    override val store: KeyValueStore = FolderKeyValueStore(context.filesDir.toPath().resolve("work"), EmptyCoroutineContext)
+    override val store: KeyValueStore =
+        FolderKeyValueStore(context.filesDir.toPath().resolve("work"), EmptyCoroutineContext)
     override val files = AndroidFilePicker(ContentFiles(context.contentResolver), arrivals, ::unreadable)
     override val sharing: Sharing = AndroidSharing(context)
     override val clock: WallClock = JavaClock

@@ -21,7 +21,10 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
 import robotran.workshop.Workshop
 
-/** The [workshop] on the whole window of [activity], with nothing to touch under the system's bars, a camera's cut-out or a keyboard. */
+/**
+ * The [workshop] on the whole window of [activity], with nothing to touch under the system's bars, a camera's cut-out
+ * or a keyboard.
+ */
 @Composable
 internal fun EdgeToEdge(activity: ComponentActivity, workshop: Workshop) {
     RobotranTheme(settings = workshop.settings) {

@@ -10,7 +10,10 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
 import androidx.compose.ui.input.key.KeyEvent as ComposeKeyEvent
 
-/** What a key of a keyboard at the tablet does anywhere in the workshop, as in the menus of the desktop; null for nothing. */
+/**
+ * What a key of a keyboard at the tablet does anywhere in the workshop, as in the menus of the desktop; null for
+ * nothing.
+ */
 internal fun eventForKey(event: KeyEvent): WorkshopEvent? {
     val help = LearningEvent.PageRequested(LearningPage.HELP)
     return when {

@@ -35,7 +35,13 @@ internal fun handedOver(intent: Intent): IncomingIntent = when (intent.action) {
     }
 
     Intent.ACTION_SEND_MULTIPLE -> {
-        IncomingIntent(IntentCompat.getParcelableArrayListExtra(intent, Intent.EXTRA_STREAM, Uri::class.java).orEmpty().filter(::isGiven))
+        IncomingIntent(
+            IntentCompat.getParcelableArrayListExtra(
+                intent,
+                Intent.EXTRA_STREAM,
+                Uri::class.java,
+            ).orEmpty().filter(::isGiven),
+        )
     }
 
     else -> {

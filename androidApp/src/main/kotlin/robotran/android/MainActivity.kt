@@ -42,6 +42,9 @@ class MainActivity : ComponentActivity() {
         kept.rest()
     }
 
-    /** Whoever comes back by the list of apps goes on with their work, and not with what was opened when they came first. */
+    /**
+     * Whoever comes back by the list of apps goes on with their work, and not with what was opened when they came
+     * first.
+     */
     private fun isFromHistory(intent: Intent) = intent.flags and Intent.FLAG_ACTIVITY_LAUNCHED_FROM_HISTORY != 0
 }

@@ -13,8 +13,8 @@ import java.io.File
 import java.io.IOException
 
 /**
- * The run that was watched when the app went out of sight. Android may end the process then; the same inputs make the same run again, so
- * [file] holds them with the programs and the world they belong to.
+ * The run that was watched when the app went out of sight. Android may end the process then; the same inputs make the
+ * same run again, so [file] holds them with the programs and the world they belong to.
  */
 internal class RunPersistence(private val file: File) {
     /** Keeps the run of [workshop], if there is one that can be made again. */
@@ -34,13 +34,10 @@ internal class RunPersistence(private val file: File) {
     }
 
     /**
-     * Makes the run again as far as [time], in milliseconds, and lets it stand still there, if [workshop] still has the programs and the world
-     * it belongs to, and if nobody has to wait for long.
+     * Makes the run again as far as [time], in milliseconds, and lets it stand still there, if [workshop] still has the
+     * programs and the world it belongs to, and if nobody has to wait for long.
      */
-    suspend fun restore(
-        workshop: Workshop,
-        time: Long,
-    ) {
+    suspend fun restore(workshop: Workshop, time: Long) {
         if (time !in 1..LONGEST) return
         val replay = withContext(Dispatchers.IO) { read() } ?: return
         if (replay.withoutRun() != workshop.project.withoutRun()) return
@@ -57,12 +54,11 @@ internal class RunPersistence(private val file: File) {
     /** What belongs to the work itself. */
     private fun Project.withoutRun() = copy(robots = robots.map { it.copy(firstProgram = 0) }, inputs = emptyList())
 
-    private fun read(): Project? =
-        try {
-            (readProject(file.readBytes()) as? ProjectFileResult.Loaded)?.project
-        } catch (_: IOException) {
-            null
-        }
+    private fun read(): Project? = try {
+        (readProject(file.readBytes()) as? ProjectFileResult.Loaded)?.project
+    } catch (_: IOException) {
+        null
+    }
 
     private companion object {
         /** Ten minutes of a run, in milliseconds: they take a few seconds. */

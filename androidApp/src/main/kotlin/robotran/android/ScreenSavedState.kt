@@ -12,16 +12,20 @@ import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
 
 /** What is on the screen beside the work itself, which [saved] keeps when Android ends the process. */
-internal class ScreenSavedState(
-    private val saved: SavedStateHandle,
-    private val run: RunPersistence,
-) {
-    /** Makes [workshop] show what was shown when the process ended, if it was ended, and keeps what it shows from now on. */
+internal class ScreenSavedState(private val saved: SavedStateHandle, private val run: RunPersistence) {
+    /**
+     * Makes [workshop] show what was shown when the process ended, if it was ended, and keeps what it shows from now
+     * on.
+     */
     suspend fun restore(workshop: Workshop) {
         saved.get<Bundle>(KEY)?.let { shown ->
             run.restore(workshop, shown.getLong(TIME))
-            DrawerTab.entries.find { it.name == shown.getString(DRAWER) }?.let { workshop.handle(RunEvent.DrawerChosen(it)) }
-            Pane.entries.find { it.name == shown.getString(PANE) }?.let { workshop.handle(WorkshopEvent.PaneChosen(it)) }
+            DrawerTab.entries.find {
+                it.name == shown.getString(DRAWER)
+            }?.let { workshop.handle(RunEvent.DrawerChosen(it)) }
+            Pane.entries.find {
+                it.name == shown.getString(PANE)
+            }?.let { workshop.handle(WorkshopEvent.PaneChosen(it)) }
             if (shown.getBoolean(SETTINGS)) workshop.handle(SettingsEvent.SettingsShown(true))
             if (shown.getBoolean(EDITOR)) workshop.handle(WorldEditEvent.EditorOpened)
         }

@@ -17,13 +17,10 @@ import robotran.workshop.openWorkshop
 import robotran.workshop.platform.OpenRequest
 
 /**
- * Keeps the workshop, and a run in it, when the activity is made anew. When Android ends the whole process in the background, the store of
- * the platform brings the work back, and [ScreenSavedState] what was to be seen of it.
+ * Keeps the workshop, and a run in it, when the activity is made anew. When Android ends the whole process in the
+ * background, the store of the platform brings the work back, and [ScreenSavedState] what was to be seen of it.
  */
-class WorkshopViewModel(
-    application: Application,
-    saved: SavedStateHandle,
-) : AndroidViewModel(application) {
+class WorkshopViewModel(application: Application, saved: SavedStateHandle) : AndroidViewModel(application) {
     val platform = AndroidPlatform(application)
 
     /** Null until the physics is there. */
@@ -35,7 +32,8 @@ class WorkshopViewModel(
 
     init {
         viewModelScope.launch {
-            workshop = openWorkshop(platform = platform, scope = viewModelScope, welcoming = true).also { screen.restore(it) }
+            workshop =
+                openWorkshop(platform = platform, scope = viewModelScope, welcoming = true).also { screen.restore(it) }
         }
     }
 

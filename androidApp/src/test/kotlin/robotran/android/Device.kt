@@ -8,14 +8,12 @@ enum class Device(private val width: Int, private val height: Int, private val d
     ;
 
     /** As Robolectric is told. */
-    fun qualifiers(
-        upright: Boolean,
-        dark: Boolean = false,
-    ): String {
+    fun qualifiers(upright: Boolean, dark: Boolean = false): String {
         val size = if (upright) "w${width}dp-h${height}dp-port" else "w${height}dp-h${width}dp-land"
         return "$size${if (dark) "-night" else "-notnight"}-$density"
     }
 
     /** As the file with a picture is called. */
-    fun pictureName(upright: Boolean) = "${name.lowercase().replace('_', '-')}-${if (upright) "portrait" else "landscape"}"
+    fun pictureName(upright: Boolean) =
+        "${name.lowercase().replace('_', '-')}-${if (upright) "portrait" else "landscape"}"
 }

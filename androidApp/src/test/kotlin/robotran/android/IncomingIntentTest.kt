@@ -17,9 +17,17 @@ class IncomingIntentTest {
 
     @Test
     fun `a file is handed over by a file manager, a mail or another app's share sheet`() {
-        assertEquals(IncomingIntent(listOf(file)), handedOver(Intent(Intent.ACTION_VIEW).setDataAndType(file, "application/json")))
-        assertEquals(IncomingIntent(listOf(file)), handedOver(Intent(Intent.ACTION_SEND).putExtra(Intent.EXTRA_STREAM, file)))
-        val several = Intent(Intent.ACTION_SEND_MULTIPLE).putParcelableArrayListExtra(Intent.EXTRA_STREAM, arrayListOf(file, file))
+        assertEquals(
+            IncomingIntent(listOf(file)),
+            handedOver(Intent(Intent.ACTION_VIEW).setDataAndType(file, "application/json")),
+        )
+        assertEquals(
+            IncomingIntent(listOf(file)),
+            handedOver(Intent(Intent.ACTION_SEND).putExtra(Intent.EXTRA_STREAM, file)),
+        )
+        val several = Intent(
+            Intent.ACTION_SEND_MULTIPLE,
+        ).putParcelableArrayListExtra(Intent.EXTRA_STREAM, arrayListOf(file, file))
         assertEquals(IncomingIntent(listOf(file, file)), handedOver(several))
     }
 
@@ -52,7 +60,13 @@ class IncomingIntentTest {
 
     @Test
     fun `an intent with nothing in it hands over nothing`() {
-        for (action in listOf(Intent.ACTION_MAIN, Intent.ACTION_VIEW, Intent.ACTION_SEND, Intent.ACTION_SEND_MULTIPLE, null)) {
+        for (action in listOf(
+            Intent.ACTION_MAIN,
+            Intent.ACTION_VIEW,
+            Intent.ACTION_SEND,
+            Intent.ACTION_SEND_MULTIPLE,
+            null,
+        )) {
             assertEquals(IncomingIntent(), handedOver(Intent(action)))
         }
     }
@@ -60,7 +74,10 @@ class IncomingIntentTest {
     @Test
     fun `Android offers the app for our files, whatever type they are given`() {
         for (type in listOf("application/json", "application/octet-stream", "text/plain", "application/x-robotran")) {
-            assertTrue(type, isOffered(Intent(Intent.ACTION_VIEW).setDataAndType(Uri.parse("content://files.example/17"), type)))
+            assertTrue(
+                type,
+                isOffered(Intent(Intent.ACTION_VIEW).setDataAndType(Uri.parse("content://files.example/17"), type)),
+            )
             assertTrue(type, isOffered(Intent(Intent.ACTION_SEND).setType(type)))
         }
         for (name in listOf("maze.robotran", "my.first.robo", "a.b.world.json")) {
@@ -77,11 +94,14 @@ class IncomingIntentTest {
 
     @Test
     fun `Android does not offer the app for pictures`() {
-        val picture = Intent(Intent.ACTION_VIEW).setDataAndType(Uri.parse("content://files.example/17.png"), "image/png")
+        val picture = Intent(
+            Intent.ACTION_VIEW,
+        ).setDataAndType(Uri.parse("content://files.example/17.png"), "image/png")
         assertFalse(isOffered(picture))
     }
 
-    private fun browsing(address: String) = Intent(Intent.ACTION_VIEW, Uri.parse(address)).addCategory(Intent.CATEGORY_BROWSABLE)
+    private fun browsing(address: String) =
+        Intent(Intent.ACTION_VIEW, Uri.parse(address)).addCategory(Intent.CATEGORY_BROWSABLE)
 
     private fun isOffered(intent: Intent): Boolean {
         val app = RuntimeEnvironment.getApplication()

@@ -70,10 +70,7 @@ class KeyboardTest {
         assertNotEquals(before, app.workshop.state.sheet.camera)
     }
 
-    private fun press(
-        key: Int,
-        meta: Int = 0,
-    ) {
+    private fun press(key: Int, meta: Int = 0) {
         val now = SystemClock.uptimeMillis()
         for (action in listOf(KeyEvent.ACTION_DOWN, KeyEvent.ACTION_UP)) {
             app.activity.dispatchKeyEvent(KeyEvent(now, now, action, key, 0, meta))
@@ -81,10 +78,7 @@ class KeyboardTest {
         app.pass(100)
     }
 
-    private fun scroll(
-        x: Float,
-        y: Float,
-    ): MotionEvent {
+    private fun scroll(x: Float, y: Float): MotionEvent {
         val now = SystemClock.uptimeMillis()
         val pointer = MotionEvent.PointerProperties().apply { toolType = MotionEvent.TOOL_TYPE_MOUSE }
         val place =
@@ -94,7 +88,20 @@ class KeyboardTest {
                 setAxisValue(MotionEvent.AXIS_VSCROLL, 2f)
             }
         return MotionEvent.obtain(
-            now, now, MotionEvent.ACTION_SCROLL, 1, arrayOf(pointer), arrayOf(place), 0, 0, 1f, 1f, 0, 0, InputDevice.SOURCE_MOUSE, 0,
+            now,
+            now,
+            MotionEvent.ACTION_SCROLL,
+            1,
+            arrayOf(pointer),
+            arrayOf(place),
+            0,
+            0,
+            1f,
+            1f,
+            0,
+            0,
+            InputDevice.SOURCE_MOUSE,
+            0,
         )
     }
 }

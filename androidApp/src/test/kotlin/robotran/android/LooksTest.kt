@@ -13,8 +13,8 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.Pane
 
 /**
- * The dark theme, and text twice as large as usual, on every kind of device and held either way: pictures to be looked at, and Run always
- * in reach.
+ * The dark theme, and text twice as large as usual, on every kind of device and held either way: pictures to be looked
+ * at, and Run always in reach.
  */
 @RunWith(ParameterizedRobolectricTestRunner::class)
 class LooksTest(
@@ -60,7 +60,9 @@ class LooksTest(
         @JvmStatic
         @Parameters(name = "{0}, dark {3}")
         fun looks(): List<Array<Any>> = listOf(true, false).flatMap { dark ->
-            Device.entries.flatMap { device -> listOf(true, false).map { arrayOf(device.pictureName(it), device, it, dark) } }
+            Device.entries.flatMap { device ->
+                listOf(true, false).map { arrayOf(device.pictureName(it), device, it, dark) }
+            }
         }
     }
 }

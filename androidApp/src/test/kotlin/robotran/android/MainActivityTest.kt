@@ -81,7 +81,9 @@ class MainActivityTest {
     @Test
     fun `the app asks for no permission`() {
         val app = screen.activity
-        assertNull(app.packageManager.getPackageInfo(app.packageName, PackageManager.GET_PERMISSIONS).requestedPermissions)
+        assertNull(
+            app.packageManager.getPackageInfo(app.packageName, PackageManager.GET_PERMISSIONS).requestedPermissions,
+        )
     }
 
     private fun drawSquare(device: String) {
@@ -119,7 +121,9 @@ class MainActivityTest {
 
     /** What a screen reader says of the paper ends with "80.0 cm of line drawn". */
     private fun inkCentimetres(): Double {
-        val words = screen.onNodeWithTag("world").fetchSemanticsNode().config[SemanticsProperties.ContentDescription].joinToString()
+        val words = screen.onNodeWithTag(
+            "world",
+        ).fetchSemanticsNode().config[SemanticsProperties.ContentDescription].joinToString()
         return words.substringBefore(" cm of line").substringAfterLast(' ').toDouble()
     }
 

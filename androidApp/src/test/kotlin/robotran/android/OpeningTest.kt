@@ -68,7 +68,11 @@ class OpeningTest {
         val maze = BuiltInWorlds.plain.copy(title = "Our maze")
         val link = runBlocking { linkOf(Project(maze)) } as LinkMaking.Made
         app.open()
-        app.receive(Intent(Intent.ACTION_SEND).putExtra(Intent.EXTRA_TEXT, "Try this: https://school.example/${link.fragment} today"))
+        app.receive(
+            Intent(
+                Intent.ACTION_SEND,
+            ).putExtra(Intent.EXTRA_TEXT, "Try this: https://school.example/${link.fragment} today"),
+        )
         assertEquals(maze.title, app.workshop.state.world.title)
     }
 
@@ -122,10 +126,7 @@ class OpeningTest {
         assertTrue(notice.sentence, "wave.robo cannot be read" in notice.sentence)
     }
 
-    private fun offer(
-        text: String,
-        at: Uri = place,
-    ) {
+    private fun offer(text: String, at: Uri = place) {
         val resolver = shadowOf(RuntimeEnvironment.getApplication().contentResolver)
         resolver.registerInputStreamSupplier(at) { ByteArrayInputStream(text.toByteArray()) }
     }

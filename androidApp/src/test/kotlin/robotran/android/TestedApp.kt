@@ -33,10 +33,8 @@ class TestedApp : TestRule {
     val activity: MainActivity get() = controller.get()
     val workshop: Workshop get() = checkNotNull(ViewModelProvider(activity)[WorkshopViewModel::class.java].workshop)
 
-    override fun apply(
-        base: Statement,
-        description: Description,
-    ): Statement = RuleChain.outerRule(ResourcesOfCompose()).around(screen).apply(base, description)
+    override fun apply(base: Statement, description: Description): Statement =
+        RuleChain.outerRule(ResourcesOfCompose()).around(screen).apply(base, description)
 
     /**
      * Starts the app.
@@ -60,10 +58,7 @@ class TestedApp : TestRule {
         pass(SETTLING)
     }
 
-    private fun waitUntil(
-        complaint: String,
-        isTrue: () -> Boolean,
-    ) {
+    private fun waitUntil(complaint: String, isTrue: () -> Boolean) {
         val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(LONGEST_WAIT_SECONDS)
         while (!isTrue()) {
             check(System.nanoTime() < end) { complaint }

@@ -4,7 +4,10 @@ import robotran.programs.JavaSettings
 import robotran.rcxrom.program.ProgramStatus
 import robotran.tinyvm.config.TinyVmSpeed
 
-/** How many bytecodes a second the virtual machine executes in a loop of arithmetic, field access, array elements and calls. */
+/**
+ * How many bytecodes a second the virtual machine executes in a loop of arithmetic, field access, array elements and
+ * calls.
+ */
 internal suspend fun bytecodeSpeed(): Figure {
     val speed = TinyVmSpeed.UNLIMITED
     val program = javaProgramOf("Mixed.java", MIXED, JavaSettings(speed = speed))
@@ -14,7 +17,11 @@ internal suspend fun bytecodeSpeed(): Figure {
             repeat(RESUMES) { check(run.resume(STEPS) == ProgramStatus.Running) { "The loop came to an end." } }
         }
     val bytecodes = RESUMES.toLong() * STEPS * speed.bytecodesPerStep
-    return Figure(bytecodes / seconds / 1e6, "million bytecodes/s", "${bytecodes / 1_000_000} million in ${rounded(seconds)} s")
+    return Figure(
+        bytecodes / seconds / 1e6,
+        "million bytecodes/s",
+        "${bytecodes / 1_000_000} million in ${rounded(seconds)} s",
+    )
 }
 
 /** Never ends, and makes no objects in its loop, since a brick never takes memory back. */

@@ -16,7 +16,10 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 
-/** A large sheet with so many barriers, blocks and robots, none of which begins in another; the barriers lie in rows, the robots in the free strips between. */
+/**
+ * A large sheet with so many barriers, blocks and robots, none of which begins in another; the barriers lie in rows,
+ * the robots in the free strips between.
+ */
 internal fun crowdedWorld(barriers: Int, robots: Int, blocks: Int = 0, furnished: Boolean = false): World =
     BuiltInWorlds.plain.copy(
         title = "$barriers barriers, $robots robots",
@@ -35,13 +38,22 @@ private fun walls(): List<Wall> {
     return corners.indices.map { Wall(corners[it], corners[(it + 1) % corners.size], 1.0) }
 }
 
-private fun robotAt(number: Int, facing: LightFacing) =
-    RobotPlacement(Pose(30.0 + 45 * (number % 4), 50.0 + 80 * (number / 4), 20.0 * number), name = "robot $number", lightFacing = facing)
+private fun robotAt(number: Int, facing: LightFacing) = RobotPlacement(
+    Pose(30.0 + 45 * (number % 4), 50.0 + 80 * (number / 4), 20.0 * number),
+    name = "robot $number",
+    lightFacing = facing,
+)
 
 private fun barrierAt(number: Int): Shape {
     val x = 10.0 + 9.5 * (number % PER_ROW)
     val y = ROWS[number / PER_ROW % ROWS.size] + 3.0 * (number / PER_ROW / ROWS.size)
-    return if (number % 2 == 0) Shape.Rectangle(Point(x, y), 4.0, 2.0, 10.0 * number) else Shape.Circle(Point(x, y), 1.0)
+    return if (number % 2 ==
+        0
+    ) {
+        Shape.Rectangle(Point(x, y), 4.0, 2.0, 10.0 * number)
+    } else {
+        Shape.Circle(Point(x, y), 1.0)
+    }
 }
 
 private fun ring(): Mark {

@@ -8,12 +8,13 @@ import robotran.programs.SourceFile
 import robotran.rcxrom.program.RcxProgram
 
 /** The Java program [source], which has no mistakes, compiled and linked. */
-internal suspend fun javaProgramOf(
-    name: String,
-    source: String,
-    settings: JavaSettings = JavaSettings(),
-): RcxProgram =
-    when (val result = ProgramCompiler(ANY_CALIBRATION, settings).read(ProgramSource.Java(name, listOf(SourceFile(name, source))))) {
+internal suspend fun javaProgramOf(name: String, source: String, settings: JavaSettings = JavaSettings()): RcxProgram =
+    when (
+        val result = ProgramCompiler(
+            ANY_CALIBRATION,
+            settings,
+        ).read(ProgramSource.Java(name, listOf(SourceFile(name, source))))
+    ) {
         is ProgramResult.Ready -> result.program
         is ProgramResult.HasErrors -> error(result.diagnostics.first().message)
     }

@@ -12,22 +12,15 @@ import kotlin.time.measureTime
  * @property value in [unit].
  * @property note what it was measured on.
  */
-internal class Figure(
-    private val value: Double,
-    private val unit: String,
-    private val note: String,
-) {
+internal class Figure(private val value: Double, private val unit: String, private val note: String) {
     val text: String get() = "${rounded(value)} $unit ($note)"
 }
 
 /**
- * How long [work] takes: the median of [runs] counted runs after as many that only warm the machine up. These machines are shared, so
- * say ratios of two such figures, not the figures.
+ * How long [work] takes: the median of [runs] counted runs after as many that only warm the machine up. These machines
+ * are shared, so say ratios of two such figures, not the figures.
  */
-internal fun median(
-    runs: Int = DEFAULT_RUNS,
-    work: () -> Unit,
-): Duration {
+internal fun median(runs: Int = DEFAULT_RUNS, work: () -> Unit): Duration {
     repeat(runs) { work() }
     return List(runs) { measureTime(work) }.sorted()[runs / 2]
 }
@@ -36,17 +29,13 @@ internal fun median(
 internal fun seconds(work: () -> Unit): Double = median(work = work).toDouble(DurationUnit.SECONDS)
 
 /** [value] with as many digits behind the point as tell something. */
-internal fun rounded(value: Double): String =
-    when {
-        value >= 100 -> "${value.roundToLong()}"
-        value >= 10 -> withDecimals(value, 1)
-        else -> withDecimals(value, 3)
-    }
+internal fun rounded(value: Double): String = when {
+    value >= 100 -> "${value.roundToLong()}"
+    value >= 10 -> withDecimals(value, 1)
+    else -> withDecimals(value, 3)
+}
 
-private fun withDecimals(
-    value: Double,
-    decimals: Int,
-): String {
+private fun withDecimals(value: Double, decimals: Int): String {
     val digits = "${(value * 10.0.pow(decimals)).roundToLong()}".padStart(decimals + 1, '0')
     return digits.dropLast(decimals) + "." + digits.takeLast(decimals)
 }

@@ -21,16 +21,16 @@ internal suspend fun readingSpeed(): Figure {
 internal suspend fun mistakesTime(): Figure {
     val source = "repaet 4 tmes quikly\n".repeat(WRONG_LINES)
     var told = 0
-    val seconds = seconds { told = (compileRobolang("mistakes", source, ANY_CALIBRATION) as RobolangResult.HasErrors).diagnostics.size }
+    val seconds = seconds {
+        told =
+            (compileRobolang("mistakes", source, ANY_CALIBRATION) as RobolangResult.HasErrors).diagnostics.size
+    }
     check(told == WRONG_LINES) { "Only $told of $WRONG_LINES mistakes were told." }
     return Figure(seconds, "s", "$told mistakes on as many lines")
 }
 
 /** The program [source], which has no mistakes. */
-internal fun programOf(
-    source: String,
-    calibration: Calibration = ANY_CALIBRATION,
-): RobolangProgram =
+internal fun programOf(source: String, calibration: Calibration = ANY_CALIBRATION): RobolangProgram =
     when (val result = compileRobolang("benchmark", source, calibration)) {
         is RobolangResult.Ready -> result.program
         is RobolangResult.HasErrors -> error(result.diagnostics.first().message)

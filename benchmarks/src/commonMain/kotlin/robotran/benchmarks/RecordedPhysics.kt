@@ -5,7 +5,10 @@ import robotran.simulation.physics.PhysicsSettings
 import robotran.simulation.physics.PhysicsWorld
 import robotran.world.geometry.Point
 
-/** Physics that writes down what a session does to it, so that it can be done again without the session: the bare steps that the session contains. */
+/**
+ * Physics that writes down what a session does to it, so that it can be done again without the session: the bare steps
+ * that the session contains.
+ */
 internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngine by engine {
     private var settings: PhysicsSettings? = null
     private val building = mutableListOf<(PhysicsWorld) -> Unit>()
@@ -29,9 +32,12 @@ internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngin
     }
 
     private inner class Recorder(private val world: PhysicsWorld) : PhysicsWorld by world {
-        override fun addBody(kind: Int, x: Double, y: Double, angle: Double): Int = also { it.addBody(kind, x, y, angle) }
+        override fun addBody(kind: Int, x: Double, y: Double, angle: Double): Int =
+            also { it.addBody(kind, x, y, angle) }
 
-        override fun addPolygon(body: Int, corners: DoubleArray, friction: Double): Int = also { it.addPolygon(body, corners, friction) }
+        override fun addPolygon(body: Int, corners: DoubleArray, friction: Double): Int = also {
+            it.addPolygon(body, corners, friction)
+        }
 
         override fun addCircle(body: Int, x: Double, y: Double, radius: Double, friction: Double): Int =
             also { it.addCircle(body, x, y, radius, friction) }

@@ -14,7 +14,9 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.minutes
 import kotlin.time.DurationUnit
 
-/** How many times as fast as real time a session runs that drives and draws all the time on a sheet with nothing on it. */
+/**
+ * How many times as fast as real time a session runs that drives and draws all the time on a sheet with nothing on it.
+ */
 internal suspend fun openSheetSpeed(): Figure = realTime(BuiltInWorlds.plain.copy(walls = emptyList()))
 
 /** The same among walls, which the robot runs into all the time. */
@@ -30,10 +32,14 @@ internal suspend fun tickAgainstStep(): Figure = againstStep(BuiltInWorlds.plain
 internal suspend fun heavyTickAgainstStep(): Figure = againstStep(heavyWorld())
 
 /** How many times as fast as real time sessions run with more and more barriers. */
-internal suspend fun growthWithBarriers(): Figure = growth(listOf(1, 10, 100, 400)) { crowdedWorld(barriers = it, robots = 1) }
+internal suspend fun growthWithBarriers(): Figure = growth(listOf(1, 10, 100, 400)) {
+    crowdedWorld(barriers = it, robots = 1)
+}
 
 /** How many times as fast as real time sessions run with more and more robots, all of them driving and drawing. */
-internal suspend fun growthWithRobots(): Figure = growth(listOf(1, 2, 4, 8)) { crowdedWorld(barriers = 40, robots = it) }
+internal suspend fun growthWithRobots(): Figure = growth(listOf(1, 2, 4, 8)) {
+    crowdedWorld(barriers = 40, robots = it)
+}
 
 /** What the heaviest sessions that pupils have may look like. */
 internal fun heavyWorld() = crowdedWorld(barriers = 40, robots = 3, blocks = 10, furnished = true)
@@ -52,7 +58,11 @@ private suspend fun againstStep(world: World): Figure {
     driveOnce(world, recorded)
     val bare = median { recorded.again() }
     val session = driving(world, physics)
-    return Figure(session / bare, "times as long as its steps of dyn4j alone", "a minute of those in ${seconds(bare)} s")
+    return Figure(
+        session / bare,
+        "times as long as its steps of dyn4j alone",
+        "a minute of those in ${seconds(bare)} s",
+    )
 }
 
 /** How many times as fast as real time a session runs in which a Java program follows a line, at a brick's speed. */
@@ -67,35 +77,23 @@ private fun realTime(time: Duration): Figure =
     Figure(VIRTUAL_TIME / time, "times real time", "a minute in ${seconds(time)} s")
 
 /** How long it takes all robots to drive about in [world] for [VIRTUAL_TIME]. */
-private fun driving(
-    world: World,
-    physics: PhysicsEngine,
-): Duration = running(drivingProgram(), world, physics)
+private fun driving(world: World, physics: PhysicsEngine): Duration = running(drivingProgram(), world, physics)
 
 /** How long [program], on all robots, takes for [VIRTUAL_TIME] of its run in [world]. */
-private fun running(
-    program: RcxProgram,
-    world: World,
-    physics: PhysicsEngine,
-): Duration = median { runOnce(program, world, physics) }
+private fun running(program: RcxProgram, world: World, physics: PhysicsEngine): Duration =
+    median { runOnce(program, world, physics) }
 
-private fun driveOnce(
-    world: World,
-    physics: PhysicsEngine,
-) = runOnce(drivingProgram(), world, physics)
+private fun driveOnce(world: World, physics: PhysicsEngine) = runOnce(drivingProgram(), world, physics)
 
-private fun runOnce(
-    program: RcxProgram,
-    world: World,
-    physics: PhysicsEngine,
-) {
+private fun runOnce(program: RcxProgram, world: World, physics: PhysicsEngine) {
     val session = Session(world, world.robots.map { RobotLoad(listOf(program)) }, physics)
     session.pressRun()
     session.advance(VIRTUAL_TIME.inWholeMilliseconds.toInt())
     session.close()
 }
 
-private fun drivingProgram() = programOf(PROGRAM, Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+private fun drivingProgram() =
+    programOf(PROGRAM, Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
 
 private fun seconds(time: Duration): String = rounded(time.toDouble(DurationUnit.SECONDS))
 

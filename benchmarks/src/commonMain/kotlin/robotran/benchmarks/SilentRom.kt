@@ -12,26 +12,11 @@ internal class SilentRom : Rom {
 
     override val milliseconds = 0L
 
-    override fun call(
-        call: RomCall,
-        sourceLine: Int,
-        sourceFile: String?,
-    ) = Unit
+    override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) = Unit
 
-    override fun readSensor(
-        port: Int,
-        request: SensorRequest,
-    ): Int = 0
+    override fun readSensor(port: Int, request: SensorRequest): Int = 0
 
-    override fun setSensorTypeAndMode(
-        port: Int,
-        type: Int,
-        mode: Int,
-    ) = Unit
+    override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) = Unit
 
-    override fun setSensorValue(
-        port: Int,
-        value: Int,
-        field: SensorField,
-    ) = Unit
+    override fun setSensorValue(port: Int, value: Int, field: SensorField) = Unit
 }

@@ -35,8 +35,8 @@ private fun onEventThread(measure: suspend () -> Figure): Figure {
 }
 
 /**
- * How long it takes to let a sixtieth of a second pass in the world full of things and to draw the whole screen of a tablet with [tab] of the
- * drawer open, and [beside] next to it, in software: on one core, with no graphics card.
+ * How long it takes to let a sixtieth of a second pass in the world full of things and to draw the whole screen of a
+ * tablet with [tab] of the drawer open, and [beside] next to it, in software: on one core, with no graphics card.
  */
 private suspend fun frameTime(tab: DrawerTab, beside: DrawerTab? = null): Figure {
     val workshop = Workshop(heavyProject(), loadPhysicsEngine())
@@ -51,7 +51,9 @@ private suspend fun frameTime(tab: DrawerTab, beside: DrawerTab? = null): Figure
     val calls = workshop.state.session.robots.sumOf { it.romCalls }
     scene.close()
     workshop.close()
-    val note = "99th percentile ${milliseconds(times[FRAMES * 99 / 100])} ms; $WIDTH by $HEIGHT, software rendering, $calls ROM calls"
+    val note =
+        "99th percentile ${milliseconds(times[FRAMES * 99 / 100])} ms; $WIDTH by $HEIGHT, software rendering, $calls " +
+            "ROM calls"
     return Figure(times[FRAMES / 2].toDouble(DurationUnit.MILLISECONDS), "ms a frame, the median", note)
 }
 

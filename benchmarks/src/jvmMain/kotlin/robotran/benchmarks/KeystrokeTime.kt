@@ -16,8 +16,9 @@ import kotlin.time.DurationUnit
 import kotlin.time.measureTime
 
 /**
- * How long it takes from a key, in turn one that writes and one that erases, until the picture with what it did is drawn, in software on a
- * tablet's screen, in a program of 2,000 lines. The note says the same for one of 20, and for one as long as a program can be.
+ * How long it takes from a key, in turn one that writes and one that erases, until the picture with what it did is
+ * drawn, in software on a tablet's screen, in a program of 2,000 lines. The note says the same for one of 20, and for
+ * one as long as a program can be.
  */
 internal suspend fun keystrokeTime(): Figure {
     val short = keystrokes(SHORT)
@@ -25,13 +26,22 @@ internal suspend fun keystrokeTime(): Figure {
     val full = keystrokes(FULL)
     val note = "median at $LONG lines, 99th percentile ${rounded(long.milliseconds(WORST))} ms; " +
         "at $SHORT lines ${rounded(short.milliseconds(MIDDLE))} and ${rounded(short.milliseconds(WORST))} ms; " +
-        "at $FULL lines ${rounded(full.milliseconds(MIDDLE))} and ${rounded(full.milliseconds(WORST))} ms; drawn in software, 1280 x 800"
+        "at $FULL lines ${rounded(full.milliseconds(MIDDLE))} and ${rounded(full.milliseconds(WORST))} ms; drawn in " +
+        "software, 1280 x 800"
     return Figure(long.milliseconds(MIDDLE), "ms", note)
 }
 
 private suspend fun keystrokes(lines: Int): List<Duration> {
     val workshop = openWorkshop()
-    val text = (1..lines).joinToString("\n") { line -> if (line % EVERY == 0) "// part ${line / EVERY}" else "forward ${line % EVERY}" }
+    val text = (1..lines).joinToString("\n") { line ->
+        if (line % EVERY ==
+            0
+        ) {
+            "// part ${line / EVERY}"
+        } else {
+            "forward ${line % EVERY}"
+        }
+    }
     workshop.handle(ProgramEvent.Written(Draft(text).withCaret(text.length / 2), EditKind.OTHER))
     val scene = ImageComposeScene(SCREEN_WIDTH, SCREEN_HEIGHT, Density(1f)) { RobotranApp(workshop, dark = false) }
     var now = 0L

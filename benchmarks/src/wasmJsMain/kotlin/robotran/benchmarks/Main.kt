@@ -8,7 +8,9 @@ import kotlinx.coroutines.SupervisorJob
 import kotlinx.coroutines.promise
 import kotlin.js.Promise
 
-/** Gives the page the object `benchmarks`: `names` with commas between them, and `measure(name)`, which promises a line. */
+/**
+ * Gives the page the object `benchmarks`: `names` with commas between them, and `measure(name)`, which promises a line.
+ */
 fun main() {
     val scope = CoroutineScope(SupervisorJob() + Dispatchers.Default)
     publish(
@@ -17,7 +19,5 @@ fun main() {
     )
 }
 
-private fun publish(
-    names: String,
-    measure: (String) -> Promise<JsString>,
-): Unit = js("{ globalThis.benchmarks = { names, measure }; }")
+private fun publish(names: String, measure: (String) -> Promise<JsString>): Unit =
+    js("{ globalThis.benchmarks = { names, measure }; }")

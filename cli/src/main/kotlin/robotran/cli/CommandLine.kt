@@ -19,10 +19,7 @@ import robotran.cli.web.WebCommand
  * @param console where its words go.
  * @param desktop opens windows and draws pictures; null if the command line is there alone.
  */
-class CommandLine(
-    private val console: Console,
-    private val desktop: DesktopApp?,
-) {
+class CommandLine(private val console: Console, private val desktop: DesktopApp?) {
     /** Carries out one command; the answer is the process's exit status, see [ExitCode]. */
     fun execute(arguments: List<String>): Int {
         val command =

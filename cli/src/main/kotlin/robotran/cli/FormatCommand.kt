@@ -21,9 +21,7 @@ import robotran.robolang.format.formatRobolang
 import robotran.robolang.messages.RobolangMessages
 
 /** `robotran format FILE..`: lays programs out, in place; with `--check` it only tells which are not. */
-internal class FormatCommand(
-    private val console: Console,
-) : CoreCliktCommand("format") {
+internal class FormatCommand(private val console: Console) : CoreCliktCommand("format") {
     private val files by argument("FILE", help = "Robolang programs (.robo)").multiple(required = true)
     private val onlyChecks by option("--check", help = "changes nothing and tells which files would change").flag()
 
@@ -36,16 +34,12 @@ internal class FormatCommand(
         throw ProgramResult(files.maxOf { format(it).status })
     }
 
-    private fun format(name: String): ExitCode =
-        when (val file = readRobolangText(name, spoken.language)) {
-            is TextFile.Rejected -> refuse(file.reason)
-            is TextFile.Read -> format(name, file.text)
-        }
+    private fun format(name: String): ExitCode = when (val file = readRobolangText(name, spoken.language)) {
+        is TextFile.Rejected -> refuse(file.reason)
+        is TextFile.Read -> format(name, file.text)
+    }
 
-    private fun format(
-        name: String,
-        text: String,
-    ): ExitCode =
+    private fun format(name: String, text: String): ExitCode =
         when (val result = formatRobolang(text, RobolangMessages.of(spoken.language))) {
             is FormatResult.Formatted -> {
                 settle(name, text, result.text)
@@ -57,11 +51,7 @@ internal class FormatCommand(
             }
         }
 
-    private fun settle(
-        name: String,
-        text: String,
-        formatted: String,
-    ): ExitCode {
+    private fun settle(name: String, text: String, formatted: String): ExitCode {
         if (text == formatted) return ExitCode.DONE
         if (onlyChecks) {
             console.complain(sentences.notFormatted(name))

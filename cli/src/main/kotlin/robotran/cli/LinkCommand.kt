@@ -33,11 +33,15 @@ import robotran.projects.linkOf
 import robotran.projects.siteAddress
 import robotran.world.file.BuiltInWorlds
 
-/** `robotran link FILE..`: prints what to paste behind the address of the page, so that it opens with a world or a project. */
-internal class LinkCommand(
-    private val process: Console,
-) : CoreCliktCommand("link") {
-    private val files by argument("FILE", help = "a world (.world.json), a project (.robotran), or programs (.robo, .java) for one robot")
+/**
+ * `robotran link FILE..`: prints what to paste behind the address of the page, so that it opens with a world or a
+ * project.
+ */
+internal class LinkCommand(private val process: Console) : CoreCliktCommand("link") {
+    private val files by argument(
+        "FILE",
+        help = "a world (.world.json), a project (.robotran), or programs (.robo, .java) for one robot",
+    )
         .multiple(required = true)
     private val world by option(
         "--world",
@@ -45,14 +49,22 @@ internal class LinkCommand(
         help = "the world of the programs (.world.json, or a project or link with it); a plain sheet if not given",
     )
 
-    private val site by option("--site", metavar = "ADDRESS", help = "the address of a Robotran site, to be put before the link")
-        .convert { text -> siteAddress(text) ?: fail("$text is not the address of a site, such as https://school.example/robotran/") }
+    private val site by option(
+        "--site",
+        metavar = "ADDRESS",
+        help = "the address of a Robotran site, to be put before the link",
+    )
+        .convert { text ->
+            siteAddress(text)
+                ?: fail("$text is not the address of a site, such as https://school.example/robotran/")
+        }
 
     private val spoken by LanguageOption()
     private val console get() = process.speaking(spoken.language)
 
     override fun help(context: Context) =
-        "Prints a world, a project or programs as a link: whole with --site, otherwise to be pasted behind the address of a site."
+        "Prints a world, a project or programs as a link: whole with --site, otherwise to be pasted behind the " +
+            "address of a site."
 
     override fun run() {
         val single = files.singleOrNull()
@@ -71,22 +83,21 @@ internal class LinkCommand(
         throw ProgramResult(tell(made).status)
     }
 
-    private fun tell(made: LinkMaking?): ExitCode =
-        when (made) {
-            null -> {
-                ExitCode.BAD_INPUT
-            }
-
-            is LinkMaking.Made -> {
-                console.say(site.orEmpty() + made.fragment)
-                ExitCode.DONE
-            }
-
-            is LinkMaking.TooLong -> {
-                console.complain(made.message)
-                ExitCode.BAD_INPUT
-            }
+    private fun tell(made: LinkMaking?): ExitCode = when (made) {
+        null -> {
+            ExitCode.BAD_INPUT
         }
+
+        is LinkMaking.Made -> {
+            console.say(site.orEmpty() + made.fragment)
+            ExitCode.DONE
+        }
+
+        is LinkMaking.TooLong -> {
+            console.complain(made.message)
+            ExitCode.BAD_INPUT
+        }
+    }
 
     /** The programs as a project, right or not: a link may ask for help with a mistake. */
     private fun readPrograms(): Project? {
@@ -111,11 +122,17 @@ internal class LinkCommand(
     }
 
     /** Without the folders of this machine. */
-    private fun programOf(program: NamedProgram): ProjectProgram? =
-        when (val source = program.source) {
-            is ProgramSource.Java -> ProjectProgram.of(source.copy(files = source.files.map { it.copy(name = nameOf(it.name)) }))
-            else -> ProjectProgram.of(source)
-        }
+    private fun programOf(program: NamedProgram): ProjectProgram? = when (val source = program.source) {
+        is ProgramSource.Java -> ProjectProgram.of(
+            source.copy(
+                files = source.files.map {
+                    it.copy(name = nameOf(it.name))
+                },
+            ),
+        )
+
+        else -> ProjectProgram.of(source)
+    }
 
     private companion object {
         const val WORLD = ".world.json"

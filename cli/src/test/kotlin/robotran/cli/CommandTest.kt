@@ -7,7 +7,10 @@ import kotlin.io.path.createParentDirectories
 import kotlin.io.path.writeText
 import kotlin.test.AfterTest
 
-/** What tests of the commands have in common: a console that remembers, a folder of their own, and the project's examples. */
+/**
+ * What tests of the commands have in common: a console that remembers, a folder of their own, and the project's
+ * examples.
+ */
 abstract class CommandTest {
     internal val console = RememberingConsole()
     internal val commandLine = CommandLine(console, TestDesktop())
@@ -21,18 +24,15 @@ abstract class CommandTest {
     }
 
     /** Writes [text] into a file of the folder; the answer is its path. */
-    protected fun program(
-        text: String,
-        name: String = "mine.robo",
-    ): String = folder.resolve(name).also { it.createParentDirectories().writeText(text) }.toString()
+    protected fun program(text: String, name: String = "mine.robo"): String =
+        folder.resolve(name).also { it.createParentDirectories().writeText(text) }.toString()
 
     /** A Java program [name] with [statements] in its main method, the first of them on line 5. */
-    protected fun javaProgram(
-        name: String,
-        statements: String,
-    ): String {
+    protected fun javaProgram(name: String, statements: String): String {
         val body = statements.trimIndent().prependIndent("        ")
-        val head = "import josx.platform.rcx.*;\n\npublic class $name {\n    public static void main(String[] args) throws Exception {\n"
+        val head =
+            "import josx.platform.rcx.*;\n\npublic class $name {\n    public static void main(String[] args) throws " +
+                "Exception {\n"
         return program("$head$body\n    }\n}\n", "$name.java")
     }
 }

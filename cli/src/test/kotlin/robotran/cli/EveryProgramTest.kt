@@ -38,7 +38,11 @@ class EveryProgramTest {
             val diagnostics = program.expected("error")
             assertEquals(if (diagnostics.isEmpty()) 0 else 1, status, program.path)
             assertEquals(diagnostics.map { "${program.path}:$it" }, console.complaints, program.path)
-            assertEquals(diagnostics.isEmpty(), console.said.singleOrNull().orEmpty().contains("public class "), program.path)
+            assertEquals(
+                diagnostics.isEmpty(),
+                console.said.singleOrNull().orEmpty().contains("public class "),
+                program.path,
+            )
         }
     }
 
@@ -67,6 +71,8 @@ class EveryProgramTest {
     /** What the comments of a test program expect, `line:column: message`. */
     private fun File.expected(kind: String): List<String> {
         val comment = Regex("""// $kind (\d+:\d+) (.+?)\s*$""")
-        return readLines().mapNotNull { line -> comment.find(line)?.destructured?.let { (place, message) -> "$place: $message" } }
+        return readLines().mapNotNull { line ->
+            comment.find(line)?.destructured?.let { (place, message) -> "$place: $message" }
+        }
     }
 }

@@ -25,11 +25,20 @@ class LanguageOptionTest : CommandTest() {
     @Test
     fun `check tells mistakes in the language that is asked for`() {
         execute("check", wrong)
-        assertEquals("$wrong:1:1: There is no command \"foward\". Did you mean \"forward\"?", console.complaints.single())
+        assertEquals(
+            "$wrong:1:1: There is no command \"foward\". Did you mean \"forward\"?",
+            console.complaints.single(),
+        )
         execute("check", "--language", "es", wrong)
-        assertEquals("$wrong:1:1: No existe la orden \"foward\". ¿Querías decir \"forward\"?", console.complaints.single())
+        assertEquals(
+            "$wrong:1:1: No existe la orden \"foward\". ¿Querías decir \"forward\"?",
+            console.complaints.single(),
+        )
         execute("check", "--language", "de", wrong)
-        assertEquals("$wrong:1:1: Es gibt keinen Befehl \"foward\". Meinst du \"forward\"?", console.complaints.single())
+        assertEquals(
+            "$wrong:1:1: Es gibt keinen Befehl \"foward\". Meinst du \"forward\"?",
+            console.complaints.single(),
+        )
         execute("check", "--language", "de", square)
         assertEquals("$square hat keine Fehler.", console.said.single())
     }

@@ -27,7 +27,9 @@ class LinkCommandTest : CommandTest() {
 
     private fun file(name: String, text: String): String = folder.resolve(name).apply { writeText(text) }.toString()
 
-    private val squareReport = tree.resolve("shared/simulation/src/commonTest/resources/runs/square.report.json").readText().trimEnd()
+    private val squareReport = tree.resolve(
+        "shared/simulation/src/commonTest/resources/runs/square.report.json",
+    ).readText().trimEnd()
 
     @Test
     fun `a world becomes a link to the same world`() {
@@ -83,7 +85,9 @@ class LinkCommandTest : CommandTest() {
     @Test
     fun `settings of a project count unless the command line says otherwise`() {
         link(square)
-        val project = assertIs<LinkResult.OfProject>(opened()).project.copy(settings = ProjectSettings(seed = 7, realism = 1.0))
+        val project = assertIs<LinkResult.OfProject>(
+            opened(),
+        ).project.copy(settings = ProjectSettings(seed = 7, realism = 1.0))
         val file = file("shaky.robotran", writeProject(project))
         run(file, "--report", "-")
         val shaky = console.said.last()
@@ -127,10 +131,16 @@ class LinkCommandTest : CommandTest() {
         assertContains(complaint(link(file("empty.robotran", "{}"))), "This is not a Robotran project")
         assertContains(complaint(link(file("empty.world.json", "{}"))), "This is not a Robotran world")
         assertContains(complaint(link(square, "--world", file("broken.world.json", "{"))), "Line 1 cannot be read")
-        assertContains(complaint(link(file("a.world.json", "{}"), "--world", "b.world.json")), "--world goes with programs only")
+        assertContains(
+            complaint(link(file("a.world.json", "{}"), "--world", "b.world.json")),
+            "--world goes with programs only",
+        )
         assertContains(complaint(run("#p=aAAAA")), "The link is broken or not whole")
         val project = file("b.robotran", "{}")
-        assertContains(complaint(run(project, "--robot", "red=$square")), "--robot goes with it only together with --world")
+        assertContains(
+            complaint(run(project, "--robot", "red=$square")),
+            "--robot goes with it only together with --world",
+        )
         val wrong = file("wrong.robo", "forwrd 5")
         assertEquals(0, link(wrong))
         assertContains(complaint(run(console.said.last())), "wrong.robo:1:1: ")
@@ -140,7 +150,10 @@ class LinkCommandTest : CommandTest() {
     fun `a program that is compiled is refused`() {
         val jar = folder.resolve("a.class").apply { writeText("no class file") }.toString()
         assertEquals(2, link(jar))
-        assertEquals("$jar is compiled: a link takes programs as they were written, .robo or .java.", console.complaints.last())
+        assertEquals(
+            "$jar is compiled: a link takes programs as they were written, .robo or .java.",
+            console.complaints.last(),
+        )
     }
 
     @Test

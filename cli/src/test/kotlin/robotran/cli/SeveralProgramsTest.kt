@@ -14,7 +14,8 @@ class SeveralProgramsTest : CommandTest() {
         val robolang = program("show 5\nrepeat forever\n  wait 1 second\nend\n")
         for ((first, second, shown) in listOf(Triple(robolang, java, "0007"), Triple(java, robolang, "5"))) {
             console.said.clear()
-            val status = run(first, second, "--press", "prgm@1", "--press", "run@2", "--for", "4", "--brick-report", "-")
+            val status =
+                run(first, second, "--press", "prgm@1", "--press", "run@2", "--for", "4", "--brick-report", "-")
             assertEquals(0, status, console.complaints.joinToString())
             assertContains(console.said.single(), "\"program\": 1")
             assertContains(console.said.single(), "\"state\": \"running\"")
@@ -39,7 +40,12 @@ class SeveralProgramsTest : CommandTest() {
     @Test
     fun `the mistakes of all programs are told`() {
         assertEquals(2, run(program("hop\n", "first.robo"), javaProgram("Second", "hop();")))
-        assertEquals(listOf("$folder/first.robo:1:1", "$folder/Second.java:5:9"), console.complaints.map { it.substringBefore(": ") })
+        assertEquals(
+            listOf("$folder/first.robo:1:1", "$folder/Second.java:5:9"),
+            console.complaints.map {
+                it.substringBefore(": ")
+            },
+        )
     }
 
     @Test

@@ -7,9 +7,7 @@ import robotran.simulation.state.SessionState
 import robotran.world.World
 
 /** A desktop app that remembers what it was to open, and whose pictures are the world's title. */
-internal class TestDesktop(
-    private val answer: ExitCode = ExitCode.NO_DISPLAY,
-) : DesktopApp {
+internal class TestDesktop(private val answer: ExitCode = ExitCode.NO_DISPLAY) : DesktopApp {
     val opened = mutableListOf<List<String>>()
 
     override val pictures =

@@ -8,8 +8,8 @@ import robotran.workshop.openWorkshop
 import javax.swing.SwingUtilities
 
 /**
- * Goes through a start of the app without a display, for `java -XX:ArchiveClassesAtExit`: what is loaded here, Java finds ready-made at every later start
- * (docs/building.md).
+ * Goes through a start of the app without a display, for `java -XX:ArchiveClassesAtExit`: what is loaded here, Java
+ * finds ready-made at every later start (docs/building.md).
  */
 internal object CdsTrainingRun {
     @JvmStatic

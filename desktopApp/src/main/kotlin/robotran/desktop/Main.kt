@@ -9,10 +9,20 @@ import robotran.ui.pictures.DrawnWorldPictures
 import java.io.File
 import kotlin.system.exitProcess
 
-/** `robotran` and `robotran app` open the window, and so do files alone, as a double click on one gives them; all else is the command line's. */
+/**
+ * `robotran` and `robotran app` open the window, and so do files alone, as a double click on one gives them; all else
+ * is the command line's.
+ */
 fun main(vararg arguments: String) {
     val words = arguments.toList()
-    val status = CommandLine(ProcessConsole, ComposeApp).execute(if (isOpenedFile(words.firstOrNull())) listOf("app") + words else words)
+    val status = CommandLine(ProcessConsole, ComposeApp).execute(
+        if (isOpenedFile(words.firstOrNull())) {
+            listOf("app") +
+                words
+        } else {
+            words
+        },
+    )
     if (status != ExitCode.DONE.status) exitProcess(status)
 }
 

@@ -11,8 +11,8 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * Opens the window, with [files] - programs, worlds, projects - or one link or, without any, with the work that was open last, and returns when it is
- * closed.
+ * Opens the window, with [files] - programs, worlds, projects - or one link or, without any, with the work that was
+ * open last, and returns when it is closed.
  *
  * @return what the process is to tell its shell.
  */
@@ -30,13 +30,9 @@ internal fun openApp(files: List<String>): ExitCode {
 /** What came of reading what the command line names. */
 internal sealed interface OpenRequestResult {
     /** [arrival] is null if nothing was named. */
-    data class Read(
-        val arrival: OpenRequest?,
-    ) : OpenRequestResult
+    data class Read(val arrival: OpenRequest?) : OpenRequestResult
 
-    data class Rejected(
-        val reason: String,
-    ) : OpenRequestResult
+    data class Rejected(val reason: String) : OpenRequestResult
 }
 
 /** Reads [names], so that a shell is told of what cannot be read; what is in the files, the window tells. */
@@ -60,10 +56,7 @@ internal fun readArrival(names: List<String>): OpenRequestResult {
     return OpenRequestResult.Read(OpenRequest.OfFiles(opened))
 }
 
-private fun refuse(
-    message: String,
-    status: ExitCode,
-): ExitCode {
+private fun refuse(message: String, status: ExitCode): ExitCode {
     System.err.println(message)
     return status
 }

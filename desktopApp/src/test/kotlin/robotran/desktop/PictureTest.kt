@@ -21,7 +21,8 @@ class PictureTest {
         folder.toFile().deleteRecursively()
     }
 
-    private fun run(vararg arguments: String) = CommandLine(ProcessConsole, ComposeApp).execute(listOf("run") + arguments)
+    private fun run(vararg arguments: String) =
+        CommandLine(ProcessConsole, ComposeApp).execute(listOf("run") + arguments)
 
     @Test
     fun `a picture whose name ends in svg holds the ink as lines`() {
@@ -37,17 +38,28 @@ class PictureTest {
         val picture = folder.resolve("square.png")
         assertEquals(0, run(square, "--picture", "$picture"))
         val image = ImageIO.read(picture.toFile())
-        // The paper is 100 cm wide, with 2 cm of desk around it; the square's sides lie at x and y of 40, 60 and 30, 50 cm.
+        // The paper is 100 cm wide, with 2 cm of desk around it; the square's sides lie at x and y of 40, 60 and 30, 50
+        // cm.
         val pixelsPerCentimetre = image.width / 104.0
 
         fun isInk(x: Double, y: Double): Boolean {
             val column = ((x + 2) * pixelsPerCentimetre).toInt()
             val row = (image.height - (y + 2) * pixelsPerCentimetre).toInt()
             return (-3..3).any { step ->
-                listOf(image.getRGB(column + step, row), image.getRGB(column, row + step)).any { it and 0xFF > 2 * (it shr 16 and 0xFF) }
+                listOf(image.getRGB(column + step, row), image.getRGB(column, row + step)).any {
+                    it and 0xFF >
+                        2 * (it shr 16 and 0xFF)
+                }
             }
         }
-        for ((x, y) in listOf(55.0 to 30.0, 60.0 to 40.0, 50.0 to 50.0, 40.0 to 45.0)) assertTrue(isInk(x, y), "ink at $x, $y")
+        for ((x, y) in listOf(
+            55.0 to 30.0,
+            60.0 to 40.0,
+            50.0 to 50.0,
+            40.0 to 45.0,
+        )) {
+            assertTrue(isInk(x, y), "ink at $x, $y")
+        }
         for ((x, y) in listOf(50.0 to 40.0, 20.0 to 60.0, 80.0 to 40.0)) assertFalse(isInk(x, y), "no ink at $x, $y")
     }
 }

@@ -47,8 +47,11 @@ internal external class AudioParam : JsAny {
 }
 
 /** A context, or null in a browser that has none. */
-internal fun newAudioContext(): AudioContext? = js("globalThis.AudioContext ? new AudioContext({ latencyHint: 'interactive' }) : null")
+internal fun newAudioContext(): AudioContext? =
+    js("globalThis.AudioContext ? new AudioContext({ latencyHint: 'interactive' }) : null")
 
 /** Calls [action] at every touch, click and key of the page: only then a browser lets a page make sounds. */
-internal fun onEveryTouch(action: () -> Unit): Unit =
-    js("{ for (const kind of ['pointerup', 'touchend', 'keydown']) addEventListener(kind, () => action(), { capture: true }); }")
+internal fun onEveryTouch(action: () -> Unit): Unit = js(
+    "{ for (const kind of ['pointerup', 'touchend', 'keydown']) addEventListener(kind, () => action(), { capture: " +
+        "true }); }",
+)

@@ -5,7 +5,9 @@ package robotran.web
 import org.jetbrains.compose.resources.ExperimentalResourceApi
 import org.jetbrains.compose.resources.configureWebResources
 
-/** Fonts and texts lie under names that say what is in them; the script of the page, `src/site/start.js`, knows which. */
+/**
+ * Fonts and texts lie under names that say what is in them; the script of the page, `src/site/start.js`, knows which.
+ */
 @OptIn(ExperimentalResourceApi::class)
 internal fun findResourcesInSite() = configureWebResources { resourcePathMapping(::addressOf) }
 

@@ -34,10 +34,7 @@ fun main() {
 }
 
 /** Loses nothing when the page is closed, reloaded or put to sleep. */
-private fun keepWork(
-    workshop: Workshop,
-    scope: CoroutineScope,
-) {
+private fun keepWork(workshop: Workshop, scope: CoroutineScope) {
     // A page that goes does nothing later: all that can be done at once is.
     onOutOfSight { scope.launch(Dispatchers.Unconfined) { workshop.restDocument() } }
     askBeforeLosing { workshop.state.document.error != null }

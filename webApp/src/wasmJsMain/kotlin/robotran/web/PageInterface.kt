@@ -25,30 +25,30 @@ import kotlin.js.Promise
 /**
  * Gives the page that holds the workshop the object `robotran`:
  * - `report()` is the report of the workshop's run up to now, as JSON;
- * - `run(program, milliseconds, name)` promises `{ report, romLog }` of an unattended run of a program's text on the plain sheet, as
- *   `robotran run` makes it; it is refused with the first mistake of the text. A name that ends in `.java` makes it a Java program, any other or
- *   none one in Robolang;
- * - `runProject(project, milliseconds)` promises `{ report }` of the run of a project file's text with all that was done to it from outside; it is refused with
- *   what is wrong with the project.
+ * - `run(program, milliseconds, name)` promises `{ report, romLog }` of an unattended run of a program's text on the
+ * plain sheet, as `robotran run` makes it; it is refused with the first mistake of the text. A name that ends in
+ * `.java` makes it a Java program, any other or none one in Robolang;
+ * - `runProject(project, milliseconds)` promises `{ report }` of the run of a project file's text with all that was
+ * done to it from outside; it is refused with what is wrong with the project.
  *
  * @param scope what the promises run in.
  */
-internal fun openPageInterface(
-    workshop: Workshop,
-    scope: CoroutineScope,
-) = publish(
+internal fun openPageInterface(workshop: Workshop, scope: CoroutineScope) = publish(
     report = { workshop.report().toJson() },
     run = { program, milliseconds, name -> scope.promise { runOf(program, milliseconds, name) } },
     runProject = { text, milliseconds -> scope.promise { projectRunOf(text, milliseconds) } },
 )
 
-private suspend fun runOf(
-    program: String,
-    milliseconds: Int,
-    name: String,
-): JsAny? {
+private suspend fun runOf(program: String, milliseconds: Int, name: String): JsAny? {
     val source =
-        if (name.endsWith(JAVA)) ProgramSource.Java(name, listOf(SourceFile(name, program))) else ProgramSource.Robolang(name, program)
+        if (name.endsWith(
+                JAVA,
+            )
+        ) {
+            ProgramSource.Java(name, listOf(SourceFile(name, program)))
+        } else {
+            ProgramSource.Robolang(name, program)
+        }
     val world = BuiltInWorlds.plain
     return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
         is RobotLoads.HasErrors -> {
@@ -69,26 +69,25 @@ private suspend fun runOf(
     }
 }
 
-private suspend fun projectRunOf(
-    text: String,
-    milliseconds: Int,
-): JsAny? =
-    when (val file = readProject(text)) {
-        is ProjectFileResult.Rejected -> refusal(file.message)
-        is ProjectFileResult.Loaded -> runOf(file.project, milliseconds)
-    }
+private suspend fun projectRunOf(text: String, milliseconds: Int): JsAny? = when (val file = readProject(text)) {
+    is ProjectFileResult.Rejected -> refusal(file.message)
+    is ProjectFileResult.Loaded -> runOf(file.project, milliseconds)
+}
 
-private suspend fun runOf(
-    project: Project,
-    milliseconds: Int,
-): JsAny =
+private suspend fun runOf(project: Project, milliseconds: Int): JsAny =
     when (val robots = readRobotLoads(project, ProgramCompiler(PENBOT_CALIBRATION, project.settings.java))) {
         is RobotLoads.HasErrors -> {
             refusal(robots.diagnostics.first().message)
         }
 
         is RobotLoads.Ready -> {
-            val session = Session.replay(project.worldToRun, robots.loads, loadPhysicsEngine(), project.inputs, milliseconds.toLong())
+            val session = Session.replay(
+                project.worldToRun,
+                robots.loads,
+                loadPhysicsEngine(),
+                project.inputs,
+                milliseconds.toLong(),
+            )
             session.finish()
             session.close()
             runResult(session.report().toJson(), romLog = "")
@@ -98,17 +97,16 @@ private suspend fun runOf(
 /** A promise that is broken with an error that scripts can read; one that Kotlin throws is only an object to them. */
 private fun refusal(words: String): JsAny = js("Promise.reject(new Error(words))")
 
-private fun runResult(
-    report: String,
-    romLog: String,
-): JsAny = js("({ report, romLog })")
+private fun runResult(report: String, romLog: String): JsAny = js("({ report, romLog })")
 
 private fun publish(
     report: () -> String,
     run: (String, Int, String) -> Promise<JsAny?>,
     runProject: (String, Int) -> Promise<JsAny?>,
-): Unit =
-    js("{ globalThis.robotran = { report, runProject, run: (program, time, name = 'program') => run(program, time, name) }; }")
+): Unit = js(
+    "{ globalThis.robotran = { report, runProject, run: (program, time, name = 'program') => run(program, time, " +
+        "name) }; }",
+)
 
 /** One for all runs, so that the compiler for Java is loaded once. */
 private val reader = ProgramCompiler(PENBOT_CALIBRATION)

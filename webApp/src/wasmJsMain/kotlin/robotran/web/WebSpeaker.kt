@@ -6,8 +6,8 @@ import robotran.workshop.sound.LoudSpeaker
 import robotran.workshop.sound.PlannedTone
 
 /**
- * The browser's loudspeaker. Browsers refuse sounds before somebody has touched the page, so there is no context before that, and
- * what would sound until then is left out.
+ * The browser's loudspeaker. Browsers refuse sounds before somebody has touched the page, so there is no context before
+ * that, and what would sound until then is left out.
  */
 internal class WebSpeaker : LoudSpeaker {
     private var context: AudioContext? = null
@@ -55,10 +55,7 @@ internal class WebSpeaker : LoudSpeaker {
 }
 
 /** [tone] on its way to the loudspeaker of [context]; rises and falls quickly, so that it does not click. */
-private class SoundingTone(
-    context: AudioContext,
-    private val tone: PlannedTone,
-) {
+private class SoundingTone(context: AudioContext, private val tone: PlannedTone) {
     private val oscillator = context.createOscillator()
     private val gain = context.createGain()
 

@@ -16,10 +16,11 @@ import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.Saving
 
 /**
- * Files through Android's own picker (Storage Access Framework); places are content addresses. An activity that shows the workshop attaches
- * itself, and a new one takes over what an old one has asked for.
+ * Files through Android's own picker (Storage Access Framework); places are content addresses. An activity that shows
+ * the workshop attaches itself, and a new one takes over what an old one has asked for.
  *
- * @param arrivals is brought what is chosen when nobody waits for it any more, since the process was ended behind the picker.
+ * @param arrivals is brought what is chosen when nobody waits for it any more, since the process was ended behind the
+ * picker.
  * @param unreadable a sentence that says that the file with this name cannot be read.
  */
 class AndroidFilePicker internal constructor(
@@ -41,16 +42,17 @@ class AndroidFilePicker internal constructor(
             FileKind.entries.map { it.mimeType }.distinct().associateWith { type ->
                 activity.registerForActivityResult(ActivityResultContracts.CreateDocument(type)) { place ->
                     // What was to be written into it is gone.
-                    if (!tell(listOfNotNull(place)) && place != null) activity.lifecycleScope.launch { contents.delete(place) }
+                    if (!tell(listOfNotNull(place)) &&
+                        place != null
+                    ) {
+                        activity.lifecycleScope.launch { contents.delete(place) }
+                    }
                 }
             }
     }
 
     /** Reads the files at [places] and hands them to [arrivals], together; says which cannot be read. */
-    suspend fun bring(
-        places: List<Uri>,
-        arrivals: OpenRequests,
-    ) {
+    suspend fun bring(places: List<Uri>, arrivals: OpenRequests) {
         val opened = readAll(places, arrivals)
         if (opened.isNotEmpty()) arrivals.bring(OpenRequest.OfFiles(opened))
     }
@@ -60,30 +62,26 @@ class AndroidFilePicker internal constructor(
         return readAll(ask { opener?.launch(arrayOf("*/*")) }.orEmpty(), arrivals)
     }
 
-    override suspend fun save(
-        name: String,
-        kind: FileKind,
-        bytes: ByteArray,
-    ): Saving {
+    override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving {
         val places = ask { creators[kind.mimeType]?.launch(name) } ?: return Saving.Failed("")
         val place = places.firstOrNull() ?: return Saving.GivenUp
         return contents.write(place, contents.name(place), bytes)
     }
 
-    override suspend fun write(
-        place: String,
-        name: String,
-        bytes: ByteArray,
-    ): Saving = contents.write(Uri.parse(place), name, bytes)
+    override suspend fun write(place: String, name: String, bytes: ByteArray): Saving =
+        contents.write(Uri.parse(place), name, bytes)
 
     override suspend fun read(place: String): ByteArray? = contents.bytes(Uri.parse(place))
 
-    private suspend fun readAll(
-        places: List<Uri>,
-        arrivals: OpenRequests,
-    ): List<OpenedFile> =
+    private suspend fun readAll(places: List<Uri>, arrivals: OpenRequests): List<OpenedFile> =
         places.take(MAX_FILES).mapNotNull { place ->
-            contents.read(place).also { if (it == null) arrivals.bring(OpenRequest.Unreadable(unreadable(contents.name(place)))) }
+            contents.read(place).also {
+                if (it ==
+                    null
+                ) {
+                    arrivals.bring(OpenRequest.Unreadable(unreadable(contents.name(place))))
+                }
+            }
         }
 
     /** What a person chooses in what [launch] shows; null where Android has no picker. */

@@ -14,15 +14,12 @@ import java.io.IOException
 import java.io.InputStream
 
 /** Files at content addresses. What another app's provider does, or throws, never ends this one. */
-internal class ContentFiles(
-    private val resolver: ContentResolver,
-) {
+internal class ContentFiles(private val resolver: ContentResolver) {
     /** The file at [place]; null if it cannot be read, or is larger than anything of Robotran's. */
-    suspend fun read(place: Uri): OpenedFile? =
-        withContext(Dispatchers.IO) {
-            keepAccess(place)
-            bytesAt(place)?.let { OpenedFile(nameOf(place), it, place.toString()) }
-        }
+    suspend fun read(place: Uri): OpenedFile? = withContext(Dispatchers.IO) {
+        keepAccess(place)
+        bytesAt(place)?.let { OpenedFile(nameOf(place), it, place.toString()) }
+    }
 
     suspend fun bytes(place: Uri): ByteArray? = withContext(Dispatchers.IO) { bytesAt(place) }
 
@@ -30,32 +27,24 @@ internal class ContentFiles(
     suspend fun name(place: Uri): String = withContext(Dispatchers.IO) { nameOf(place) }
 
     /** Writes [bytes] into the file at [place]; if that goes wrong, what was in it before is written again. */
-    suspend fun write(
-        place: Uri,
-        name: String,
-        bytes: ByteArray,
-    ): Saving =
-        withContext(Dispatchers.IO) {
-            val before = bytesAt(place)
-            val problem = guarded { put(place, bytes) }
-            if (problem == null) {
-                keepAccess(place)
-                Saving.Saved(name, place.toString())
-            } else {
-                if (before != null) guarded { put(place, before) }
-                Saving.Failed(problem.message.orEmpty(), isFull = FULL in problem.message.orEmpty())
-            }
+    suspend fun write(place: Uri, name: String, bytes: ByteArray): Saving = withContext(Dispatchers.IO) {
+        val before = bytesAt(place)
+        val problem = guarded { put(place, bytes) }
+        if (problem == null) {
+            keepAccess(place)
+            Saving.Saved(name, place.toString())
+        } else {
+            if (before != null) guarded { put(place, before) }
+            Saving.Failed(problem.message.orEmpty(), isFull = FULL in problem.message.orEmpty())
         }
+    }
 
     /** Takes away a file that was made for nothing. */
     suspend fun delete(place: Uri) {
         withContext(Dispatchers.IO) { guarded { DocumentsContract.deleteDocument(resolver, place) } }
     }
 
-    private fun put(
-        place: Uri,
-        bytes: ByteArray,
-    ) {
+    private fun put(place: Uri, bytes: ByteArray) {
         val stream = resolver.openOutputStream(place, "wt") ?: throw IOException("")
         stream.use { it.write(bytes) }
     }
@@ -82,16 +71,15 @@ internal class ContentFiles(
     }
 
     /** What went wrong in [action], null if nothing did. */
-    private fun guarded(action: () -> Unit): Exception? =
-        try {
-            action()
-            null
-        } catch (problem: IOException) {
-            problem
-        } catch (problem: RuntimeException) {
-            // Providers hand their own mistakes on to those who ask them.
-            problem
-        }
+    private fun guarded(action: () -> Unit): Exception? = try {
+        action()
+        null
+    } catch (problem: IOException) {
+        problem
+    } catch (problem: RuntimeException) {
+        // Providers hand their own mistakes on to those who ask them.
+        problem
+    }
 
     private fun InputStream.readUpTo(max: Int): ByteArray? {
         val bytes = ByteArrayOutputStream()

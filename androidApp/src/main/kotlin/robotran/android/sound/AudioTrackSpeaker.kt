@@ -12,17 +12,20 @@ import robotran.workshop.sound.ToneWave
 internal fun audioTrackSpeaker(): LoudSpeaker = SampleFeeder(::openAudioTrack)
 
 /** A track that plays; null if Android gives none, for whatever reason: a tone is never worth ending the app. */
-private fun openAudioTrack(): SampleLine? =
-    try {
-        val track = newTrack()
-        track.play()
-        AudioTrackLine(track)
-    } catch (_: RuntimeException) {
-        null
-    }
+private fun openAudioTrack(): SampleLine? = try {
+    val track = newTrack()
+    track.play()
+    AudioTrackLine(track)
+} catch (_: RuntimeException) {
+    null
+}
 
 private fun newTrack(): AudioTrack {
-    val min = AudioTrack.getMinBufferSize(ToneWave.SAMPLE_RATE, AudioFormat.CHANNEL_OUT_MONO, AudioFormat.ENCODING_PCM_16BIT)
+    val min = AudioTrack.getMinBufferSize(
+        ToneWave.SAMPLE_RATE,
+        AudioFormat.CHANNEL_OUT_MONO,
+        AudioFormat.ENCODING_PCM_16BIT,
+    )
     return AudioTrack
         .Builder()
         .setAudioAttributes(

@@ -22,8 +22,8 @@ import robotran.world.file.BuiltInWorlds
 import java.io.File
 
 /**
- * Makes the runs again that the tests of the other targets are held against: all examples in both languages, and the projects with worlds
- * full of things.
+ * Makes the runs again that the tests of the other targets are held against: all examples in both languages, and the
+ * projects with worlds full of things.
  *
  * @param tree the folder with the source tree, which holds the programs and the records.
  */
@@ -35,7 +35,11 @@ internal class RecordedRuns(private val tree: File) {
         val physics = loadPhysicsEngine()
         val reader = ProgramCompiler(calibration)
         val robolang = files("examples", ".robo").map { file ->
-            compare(example(reader, ProgramSource.Robolang(file.name, file.readText()), physics), file, "shared/simulation")
+            compare(
+                example(reader, ProgramSource.Robolang(file.name, file.readText()), physics),
+                file,
+                "shared/simulation",
+            )
         }
         val java = files("examples/lejos", ".java").map { file ->
             val source = ProgramSource.Java(file.name, listOf(SourceFile(file.name, file.readText())))
@@ -56,8 +60,15 @@ internal class RecordedRuns(private val tree: File) {
 
     private suspend fun project(text: String, physics: PhysicsEngine): Session {
         val project = (readProject(text) as ProjectFileResult.Loaded).project
-        val loads = (readRobotLoads(project, ProgramCompiler(calibration, project.settings.java)) as RobotLoads.Ready).loads
-        return Session.replay(project.worldToRun, loads, physics, project.inputs, EXAMPLE_MILLISECONDS.toLong()).apply { finish() }
+        val loads = (
+            readRobotLoads(
+                project,
+                ProgramCompiler(calibration, project.settings.java),
+            ) as RobotLoads.Ready
+        ).loads
+        return Session.replay(project.worldToRun, loads, physics, project.inputs, EXAMPLE_MILLISECONDS.toLong()).apply {
+            finish()
+        }
     }
 
     /** What differs from the records of [file]; null if nothing does. */

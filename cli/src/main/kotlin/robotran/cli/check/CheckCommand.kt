@@ -16,9 +16,7 @@ import robotran.cli.input.lineOf
 import robotran.cli.messages.CommandMessages
 
 /** `robotran check FILE..`: tells all mistakes of all files. */
-internal class CheckCommand(
-    private val console: Console,
-) : CoreCliktCommand("check") {
+internal class CheckCommand(private val console: Console) : CoreCliktCommand("check") {
     private val files by argument("FILE", help = "Robolang programs (.robo), or the files of a Java program (.java)")
         .multiple(required = true)
     private val spoken by LanguageOption()
@@ -34,21 +32,23 @@ internal class CheckCommand(
         throw ProgramResult(results.maxOf { statusOf(it.second).status })
     }
 
-    private fun tell(
-        name: String,
-        file: CheckedFile,
-    ) {
+    private fun tell(name: String, file: CheckedFile) {
         when (file) {
             is CheckedFile.Robolang -> tell(name, file.file)
-            is CheckedFile.Java -> tell(name, file.diagnostics.map { lineOf(name, it) }, file.warnings.map { lineOf(name, it) })
+
+            is CheckedFile.Java -> tell(
+                name,
+                file.diagnostics.map {
+                    lineOf(name, it)
+                },
+                file.warnings.map { lineOf(name, it) },
+            )
+
             is CheckedFile.Unreadable -> console.complain(file.reason)
         }
     }
 
-    private fun tell(
-        name: String,
-        file: RobolangFile,
-    ) {
+    private fun tell(name: String, file: RobolangFile) {
         when (file) {
             is RobolangFile.Ready -> tell(name, emptyList(), file.warnings.map { lineOf(name, it) })
             is RobolangFile.HasErrors -> tell(name, file.diagnostics.map { lineOf(name, it) }, emptyList())
@@ -56,20 +56,15 @@ internal class CheckCommand(
         }
     }
 
-    private fun tell(
-        name: String,
-        diagnostics: List<String>,
-        warnings: List<String>,
-    ) {
+    private fun tell(name: String, diagnostics: List<String>, warnings: List<String>) {
         diagnostics.forEach(console::complain)
         warnings.forEach { console.say(sentences.warning(it)) }
         if (diagnostics.isEmpty()) console.say(sentences.noMistakes(name))
     }
 
-    private fun statusOf(file: CheckedFile): ExitCode =
-        when (file) {
-            is CheckedFile.Robolang -> if (file.file is RobolangFile.Ready) ExitCode.DONE else ExitCode.PROGRAM_FAILED
-            is CheckedFile.Java -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
-            is CheckedFile.Unreadable -> ExitCode.BAD_INPUT
-        }
+    private fun statusOf(file: CheckedFile): ExitCode = when (file) {
+        is CheckedFile.Robolang -> if (file.file is RobolangFile.Ready) ExitCode.DONE else ExitCode.PROGRAM_FAILED
+        is CheckedFile.Java -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
+        is CheckedFile.Unreadable -> ExitCode.BAD_INPUT
+    }
 }

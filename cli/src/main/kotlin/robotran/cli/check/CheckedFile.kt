@@ -29,36 +29,35 @@ internal sealed interface CheckedFile {
 }
 
 /** Checks the files [names], in their order: each `.robo` file by itself, all `.java` files together as one program. */
-internal fun checkFiles(
-    names: List<String>,
-    language: Language,
-): List<Pair<String, CheckedFile>> {
+internal fun checkFiles(names: List<String>, language: Language): List<Pair<String, CheckedFile>> {
     val java = checkJava(names.filter { it.endsWith(JAVA) }.distinct(), language)
     return names.map { name -> name to (java[name] ?: checkRobolang(name, language)) }
 }
 
-private fun checkRobolang(
-    name: String,
-    language: Language,
-): CheckedFile =
-    if (name.endsWith(ROBOLANG)) {
-        when (val file = readRobolangFile(name, language)) {
-            is RobolangFile.Unreadable -> CheckedFile.Unreadable(file.reason)
-            else -> CheckedFile.Robolang(file)
-        }
-    } else {
-        CheckedFile.Unreadable(CommandMessages.of(language).notToBeChecked(name, listOf(ROBOLANG, JAVA)))
+private fun checkRobolang(name: String, language: Language): CheckedFile = if (name.endsWith(ROBOLANG)) {
+    when (val file = readRobolangFile(name, language)) {
+        is RobolangFile.Unreadable -> CheckedFile.Unreadable(file.reason)
+        else -> CheckedFile.Robolang(file)
     }
+} else {
+    CheckedFile.Unreadable(CommandMessages.of(language).notToBeChecked(name, listOf(ROBOLANG, JAVA)))
+}
 
-private fun checkJava(
-    names: List<String>,
-    language: Language,
-): Map<String, CheckedFile> {
+private fun checkJava(names: List<String>, language: Language): Map<String, CheckedFile> {
     val read = names.associateWith { readTextFile(it, CommandMessages.of(language)) }
     val sources = read.mapNotNull { (name, file) -> (file as? TextFile.Read)?.let { SourceFile(name, it.text) } }
-    if (sources.isEmpty()) return read.mapValues { (_, file) -> CheckedFile.Unreadable((file as TextFile.Rejected).reason) }
+    if (sources.isEmpty()) {
+        return read.mapValues { (_, file) ->
+            CheckedFile.Unreadable((file as TextFile.Rejected).reason)
+        }
+    }
     val result =
-        runBlocking { ProgramCompiler(PENBOT_CALIBRATION, language = language).read(ProgramSource.Java(sources.first().name, sources)) }
+        runBlocking {
+            ProgramCompiler(
+                PENBOT_CALIBRATION,
+                language = language,
+            ).read(ProgramSource.Java(sources.first().name, sources))
+        }
     val diagnostics = byFile((result as? ProgramResult.HasErrors)?.diagnostics.orEmpty(), sources)
     val warnings = byFile((result as? ProgramResult.Ready)?.warnings.orEmpty(), sources)
     return read.mapValues { (name, file) ->
@@ -70,9 +69,7 @@ private fun checkJava(
 }
 
 /** What is in none of the [sources] counts to the first. */
-private fun byFile(
-    told: List<ProgramDiagnostic>,
-    sources: List<SourceFile>,
-): Map<String, List<ProgramDiagnostic>> = told.groupBy { diagnostic ->
-    (sources.find { it.name == diagnostic.file } ?: sources.first()).name
-}
+private fun byFile(told: List<ProgramDiagnostic>, sources: List<SourceFile>): Map<String, List<ProgramDiagnostic>> =
+    told.groupBy { diagnostic ->
+        (sources.find { it.name == diagnostic.file } ?: sources.first()).name
+    }

@@ -8,15 +8,17 @@ import robotran.cli.messages.CommandMessages
 import robotran.language.Language
 
 /**
- * What language a command tells things in. The machine's own does not count, so that scripts read the same everywhere unless somebody wants it
- * otherwise.
+ * What language a command tells things in. The machine's own does not count, so that scripts read the same everywhere
+ * unless somebody wants it otherwise.
  */
 internal class LanguageOption : OptionGroup() {
     val language by option(
         "--language",
         metavar = "en|es|de",
         envvar = "ROBOTRAN_LANGUAGE",
-        help = "tells mistakes and results in English, Spanish or German; English if neither this nor ROBOTRAN_LANGUAGE is given",
+        help =
+            "tells mistakes and results in English, Spanish or German; English if neither this nor ROBOTRAN_LANGUAGE " +
+                "is given",
     ).convert { text -> Language.of(text) ?: fail("$text is none of ${Language.entries.joinToString { it.tag }}") }
         .default(Language.ENGLISH)
 }
@@ -27,7 +29,4 @@ internal fun Console.speaking(language: Language): Console = SpeakingConsole(thi
 /** What is told at this console. */
 internal val Console.messages: CommandMessages get() = CommandMessages.of(language)
 
-private class SpeakingConsole(
-    private val console: Console,
-    override val language: Language,
-) : Console by console
+private class SpeakingConsole(private val console: Console, override val language: Language) : Console by console

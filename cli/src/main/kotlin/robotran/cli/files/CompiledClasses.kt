@@ -13,10 +13,7 @@ import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.walk
 
 /** Reads the class files [names], and those of the classes inside these, which lie beside them. */
-internal fun readClassFiles(
-    names: List<String>,
-    messages: FileMessages,
-): ReadProgram =
+internal fun readClassFiles(names: List<String>, messages: FileMessages): ReadProgram =
     reading(names.first(), messages, ReadProgram::Rejected) {
         val paths = names.map(Path::of).flatMap { listOf(it) + innerClassesOf(it) }.distinct()
         val areNamesUnique = paths.distinctBy { it.name }.size == paths.size
@@ -24,45 +21,42 @@ internal fun readClassFiles(
     }
 
 /** Reads all class files in the folder [name] and the folders in it. */
-internal fun readClassFolder(
-    name: String,
-    messages: FileMessages,
-): ReadProgram =
+internal fun readClassFolder(name: String, messages: FileMessages): ReadProgram =
     reading(name, messages, ReadProgram::Rejected) {
         val folder = Path.of(name)
         val paths = folder.walk().filter { it.isRegularFile() && isClassFile(folder.relativize(it).toString()) }
-        compiled(nameOf(name), paths.take(TinyVmLimits.CLASSES + 1).sorted().toList(), messages) { folder.relativize(it).toString() }
+        compiled(nameOf(name), paths.take(TinyVmLimits.CLASSES + 1).sorted().toList(), messages) {
+            folder.relativize(it).toString()
+        }
     }
 
-/** The program of the class files [files] by the names they go by. [mainClass] is the class to begin with, null for the first that can be. */
+/**
+ * The program of the class files [files] by the names they go by. [mainClass] is the class to begin with, null for the
+ * first that can be.
+ */
 internal fun programOf(
     name: String,
     files: Map<String, ByteArray>,
     messages: FileMessages,
     mainClass: String? = null,
-): ReadProgram =
-    when {
-        files.isEmpty() -> ReadProgram.Rejected(messages.noClassFile(name))
-        files.size > TinyVmLimits.CLASSES -> ReadProgram.Rejected(messages.tooManyClasses(name, TinyVmLimits.CLASSES))
-        else -> ReadProgram.Read(ProgramSource.CompiledClasses(name, files, mainClass))
-    }
+): ReadProgram = when {
+    files.isEmpty() -> ReadProgram.Rejected(messages.noClassFile(name))
+    files.size > TinyVmLimits.CLASSES -> ReadProgram.Rejected(messages.tooManyClasses(name, TinyVmLimits.CLASSES))
+    else -> ReadProgram.Read(ProgramSource.CompiledClasses(name, files, mainClass))
+}
 
 /** Says that the class file [file] is longer than any can be. */
-internal fun tooLarge(
-    file: String,
-    messages: FileMessages,
-): ReadProgram = ReadProgram.Rejected(messages.classFileTooLarge(file, TinyVmLimits.CLASS_FILE_BYTES))
+internal fun tooLarge(file: String, messages: FileMessages): ReadProgram =
+    ReadProgram.Rejected(messages.classFileTooLarge(file, TinyVmLimits.CLASS_FILE_BYTES))
 
-/** Whether [file], a path within a folder or a jar, is a class of a program: not one for newer machines only, and no description of a module. */
+/**
+ * Whether [file], a path within a folder or a jar, is a class of a program: not one for newer machines only, and no
+ * description of a module.
+ */
 internal fun isClassFile(file: String): Boolean =
     file.endsWith(CLASS) && !file.startsWith("META-INF") && file.substringAfterLast('/') != "module-info$CLASS"
 
-private fun compiled(
-    name: String,
-    paths: List<Path>,
-    messages: FileMessages,
-    nameOf: (Path) -> String,
-): ReadProgram {
+private fun compiled(name: String, paths: List<Path>, messages: FileMessages, nameOf: (Path) -> String): ReadProgram {
     val files = LinkedHashMap<String, ByteArray>()
     for (path in paths.take(TinyVmLimits.CLASSES + 1)) {
         val file = nameOf(path)

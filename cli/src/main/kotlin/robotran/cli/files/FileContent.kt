@@ -19,25 +19,25 @@ sealed interface FileContent {
     data class Rejected(val reason: String) : FileContent
 }
 
-/** Reads the file at [path], which a person knows by its name without the folders, and tells in [language] if it cannot be read. */
-fun readFile(
-    path: Path,
-    language: Language,
-): FileContent {
+/**
+ * Reads the file at [path], which a person knows by its name without the folders, and tells in [language] if it cannot
+ * be read.
+ */
+fun readFile(path: Path, language: Language): FileContent {
     val messages = CommandMessages.of(language)
-    return reading(path.name, messages, FileContent::Rejected) { readContent(path, path.name, LARGEST_FILE_BYTES, messages) }
+    return reading(path.name, messages, FileContent::Rejected) {
+        readContent(path, path.name, LARGEST_FILE_BYTES, messages)
+    }
 }
 
 /** Says in [language] that there is no file [name]. */
-fun noFile(
-    name: String,
-    language: Language,
-): String = CommandMessages.of(language).noFile(name)
+fun noFile(name: String, language: Language): String = CommandMessages.of(language).noFile(name)
 
 /**
  * Reads the file at [path], which a person knows as [name], unless it has more than [limit] bytes.
  *
- * Devices and pipes are refused unopened: they may have no end, or never begin. Of a file that grows meanwhile no more is read than tells that it is too large.
+ * Devices and pipes are refused unopened: they may have no end, or never begin. Of a file that grows meanwhile no more
+ * is read than tells that it is too large.
  *
  * @throws java.io.IOException see [reading].
  */
@@ -58,17 +58,14 @@ internal fun readContent(
  *
  * @throws NoSuchFileException if there is nothing.
  */
-internal fun notAFile(
-    path: Path,
-    name: String,
-    messages: FileMessages,
-): String? =
-    when {
-        path.isRegularFile() -> null
-        path.isDirectory() -> messages.isFolder(name)
-        path.exists() -> messages.isDevice(name)
-        else -> throw NoSuchFileException(name)
-    }
+internal fun notAFile(path: Path, name: String, messages: FileMessages): String? = when {
+    path.isRegularFile() -> null
+    path.isDirectory() -> messages.isFolder(name)
+    path.exists() -> messages.isDevice(name)
+    else -> throw NoSuchFileException(name)
+}
 
-/** Far more bytes than a program, a world or a project may have; what they may have is checked by those who read them. */
+/**
+ * Far more bytes than a program, a world or a project may have; what they may have is checked by those who read them.
+ */
 internal const val LARGEST_FILE_BYTES = 16_000_000

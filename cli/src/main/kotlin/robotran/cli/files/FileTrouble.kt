@@ -9,24 +9,18 @@ import java.nio.file.NoSuchFileException
 import java.util.zip.ZipException
 
 /** What [work] makes of the file [name], or what [refuse] makes of a sentence about why it cannot be read. */
-internal fun <T> reading(
-    name: String,
-    messages: FileMessages,
-    refuse: (String) -> T,
-    work: () -> T,
-): T =
-    try {
-        work()
-    } catch (_: NoSuchFileException) {
-        refuse(messages.noFile(name))
-    } catch (_: InvalidPathException) {
-        refuse(messages.noFile(name))
-    } catch (_: AccessDeniedException) {
-        refuse(messages.notAllowed(name))
-    } catch (_: CharacterCodingException) {
-        refuse(messages.notUtf8(name))
-    } catch (_: ZipException) {
-        refuse(messages.notAJar(name))
-    } catch (problem: IOException) {
-        refuse(messages.unreadable(name, problem.message.orEmpty()))
-    }
+internal fun <T> reading(name: String, messages: FileMessages, refuse: (String) -> T, work: () -> T): T = try {
+    work()
+} catch (_: NoSuchFileException) {
+    refuse(messages.noFile(name))
+} catch (_: InvalidPathException) {
+    refuse(messages.noFile(name))
+} catch (_: AccessDeniedException) {
+    refuse(messages.notAllowed(name))
+} catch (_: CharacterCodingException) {
+    refuse(messages.notUtf8(name))
+} catch (_: ZipException) {
+    refuse(messages.notAJar(name))
+} catch (problem: IOException) {
+    refuse(messages.unreadable(name, problem.message.orEmpty()))
+}

@@ -11,22 +11,30 @@ import java.util.zip.ZipEntry
 import java.util.zip.ZipFile
 import kotlin.io.path.fileSize
 
-/** Reads all class files in the jar [name]; its manifest may say which to begin with. Never unpacks more than a program can have. */
-internal fun readJar(
-    name: String,
-    messages: FileMessages,
-): ReadProgram =
+/**
+ * Reads all class files in the jar [name]; its manifest may say which to begin with. Never unpacks more than a program
+ * can have.
+ */
+internal fun readJar(name: String, messages: FileMessages): ReadProgram =
     reading(name, messages, ReadProgram::Rejected) {
         val path = Path.of(name)
         notAFile(path, name, messages)?.let { return@reading ReadProgram.Rejected(it) }
-        if (path.fileSize() > LARGEST_JAR_BYTES) return@reading ReadProgram.Rejected(messages.fileTooLarge(name, LARGEST_JAR_BYTES))
+        if (path.fileSize() >
+            LARGEST_JAR_BYTES
+        ) {
+            return@reading ReadProgram.Rejected(messages.fileTooLarge(name, LARGEST_JAR_BYTES))
+        }
         ZipFile(path.toFile()).use { jar ->
             val entries = jar.entries().asSequence().filter { !it.isDirectory && isClassFile(it.name) }
             val files = LinkedHashMap<String, ByteArray>()
             var bytes = 0
             for (entry in entries.take(TinyVmLimits.CLASSES + 1)) {
                 val content = jar.open(entry) { it.readNBytes(TinyVmLimits.CLASS_FILE_BYTES + 1) }
-                if (content.size > TinyVmLimits.CLASS_FILE_BYTES) return@reading tooLarge("$name: ${entry.name}", messages)
+                if (content.size >
+                    TinyVmLimits.CLASS_FILE_BYTES
+                ) {
+                    return@reading tooLarge("$name: ${entry.name}", messages)
+                }
                 bytes += content.size
                 if (bytes > MAX_JAR_BYTES) {
                     return@reading ReadProgram.Rejected(messages.jarTooLarge(name, MAX_JAR_BYTES))
@@ -37,7 +45,10 @@ internal fun readJar(
         }
     }
 
-/** The class that the manifest of [jar] names, with slashes; null if it names none or there is no manifest that can be read. */
+/**
+ * The class that the manifest of [jar] names, with slashes; null if it names none or there is no manifest that can be
+ * read.
+ */
 private fun mainClassOf(jar: ZipFile): String? {
     val entry = jar.getEntry(JarFile.MANIFEST_NAME) ?: return null
     val bytes = jar.open(entry) { it.readNBytes(MAX_MANIFEST_BYTES) }
@@ -45,10 +56,7 @@ private fun mainClassOf(jar: ZipFile): String? {
     return manifest?.mainAttributes?.getValue(Attributes.Name.MAIN_CLASS)?.trim()?.replace('.', '/')
 }
 
-private fun <T> ZipFile.open(
-    entry: ZipEntry,
-    read: (InputStream) -> T,
-): T = getInputStream(entry).use(read)
+private fun <T> ZipFile.open(entry: ZipEntry, read: (InputStream) -> T): T = getInputStream(entry).use(read)
 
 /** A jar may hold pictures and sounds besides, but its directory is read as a whole. */
 private const val LARGEST_JAR_BYTES = 64_000_000L

@@ -25,21 +25,16 @@ internal sealed interface ProgramFiles {
  * @property path its first file as it was named.
  * @property project the project or link it is in, as a person is told of that; null if it is a file of its own.
  */
-internal data class NamedProgram(
-    val path: String,
-    val source: ProgramSource,
-    val project: String? = null,
-)
+internal data class NamedProgram(val path: String, val source: ProgramSource, val project: String? = null)
 
 /**
- * Reads the files [names]: each `.robo` file, `.jar` file and folder of `.class` files is a program, all `.java` files together are one, and
- * so are all `.class` files. A file that is named twice counts once.
+ * Reads the files [names]: each `.robo` file, `.jar` file and folder of `.class` files is a program, all `.java` files
+ * together are one, and so are all `.class` files. A file that is named twice counts once.
  */
-internal fun readProgramFiles(
-    names: List<String>,
-    messages: FileMessages = EnglishCommandMessages,
-): ProgramFiles {
-    val groups = names.distinct().groupBy { name -> FILES_OF_ONE_PROGRAM.firstOrNull { name.endsWith(it) } ?: name }.values
+internal fun readProgramFiles(names: List<String>, messages: FileMessages = EnglishCommandMessages): ProgramFiles {
+    val groups = names.distinct().groupBy { name ->
+        FILES_OF_ONE_PROGRAM.firstOrNull { name.endsWith(it) } ?: name
+    }.values
     if (groups.size > Brick.MAX_PROGRAMS) {
         return ProgramFiles.Rejected(messages.tooManyPrograms(Brick.MAX_PROGRAMS, groups.size))
     }
@@ -53,10 +48,7 @@ internal fun readProgramFiles(
     return ProgramFiles.Read(programs)
 }
 
-private fun readProgram(
-    names: List<String>,
-    messages: FileMessages,
-): ReadProgram {
+private fun readProgram(names: List<String>, messages: FileMessages): ReadProgram {
     val first = names.first()
     return when {
         first.endsWith(ROBOLANG) -> compileRobolang(first, messages)
@@ -68,19 +60,13 @@ private fun readProgram(
     }
 }
 
-private fun compileRobolang(
-    name: String,
-    messages: FileMessages,
-): ReadProgram =
+private fun compileRobolang(name: String, messages: FileMessages): ReadProgram =
     when (val file = readTextFile(name, messages)) {
         is TextFile.Read -> ReadProgram.Read(ProgramSource.Robolang(nameOf(name), file.text))
         is TextFile.Rejected -> ReadProgram.Rejected(file.reason)
     }
 
-private fun readJava(
-    names: List<String>,
-    messages: FileMessages,
-): ReadProgram {
+private fun readJava(names: List<String>, messages: FileMessages): ReadProgram {
     val files =
         names.map { name ->
             when (val file = readTextFile(name, messages)) {
@@ -92,13 +78,15 @@ private fun readJava(
 }
 
 /**
- * The files to be given to [readProgramFiles] for what somebody names as one program: those of a folder of Java sources, all of them; otherwise the file or
- * folder itself.
+ * The files to be given to [readProgramFiles] for what somebody names as one program: those of a folder of Java
+ * sources, all of them; otherwise the file or folder itself.
  */
 internal fun filesOfProgram(name: String): List<String> {
     val sources =
         if (isFolder(name)) {
-            runCatching { Path.of(name).listDirectoryEntries("*$JAVA") }.getOrDefault(emptyList()).map { it.toString() }.sorted()
+            runCatching {
+                Path.of(name).listDirectoryEntries("*$JAVA")
+            }.getOrDefault(emptyList()).map { it.toString() }.sorted()
         } else {
             emptyList()
         }

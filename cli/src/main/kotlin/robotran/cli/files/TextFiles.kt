@@ -18,28 +18,23 @@ internal sealed interface TextFile {
 }
 
 /** Reads the UTF-8 file [name]; no larger one than [LARGEST_FILE_BYTES]. */
-internal fun readTextFile(
-    name: String,
-    messages: FileMessages = EnglishCommandMessages,
-): TextFile =
+internal fun readTextFile(name: String, messages: FileMessages = EnglishCommandMessages): TextFile =
     reading(name, messages, TextFile::Rejected) {
         when (val file = readContent(Path.of(name), name, LARGEST_FILE_BYTES, messages)) {
             is FileContent.Rejected -> TextFile.Rejected(file.reason)
-            is FileContent.Read -> TextFile.Read(Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(file.bytes)).toString())
+
+            is FileContent.Read -> TextFile.Read(
+                Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(file.bytes)).toString(),
+            )
         }
     }
 
 /** Writes [bytes] to the file [name]; a sentence that names the file if that fails, null if it was written. */
-internal fun writeFile(
-    name: String,
-    bytes: ByteArray,
-    messages: FileMessages = EnglishCommandMessages,
-): String? =
-    try {
-        Path.of(name).createParentDirectories().writeBytes(bytes)
-        null
-    } catch (_: InvalidPathException) {
-        messages.notAFileName(name)
-    } catch (problem: IOException) {
-        messages.unwritable(name, problem.message.orEmpty())
-    }
+internal fun writeFile(name: String, bytes: ByteArray, messages: FileMessages = EnglishCommandMessages): String? = try {
+    Path.of(name).createParentDirectories().writeBytes(bytes)
+    null
+} catch (_: InvalidPathException) {
+    messages.notAFileName(name)
+} catch (problem: IOException) {
+    messages.unwritable(name, problem.message.orEmpty())
+}

@@ -17,25 +17,33 @@ import robotran.cli.run.RunOptions
 import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 
 /** `robotran grade WORLD PROGRAM..`: runs programs in a world and tells whether they meet its goals, seed by seed. */
-internal class GradeCommand(
-    private val console: Console,
-) : CoreCliktCommand("grade") {
+internal class GradeCommand(private val console: Console) : CoreCliktCommand("grade") {
     private val world by argument("WORLD", help = "a world with goals (.world.json, or a project or link with it)")
     private val programs by argument(
         "PROGRAM",
-        help = "a program, graded by itself: a file in Robolang (.robo) or leJOS Java (.java), a jar, a folder with the files of one " +
-            "Java program, or a project (.robotran) or link, of which the programs of the first robot count",
+        help =
+            "a program, graded by itself: a file in Robolang (.robo) or leJOS Java (.java), a jar, a folder with the " +
+                "files of one " +
+                "Java program, or a project (.robotran) or link, of which the programs of the first robot count",
     ).multipleArguments(required = true)
-    private val seeds by option("--seeds", metavar = "A..B", help = "runs once with each of these seeds; with the world's own if not given")
+    private val seeds by option(
+        "--seeds",
+        metavar = "A..B",
+        help = "runs once with each of these seeds; with the world's own if not given",
+    )
         .convert { text ->
-            readSeeds(text) ?: fail("$text is not two whole numbers such as 1..20, from 0 on and $MAX_SEEDS seeds at most")
+            readSeeds(text)
+                ?: fail("$text is not two whole numbers such as 1..20, from 0 on and $MAX_SEEDS seeds at most")
         }
     private val jobs by option(
         "--jobs",
         metavar = "N",
         help = "how many runs at the same time; as many as there are processors if not given",
     )
-        .convert { text -> text.toIntOrNull()?.takeIf { it in 1..MAX_JOBS } ?: fail("$text is not a whole number from 1 to $MAX_JOBS") }
+        .convert { text ->
+            text.toIntOrNull()?.takeIf { it in 1..MAX_JOBS }
+                ?: fail("$text is not a whole number from 1 to $MAX_JOBS")
+        }
         .default(Runtime.getRuntime().availableProcessors().coerceIn(1, MAX_JOBS))
     private val junit by option("--junit", metavar = "FILE|-", help = "writes the grades as JUnit's XML")
     private val report by option("--report", metavar = "FILE|-", help = "writes the grades as JSON")
@@ -45,7 +53,8 @@ internal class GradeCommand(
     override fun help(context: Context) = "Grades programs by the goals of a world."
 
     override fun helpEpilog(context: Context) =
-        "Exit status: 0 if every program met all goals with every seed; 1 if not; 2 if something given cannot be used, or a program has " +
+        "Exit status: 0 if every program met all goals with every seed; 1 if not; 2 if something given cannot be " +
+            "used, or a program has " +
             "mistakes."
 
     override fun run() {

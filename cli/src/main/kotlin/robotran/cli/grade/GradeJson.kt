@@ -10,14 +10,10 @@ import robotran.simulation.RunReport
 import robotran.simulation.grade.Grade
 
 /**
- * All grades as JSON: the file and title of the `world`, and `programs`, each with its file and either `mistakes`, or how many seeds it `passed` with and
- * its `runs`: `seed`, `passed` and the `report` of `robotran run`.
+ * All grades as JSON: the file and title of the `world`, and `programs`, each with its file and either `mistakes`, or
+ * how many seeds it `passed` with and its `runs`: `seed`, `passed` and the `report` of `robotran run`.
  */
-internal fun gradeJson(
-    worldFile: String,
-    worldTitle: String,
-    programs: List<ProgramGrades>,
-): String {
+internal fun gradeJson(worldFile: String, worldTitle: String, programs: List<ProgramGrades>): String {
     val report = buildJsonObject {
         put("world", worldFile)
         put("title", worldTitle)
@@ -26,24 +22,22 @@ internal fun gradeJson(
     return jsonOutput.encodeToString(JsonObject.serializer(), report)
 }
 
-private fun json(program: ProgramGrades): JsonObject =
-    buildJsonObject {
-        put("program", program.name)
-        when (program) {
-            is ProgramGrades.Rejected -> {
-                put("mistakes", JsonArray(program.reasons.map(::JsonPrimitive)))
-            }
+private fun json(program: ProgramGrades): JsonObject = buildJsonObject {
+    put("program", program.name)
+    when (program) {
+        is ProgramGrades.Rejected -> {
+            put("mistakes", JsonArray(program.reasons.map(::JsonPrimitive)))
+        }
 
-            is ProgramGrades.Graded -> {
-                put("passed", program.passed)
-                put("runs", JsonArray(program.grades.map(::json)))
-            }
+        is ProgramGrades.Graded -> {
+            put("passed", program.passed)
+            put("runs", JsonArray(program.grades.map(::json)))
         }
     }
+}
 
-private fun json(grade: Grade): JsonObject =
-    buildJsonObject {
-        put("seed", grade.seed)
-        put("passed", grade.passed)
-        put("report", jsonOutput.encodeToJsonElement(RunReport.serializer(), grade.report))
-    }
+private fun json(grade: Grade): JsonObject = buildJsonObject {
+    put("seed", grade.seed)
+    put("passed", grade.passed)
+    put("report", jsonOutput.encodeToJsonElement(RunReport.serializer(), grade.report))
+}

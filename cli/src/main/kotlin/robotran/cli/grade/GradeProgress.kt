@@ -4,15 +4,12 @@ import robotran.cli.console.Console
 import robotran.cli.console.messages
 
 /**
- * Tells how far the grading is: as a bar that grows where there is somebody to see it, otherwise with a line for every tenth.
+ * Tells how far the grading is: as a bar that grows where there is somebody to see it, otherwise with a line for every
+ * tenth.
  *
  * @param total how many runs there are; of few nothing is told.
  */
-internal class GradeProgress(
-    private val console: Console,
-    private val isTerminal: Boolean,
-    private val total: Int,
-) {
+internal class GradeProgress(private val console: Console, private val isTerminal: Boolean, private val total: Int) {
     private var done = 0
 
     fun runIsDone() {

@@ -37,48 +37,46 @@ internal class GradeTables(
     fun ofClass(programs: List<ProgramGrades>): String {
         val names = programs.map { nameOf(it.shownName) }
         val areUnique = names.toSet().size == names.size
-        val rows = programs.zip(names) { program, name -> listOf(if (areUnique) name else program.shownName) + classRow(program) }
+        val rows = programs.zip(names) { program, name ->
+            listOf(if (areUnique) name else program.shownName) +
+                classRow(program)
+        }
         val table = render(messages.programColumns(), rows)
         val failures = programs.filterIsInstance<ProgramGrades.Graded>().mapNotNull { program ->
-            program.grades.firstOrNull { !it.passed }?.let { "${program.shownName}: ${commandFor(program.name, it.seed)}" }
+            program.grades.firstOrNull {
+                !it.passed
+            }?.let { "${program.shownName}: ${commandFor(program.name, it.seed)}" }
         }
         return (listOf(table) + failures).joinToString("\n")
     }
 
-    private fun classRow(program: ProgramGrades): List<String> =
-        when (program) {
-            is ProgramGrades.Graded -> {
-                val missed = program.grades.firstNotNullOfOrNull { firstUnmet(it.goals) }
-                listOf(messages.countOf(program.passed, program.grades.size), missed?.sentence.orEmpty())
-            }
-
-            is ProgramGrades.Rejected -> {
-                listOf("-", if (program.isReadable) messages.cannotRun() else messages.cannotBeUsed())
-            }
+    private fun classRow(program: ProgramGrades): List<String> = when (program) {
+        is ProgramGrades.Graded -> {
+            val missed = program.grades.firstNotNullOfOrNull { firstUnmet(it.goals) }
+            listOf(messages.countOf(program.passed, program.grades.size), missed?.sentence.orEmpty())
         }
 
+        is ProgramGrades.Rejected -> {
+            listOf("-", if (program.isReadable) messages.cannotRun() else messages.cannotBeUsed())
+        }
+    }
+
     /** @param runs of each run the same goals. */
-    private fun goalRows(
-        runs: List<List<GoalProgress>>,
-        indentation: String,
-    ): List<List<String>> =
+    private fun goalRows(runs: List<List<GoalProgress>>, indentation: String): List<List<String>> =
         runs.first().indices.flatMap { number ->
             val goals = runs.map { it[number] }
             val min = goals.minBy { it.progress }
             val met = messages.countOf(goals.count { it.status == GoalStatus.MET }, goals.size)
-            listOf(listOf(indentation + min.sentence, met, percent(min))) + goalRows(goals.map { it.parts }, "$indentation  ")
+            listOf(listOf(indentation + min.sentence, met, percent(min))) +
+                goalRows(goals.map { it.parts }, "$indentation  ")
         }
 
-    private fun sentence(program: ProgramGrades.Graded): String =
-        when (program.passed) {
-            program.grades.size -> messages.meetsAll(program.shownName, inWords())
-            else -> messages.meetsSome(program.shownName, program.passed, program.grades.size, inWords())
-        }
+    private fun sentence(program: ProgramGrades.Graded): String = when (program.passed) {
+        program.grades.size -> messages.meetsAll(program.shownName, inWords())
+        else -> messages.meetsSome(program.shownName, program.passed, program.grades.size, inWords())
+    }
 
-    private fun failure(
-        program: String,
-        grade: Grade,
-    ): List<String> {
+    private fun failure(program: String, grade: Grade): List<String> {
         val goal = firstUnmet(grade.goals)
         val missed = messages.seedMissed(grade.seed, goal?.sentence, goal?.let(::percent).orEmpty())
         val told = grade.report.error?.let { messages.seedFailed(missed, it) } ?: missed
@@ -89,13 +87,21 @@ internal class GradeTables(
 
     private fun rest(failed: List<Grade>): List<String> {
         val others = failed.drop(MAX_TOLD)
-        return if (others.isEmpty()) emptyList() else listOf(messages.moreSeeds(others.size, others.joinToString { "${it.seed}" }))
+        return if (others.isEmpty()) {
+            emptyList()
+        } else {
+            listOf(
+                messages.moreSeeds(
+                    others.size,
+                    others.joinToString {
+                        "${it.seed}"
+                    },
+                ),
+            )
+        }
     }
 
-    private fun render(
-        header: List<String>,
-        rows: List<List<String>>,
-    ): String {
+    private fun render(header: List<String>, rows: List<List<String>>): String {
         val widget = table {
             borderType = BorderType.ASCII
             whitespace = Whitespace.PRE_WRAP
@@ -116,6 +122,7 @@ internal class GradeTables(
         const val WIDTH = 110
 
         /** Only renders; what is rendered goes to the console like all else. */
-        val terminal = Terminal(ansiLevel = AnsiLevel.NONE, width = WIDTH, nonInteractiveWidth = WIDTH, interactive = false)
+        val terminal =
+            Terminal(ansiLevel = AnsiLevel.NONE, width = WIDTH, nonInteractiveWidth = WIDTH, interactive = false)
     }
 }

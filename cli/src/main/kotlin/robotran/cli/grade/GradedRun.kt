@@ -10,19 +10,20 @@ import kotlin.io.path.name
  *
  * @param options the words of the other options.
  */
-internal class GradedRun(
-    private val world: String,
-    private val milliseconds: Int,
-    private val options: List<String>,
-) {
+internal class GradedRun(private val world: String, private val milliseconds: Int, private val options: List<String>) {
     /** The command for the run of [program] with [seed], and a picture of it. */
-    fun command(
-        program: String,
-        seed: Int,
-    ): String {
-        val name = if (isLink(program)) "link" else Path(program).toAbsolutePath().normalize().name.substringBeforeLast('.')
-        val words = listOf("./robotran", "run") + filesOfProgram(program) + listOf("--world", world, "--seed", "$seed") +
-            listOf("--for", seconds()) + options + listOf("--picture", "$name-$seed.png")
+    fun command(program: String, seed: Int): String {
+        val name = if (isLink(
+                program,
+            )
+        ) {
+            "link"
+        } else {
+            Path(program).toAbsolutePath().normalize().name.substringBeforeLast('.')
+        }
+        val words =
+            listOf("./robotran", "run") + filesOfProgram(program) + listOf("--world", world, "--seed", "$seed") +
+                listOf("--for", seconds()) + options + listOf("--picture", "$name-$seed.png")
         return words.joinToString(" ", transform = ::quoted)
     }
 

@@ -28,10 +28,7 @@ internal class Grader(
     private val onDone: () -> Unit,
 ) {
     /** For each of [loads] the grades of all [seeds], in their order. */
-    fun grade(
-        loads: List<List<RobotLoad>>,
-        seeds: IntRange,
-    ): List<List<Grade>> {
+    fun grade(loads: List<List<RobotLoad>>, seeds: IntRange): List<List<Grade>> {
         val threads = Executors.newFixedThreadPool(jobs)
         try {
             val runs = loads.map { load -> seeds.map { seed -> threads.submit<Grade> { grade(load, seed) } } }
@@ -41,10 +38,7 @@ internal class Grader(
         }
     }
 
-    private fun grade(
-        loads: List<RobotLoad>,
-        seed: Int,
-    ): Grade {
+    private fun grade(loads: List<RobotLoad>, seed: Int): Grade {
         val session = Session(world.copy(seed = seed), loads, physics, language)
         try {
             return session.runForGoals(milliseconds)
@@ -53,10 +47,9 @@ internal class Grader(
         }
     }
 
-    private fun waitFor(run: Future<Grade>): Grade =
-        try {
-            run.get()
-        } catch (problem: ExecutionException) {
-            throw problem.cause ?: problem
-        }
+    private fun waitFor(run: Future<Grade>): Grade = try {
+        run.get()
+    } catch (problem: ExecutionException) {
+        throw problem.cause ?: problem
+    }
 }

@@ -21,9 +21,7 @@ import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.World
 
 /** Grades programs as `robotran grade` does: reads all, runs all, writes the results. */
-internal class ProgramGrader(
-    private val console: Console,
-) {
+internal class ProgramGrader(private val console: Console) {
     fun run(request: GradeRequest): ExitCode {
         val place =
             readGivenWorld(request.world, console)?.with(WorldChanges(realism = request.options.realism))
@@ -36,18 +34,31 @@ internal class ProgramGrader(
         val names = request.programs.distinct()
         val shownNames = shownNames(names)
         val loadings = names.associateWith { loading(it, shownNames.getValue(it), place, request) }
-        loadings.values.filterIsInstance<RobotProgramsResult.Rejected>().flatMap { it.reasons }.forEach(console::complain)
+        loadings.values.filterIsInstance<RobotProgramsResult.Rejected>().flatMap {
+            it.reasons
+        }.forEach(console::complain)
         if (loadings.values.none { it is RobotProgramsResult.Loaded }) return ExitCode.BAD_INPUT
 
         val seeds = request.seeds ?: world.seed..world.seed
         val milliseconds = request.options.milliseconds ?: (world.timeLimit * MILLISECONDS_PER_SECOND)
-        val loads = loadings.mapNotNull { (name, loading) -> (loading as? RobotProgramsResult.Loaded)?.let { name to it.loads } }.toMap()
+        val loads = loadings.mapNotNull { (name, loading) ->
+            (loading as? RobotProgramsResult.Loaded)?.let {
+                name to
+                    it.loads
+            }
+        }.toMap()
         val grades = grade(world, loads, seeds, milliseconds, request.jobs)
         val programs = loadings.map { (name, loading) ->
             val shownName = shownNames.getValue(name)
             when (loading) {
                 is RobotProgramsResult.Loaded -> ProgramGrades.Graded(name, shownName, grades.getValue(name))
-                is RobotProgramsResult.Rejected -> ProgramGrades.Rejected(name, shownName, loading.reasons, loading.isReadable)
+
+                is RobotProgramsResult.Rejected -> ProgramGrades.Rejected(
+                    name,
+                    shownName,
+                    loading.reasons,
+                    loading.isReadable,
+                )
             }
         }
         val problems = write(world, programs, request)
@@ -65,7 +76,15 @@ internal class ProgramGrader(
     /** What each of [names] is called in tables and sentences: a link is too long for that and gets a number. */
     private fun shownNames(names: List<String>): Map<String, String> {
         val links = names.filter(::isLink)
-        return names.associateWith { name -> if (name in links) console.messages.numberedLink(links.indexOf(name) + 1) else name }
+        return names.associateWith { name ->
+            if (name in
+                links
+            ) {
+                console.messages.numberedLink(links.indexOf(name) + 1)
+            } else {
+                name
+            }
+        }
     }
 
     private fun loading(
@@ -73,17 +92,16 @@ internal class ProgramGrader(
         shownName: String,
         place: LoadedWorld,
         request: GradeRequest,
-    ): RobotProgramsResult =
-        when (val read = readHandIn(filesOfProgram(name), console, shownName)) {
-            is SubmissionResult.Read -> {
-                val reader = ProgramCompiler(PENBOT_CALIBRATION, request.options.java, console.language)
-                readLoads(place, reader, read.handIn, request.options.robots)
-            }
-
-            is SubmissionResult.Rejected -> {
-                RobotProgramsResult.Rejected(listOf(read.reason), isReadable = false)
-            }
+    ): RobotProgramsResult = when (val read = readHandIn(filesOfProgram(name), console, shownName)) {
+        is SubmissionResult.Read -> {
+            val reader = ProgramCompiler(PENBOT_CALIBRATION, request.options.java, console.language)
+            readLoads(place, reader, read.handIn, request.options.robots)
         }
+
+        is SubmissionResult.Rejected -> {
+            RobotProgramsResult.Rejected(listOf(read.reason), isReadable = false)
+        }
+    }
 
     private fun grade(
         world: World,
@@ -91,38 +109,39 @@ internal class ProgramGrader(
         seeds: IntRange,
         milliseconds: Int,
         jobs: Int,
-    ) = GradeProgress(console, isTerminal = System.getProperty(TERMINAL) == "true", total = loads.size * seeds.count()).let { progress ->
-        val grader = Grader(world, milliseconds, runBlocking { loadPhysicsEngine() }, jobs, console.language, progress::runIsDone)
+    ) = GradeProgress(
+        console,
+        isTerminal = System.getProperty(TERMINAL) == "true",
+        total = loads.size * seeds.count(),
+    ).let { progress ->
+        val grader =
+            Grader(
+                world,
+                milliseconds,
+                runBlocking {
+                    loadPhysicsEngine()
+                },
+                jobs,
+                console.language,
+                progress::runIsDone,
+            )
         loads.keys.zip(grader.grade(loads.values.toList(), seeds)).toMap()
     }
 
     /** Writes all that was asked for; the answer is what could not be written. */
-    private fun write(
-        world: World,
-        programs: List<ProgramGrades>,
-        request: GradeRequest,
-    ): List<String> =
-        listOfNotNull(
-            request.junit?.let { writeText(it, gradeJUnit(world.title, programs)) },
-            request.report?.let { writeText(it, gradeJson(request.world, world.title, programs)) },
-        )
+    private fun write(world: World, programs: List<ProgramGrades>, request: GradeRequest): List<String> = listOfNotNull(
+        request.junit?.let { writeText(it, gradeJUnit(world.title, programs)) },
+        request.report?.let { writeText(it, gradeJson(request.world, world.title, programs)) },
+    )
 
-    private fun writeText(
-        name: String,
-        text: String,
-    ): String? =
-        if (name == CONSOLE) {
-            console.say(text)
-            null
-        } else {
-            writeFile(name, "$text\n".encodeToByteArray(), console.messages)
-        }
+    private fun writeText(name: String, text: String): String? = if (name == CONSOLE) {
+        console.say(text)
+        null
+    } else {
+        writeFile(name, "$text\n".encodeToByteArray(), console.messages)
+    }
 
-    private fun words(
-        programs: List<ProgramGrades>,
-        seeds: IntRange,
-        run: GradedRun,
-    ): String {
+    private fun words(programs: List<ProgramGrades>, seeds: IntRange, run: GradedRun): String {
         val tables = GradeTables(seeds, console.messages, run::command)
         val single = programs.singleOrNull()
         return if (single is ProgramGrades.Graded) tables.ofProgram(single) else tables.ofClass(programs)

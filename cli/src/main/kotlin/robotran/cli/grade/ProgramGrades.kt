@@ -15,11 +15,8 @@ internal sealed interface ProgramGrades {
     val shownName: String
 
     /** @property grades one for each seed, in their order; never empty. */
-    data class Graded(
-        override val name: String,
-        override val shownName: String,
-        val grades: List<Grade>,
-    ) : ProgramGrades {
+    data class Graded(override val name: String, override val shownName: String, val grades: List<Grade>) :
+        ProgramGrades {
         val passed: Int get() = grades.count { it.passed }
     }
 

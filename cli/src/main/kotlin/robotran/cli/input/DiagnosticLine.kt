@@ -5,24 +5,22 @@ import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramSource
 
 /** [diagnostic] in one line for a person, with the place that editors jump to. */
-internal fun lineOf(
-    program: NamedProgram,
-    diagnostic: ProgramDiagnostic,
-): String {
+internal fun lineOf(program: NamedProgram, diagnostic: ProgramDiagnostic): String {
     val file =
         when (program.source) {
             is ProgramSource.Robolang -> program.path
+
             is ProgramSource.Java -> diagnostic.file
-            is ProgramSource.CompiledClasses -> listOf(program.path, diagnostic.file).filter { it.isNotEmpty() }.joinToString(": ")
+
+            is ProgramSource.CompiledClasses -> listOf(program.path, diagnostic.file).filter {
+                it.isNotEmpty()
+            }.joinToString(": ")
         }
     return lineOf(listOfNotNull(program.project, file).joinToString(": "), diagnostic)
 }
 
 /** [diagnostic] of the file [name] in one line for a person. */
-internal fun lineOf(
-    name: String,
-    diagnostic: ProgramDiagnostic,
-): String {
+internal fun lineOf(name: String, diagnostic: ProgramDiagnostic): String {
     val place = diagnostic.range?.let { ":${it.line}:${it.column}" }.orEmpty()
     return "$name$place: ${diagnostic.message}"
 }

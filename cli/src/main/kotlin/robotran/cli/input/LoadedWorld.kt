@@ -9,23 +9,19 @@ import robotran.world.World
  *
  * @property others what the robots but the first one have been given in the project that the world is from.
  */
-internal data class LoadedWorld(
-    val world: World,
-    val others: List<ProjectRobot> = emptyList(),
-) {
+internal data class LoadedWorld(val world: World, val others: List<ProjectRobot> = emptyList()) {
     /** The same with [changes]. */
     fun with(changes: WorldChanges): LoadedWorld = copy(world = changes.of(world))
 }
 
-/** Reads the world [name]: a world file, or the world of a project file or a link. Null if it cannot be used, and why is told. */
-internal fun readGivenWorld(
-    name: String,
-    console: Console,
-): LoadedWorld? =
-    if (isProject(name)) {
-        projectOf(name, console)?.let { project ->
-            LoadedWorld(project.worldToRun, project.robots.filter { it.name != project.world.robots.first().name })
-        }
-    } else {
-        readWorldFile(name, console)?.let(::LoadedWorld)
+/**
+ * Reads the world [name]: a world file, or the world of a project file or a link. Null if it cannot be used, and why is
+ * told.
+ */
+internal fun readGivenWorld(name: String, console: Console): LoadedWorld? = if (isProject(name)) {
+    projectOf(name, console)?.let { project ->
+        LoadedWorld(project.worldToRun, project.robots.filter { it.name != project.world.robots.first().name })
     }
+} else {
+    readWorldFile(name, console)?.let(::LoadedWorld)
+}

@@ -28,43 +28,29 @@ internal fun isProject(name: String): Boolean = name.endsWith(PROJECT) || isLink
  *
  * @param linkName what a person is told of the link by; null if there is only one.
  */
-internal fun readProjectFile(
-    name: String,
-    console: Console,
-    linkName: String? = null,
-): ReadProject = if (isLink(name)) openProjectLink(name, linkName, console) else readProjectText(name, console)
+internal fun readProjectFile(name: String, console: Console, linkName: String? = null): ReadProject =
+    if (isLink(name)) openProjectLink(name, linkName, console) else readProjectText(name, console)
 
 /** The project [name]; null if it cannot be used, and why is told. */
-internal fun projectOf(
-    name: String,
-    console: Console,
-): Project? =
-    when (val result = readProjectFile(name, console)) {
-        is ReadProject.Read -> {
-            result.project
-        }
-
-        is ReadProject.Rejected -> {
-            console.complain(result.reason)
-            null
-        }
+internal fun projectOf(name: String, console: Console): Project? = when (val result = readProjectFile(name, console)) {
+    is ReadProject.Read -> {
+        result.project
     }
 
-private fun openProjectLink(
-    link: String,
-    linkName: String?,
-    console: Console,
-): ReadProject =
+    is ReadProject.Rejected -> {
+        console.complain(result.reason)
+        null
+    }
+}
+
+private fun openProjectLink(link: String, linkName: String?, console: Console): ReadProject =
     when (val result = runBlocking { openLink(link, console.language) }) {
         is LinkResult.OfProject -> ReadProject.Read(result.project)
         is LinkResult.OfWorld -> ReadProject.Read(Project(result.world))
         is LinkResult.Rejected -> ReadProject.Rejected(listOfNotNull(linkName, result.message).joinToString(": "))
     }
 
-private fun readProjectText(
-    name: String,
-    console: Console,
-): ReadProject =
+private fun readProjectText(name: String, console: Console): ReadProject =
     when (val file = readTextFile(name, console.messages)) {
         is TextFile.Rejected -> {
             ReadProject.Rejected(file.reason)

@@ -27,17 +27,21 @@ internal sealed interface RobolangFile {
 }
 
 /** Reads and checks the Robolang file [name]. */
-internal fun readRobolangFile(
-    name: String,
-    language: Language,
-): RobolangFile =
+internal fun readRobolangFile(name: String, language: Language): RobolangFile =
     when (val file = readRobolangText(name, language)) {
         is TextFile.Rejected -> {
             RobolangFile.Unreadable(file.reason)
         }
 
         is TextFile.Read -> {
-            when (val result = compileRobolang(Path(name).name, file.text, PENBOT_CALIBRATION, RobolangMessages.of(language))) {
+            when (
+                val result = compileRobolang(
+                    Path(name).name,
+                    file.text,
+                    PENBOT_CALIBRATION,
+                    RobolangMessages.of(language),
+                )
+            ) {
                 is RobolangResult.Ready -> RobolangFile.Ready(file.text, result.program, result.warnings)
                 is RobolangResult.HasErrors -> RobolangFile.HasErrors(result.diagnostics)
             }
@@ -45,18 +49,12 @@ internal fun readRobolangFile(
     }
 
 /** Reads the text of the Robolang file [name]. */
-internal fun readRobolangText(
-    name: String,
-    language: Language,
-): TextFile =
-    if (name.endsWith(ROBOLANG)) {
-        readTextFile(name, CommandMessages.of(language))
-    } else {
-        TextFile.Rejected(CommandMessages.of(language).notRobolang(name, ROBOLANG))
-    }
+internal fun readRobolangText(name: String, language: Language): TextFile = if (name.endsWith(ROBOLANG)) {
+    readTextFile(name, CommandMessages.of(language))
+} else {
+    TextFile.Rejected(CommandMessages.of(language).notRobolang(name, ROBOLANG))
+}
 
 /** [diagnostic] in one line for a person, with the place that editors jump to. */
-internal fun lineOf(
-    name: String,
-    diagnostic: Diagnostic,
-): String = "$name:${diagnostic.range.line}:${diagnostic.range.column}: ${diagnostic.message}"
+internal fun lineOf(name: String, diagnostic: Diagnostic): String =
+    "$name:${diagnostic.range.line}:${diagnostic.range.column}: ${diagnostic.message}"

@@ -15,10 +15,7 @@ import robotran.projects.readRobotLoads
 import robotran.simulation.RobotLoad
 
 /** A program for a robot of the world, as `--robot red=Ram.robo` says it. */
-internal data class RobotFile(
-    val robot: String,
-    val file: String,
-)
+internal data class RobotFile(val robot: String, val file: String)
 
 /** Reads `NAME=FILE`; null if that is not what [text] is. */
 internal fun readRobotFile(text: String): RobotFile? {
@@ -37,8 +34,8 @@ internal sealed interface RobotProgramsResult {
 }
 
 /**
- * Reads the programs of all robots of the world [place]: [own] for the first one, [others] for those that are named, else what the world or the project it is
- * from gives them.
+ * Reads the programs of all robots of the world [place]: [own] for the first one, [others] for those that are named,
+ * else what the world or the project it is from gives them.
  */
 internal fun readLoads(
     place: LoadedWorld,
@@ -60,7 +57,15 @@ internal fun readLoads(
     val robots = place.others.filter { it.name !in given }
     robots.forEach { robot -> given[robot.name] = robot.programs.map { NamedProgram(it.name, it.source) } }
     given[first] = own.programs
-    val result = runBlocking { readRobotLoads(world, reader, given.mapValues { (_, programs) -> programs.map { it.source } }) }
+    val result = runBlocking {
+        readRobotLoads(
+            world,
+            reader,
+            given.mapValues { (_, programs) ->
+                programs.map { it.source }
+            },
+        )
+    }
     val choices = robots + ProjectRobot(first, firstProgram = own.firstProgram, lightFacing = own.lightFacing)
     return when (result) {
         is RobotLoads.Ready -> RobotProgramsResult.Loaded(loadsWith(choices, world, result.loads))
@@ -73,9 +78,8 @@ private fun linesOf(
     mistaken: RobotLoads.HasErrors,
     programs: List<NamedProgram>,
     reader: ProgramCompiler,
-): List<String> =
-    programs
-        .flatMap { program ->
-            val result = runBlocking { reader.read(program.source) }
-            (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty().map { lineOf(program, it) }
-        }.ifEmpty { mistaken.diagnostics.map { if (it.file.isEmpty()) it.message else lineOf(it.file, it) } }
+): List<String> = programs
+    .flatMap { program ->
+        val result = runBlocking { reader.read(program.source) }
+        (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty().map { lineOf(program, it) }
+    }.ifEmpty { mistaken.diagnostics.map { if (it.file.isEmpty()) it.message else lineOf(it.file, it) } }

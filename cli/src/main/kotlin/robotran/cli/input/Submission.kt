@@ -29,16 +29,12 @@ internal sealed interface SubmissionResult {
 }
 
 /**
- * Reads what somebody hands in: the files [names] of programs, or one project file or link, of which the programs of its first robot count and its world does
- * not.
+ * Reads what somebody hands in: the files [names] of programs, or one project file or link, of which the programs of
+ * its first robot count and its world does not.
  *
  * @param linkName what a person is told of the link by; null if there is only one.
  */
-internal fun readHandIn(
-    names: List<String>,
-    console: Console,
-    linkName: String? = null,
-): SubmissionResult {
+internal fun readHandIn(names: List<String>, console: Console, linkName: String? = null): SubmissionResult {
     val project = names.singleOrNull()?.takeIf(::isProject)
     if (project != null) {
         return when (val read = readProjectFile(project, console, linkName)) {
@@ -52,11 +48,7 @@ internal fun readHandIn(
     }
 }
 
-private fun handInOf(
-    project: Project,
-    name: String?,
-    console: Console,
-): SubmissionResult {
+private fun handInOf(project: Project, name: String?, console: Console): SubmissionResult {
     val first = project.world.robots.first().name
     val robot = project.robots.firstOrNull { it.name == first }
     if (robot == null || robot.programs.isEmpty()) {

@@ -13,18 +13,12 @@ import robotran.world.file.readWorld
  *
  * @property seed null for the world's own, as [realism].
  */
-internal data class WorldChanges(
-    val seed: Int? = null,
-    val realism: Double? = null,
-) {
+internal data class WorldChanges(val seed: Int? = null, val realism: Double? = null) {
     fun of(world: World): World = world.copy(seed = seed ?: world.seed, realism = realism ?: world.realism)
 }
 
 /** Reads the world file [name]; null if it cannot be used, and why is told. */
-internal fun readWorldFile(
-    name: String,
-    console: Console,
-): World? {
+internal fun readWorldFile(name: String, console: Console): World? {
     val text =
         when (val file = readTextFile(name, console.messages)) {
             is TextFile.Read -> {

@@ -2,7 +2,10 @@ package robotran.cli.messages
 
 import robotran.language.Language
 
-/** The table of what the command line tells a person, one function a message; the words of options and of files that programs read are English. */
+/**
+ * The table of what the command line tells a person, one function a message; the words of options and of files that
+ * programs read are English.
+ */
 internal interface CommandMessages :
     FileMessages,
     RunMessages,

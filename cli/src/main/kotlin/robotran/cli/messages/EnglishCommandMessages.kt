@@ -28,7 +28,8 @@ private object EnglishFileMessages : FileMessages {
 
     override fun isFolder(name: String) = "$name is a folder, not a file."
 
-    override fun isDevice(name: String) = "$name is not a file with an end but a device or a pipe, which cannot be read."
+    override fun isDevice(name: String) =
+        "$name is not a file with an end but a device or a pipe, which cannot be read."
 
     override fun fileTooLarge(name: String, bytes: Long) = "$name is too large: it can have $bytes bytes at most."
 
@@ -36,11 +37,14 @@ private object EnglishFileMessages : FileMessages {
 
     override fun tooManyClasses(name: String, limit: Int) = "$name has too many classes: a brick takes $limit."
 
-    override fun classFileTooLarge(name: String, bytes: Int) = "$name is too large: a class file can have $bytes bytes at most."
+    override fun classFileTooLarge(name: String, bytes: Int) =
+        "$name is too large: a class file can have $bytes bytes at most."
 
-    override fun jarTooLarge(name: String, bytes: Int) = "$name is too large: unpacked it can have $bytes bytes at most."
+    override fun jarTooLarge(name: String, bytes: Int) =
+        "$name is too large: unpacked it can have $bytes bytes at most."
 
-    override fun tooManyPrograms(limit: Int, given: Int) = "A brick takes $limit programs at most, and these are $given."
+    override fun tooManyPrograms(limit: Int, given: Int) =
+        "A brick takes $limit programs at most, and these are $given."
 
     override fun notAProgram(name: String, endings: List<String>) =
         "$name is no program: its name does not end in ${listed(endings, "or")}, and it is no folder."
@@ -49,12 +53,14 @@ private object EnglishFileMessages : FileMessages {
 
     override fun noProgramIn(name: String, robot: String) = "$name has no program for its robot $robot."
 
-    override fun notRobolang(name: String, ending: String) = "$name is not a Robolang program: its name does not end in $ending."
+    override fun notRobolang(name: String, ending: String) =
+        "$name is not a Robolang program: its name does not end in $ending."
 
     override fun notToBeChecked(name: String, endings: List<String>) =
         "$name cannot be checked: its name does not end in ${listed(endings, "or")}."
 
-    override fun compiled(name: String) = "$name is compiled: a link takes programs as they were written, .robo or .java."
+    override fun compiled(name: String) =
+        "$name is compiled: a link takes programs as they were written, .robo or .java."
 }
 
 private object EnglishRunMessages : RunMessages {
@@ -64,12 +70,13 @@ private object EnglishRunMessages : RunMessages {
 
     override fun notFormatted(name: String) = "$name is not formatted."
 
-    override fun needsDesktopApp() =
-        "Windows and pictures need the desktop app, which ./robotran builds and starts."
+    override fun needsDesktopApp() = "Windows and pictures need the desktop app, which ./robotran builds and starts."
 
-    override fun projectHasItsOwn() = "A project has a world and programs of its own: --robot goes with it only together with --world."
+    override fun projectHasItsOwn() =
+        "A project has a world and programs of its own: --robot goes with it only together with --world."
 
-    override fun firstRobotNamed(name: String) = "The robot $name is the first one: its programs are named without --robot."
+    override fun firstRobotNamed(name: String) =
+        "The robot $name is the first one: its programs are named without --robot."
 
     override fun romLogLacks(calls: Long) = "The ROM log lacks the first $calls calls: it keeps only the newest."
 

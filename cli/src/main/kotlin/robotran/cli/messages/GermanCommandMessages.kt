@@ -38,11 +38,14 @@ private object GermanFileMessages : FileMessages {
 
     override fun tooManyClasses(name: String, limit: Int) = "$name hat zu viele Klassen: In einen Stein passen $limit."
 
-    override fun classFileTooLarge(name: String, bytes: Int) = "$name ist zu groß: Eine Klassendatei kann höchstens $bytes Bytes haben."
+    override fun classFileTooLarge(name: String, bytes: Int) =
+        "$name ist zu groß: Eine Klassendatei kann höchstens $bytes Bytes haben."
 
-    override fun jarTooLarge(name: String, bytes: Int) = "$name ist zu groß: Ausgepackt sind höchstens $bytes Bytes möglich."
+    override fun jarTooLarge(name: String, bytes: Int) =
+        "$name ist zu groß: Ausgepackt sind höchstens $bytes Bytes möglich."
 
-    override fun tooManyPrograms(limit: Int, given: Int) = "In einen Stein passen höchstens $limit Programme, und das sind $given."
+    override fun tooManyPrograms(limit: Int, given: Int) =
+        "In einen Stein passen höchstens $limit Programme, und das sind $given."
 
     override fun notAProgram(name: String, endings: List<String>) =
         "$name ist kein Programm: Der Name endet nicht mit ${listed(endings, "oder")}, und es ist kein Ordner."
@@ -51,7 +54,8 @@ private object GermanFileMessages : FileMessages {
 
     override fun noProgramIn(name: String, robot: String) = "$name enthält kein Programm für den Roboter $robot."
 
-    override fun notRobolang(name: String, ending: String) = "$name ist kein Robolang-Programm: Der Name endet nicht mit $ending."
+    override fun notRobolang(name: String, ending: String) =
+        "$name ist kein Robolang-Programm: Der Name endet nicht mit $ending."
 
     override fun notToBeChecked(name: String, endings: List<String>) =
         "$name kann nicht geprüft werden: Der Name endet nicht mit ${listed(endings, "oder")}."
@@ -67,14 +71,16 @@ private object GermanRunMessages : RunMessages {
 
     override fun notFormatted(name: String) = "$name ist nicht ordentlich gesetzt."
 
-    override fun needsDesktopApp() =
-        "Fenster und Bilder brauchen die Desktop-App, die ./robotran baut und startet."
+    override fun needsDesktopApp() = "Fenster und Bilder brauchen die Desktop-App, die ./robotran baut und startet."
 
-    override fun projectHasItsOwn() = "Ein Projekt hat seine Welt und seine Programme: --robot passt nur zusammen mit --world dazu."
+    override fun projectHasItsOwn() =
+        "Ein Projekt hat seine Welt und seine Programme: --robot passt nur zusammen mit --world dazu."
 
-    override fun firstRobotNamed(name: String) = "Der Roboter $name ist der erste: Seine Programme werden ohne --robot genannt."
+    override fun firstRobotNamed(name: String) =
+        "Der Roboter $name ist der erste: Seine Programme werden ohne --robot genannt."
 
-    override fun romLogLacks(calls: Long) = "Im ROM-Protokoll fehlen die ersten $calls Aufrufe: Es behält nur die neuesten."
+    override fun romLogLacks(calls: Long) =
+        "Im ROM-Protokoll fehlen die ersten $calls Aufrufe: Es behält nur die neuesten."
 
     override fun nothingStrayed() = "Nichts hat den Roboter abgelenkt."
 
@@ -108,15 +114,26 @@ private object GermanGradeMessages : GradeMessages {
 
     override fun numberedLink(number: Int) = "Link $number"
 
-    override fun seeds(first: Int, last: Int) = if (first == last) "Startzahl $first" else "Startzahlen $first bis $last"
+    override fun seeds(first: Int, last: Int) = if (first ==
+        last
+    ) {
+        "Startzahl $first"
+    } else {
+        "Startzahlen $first bis $last"
+    }
 
     override fun meetsAll(program: String, seeds: String) = "$program schafft alle Ziele mit $seeds."
 
     override fun meetsSome(program: String, passed: Int, all: Int, seeds: String) =
         "$program schafft alle Ziele mit $passed von $all Startzahlen ($seeds)."
 
-    override fun seedMissed(seed: Int, goal: String?, percent: String) =
-        if (goal == null) "Startzahl $seed: kein Ziel" else "Startzahl $seed: \"$goal\" wurde nicht geschafft ($percent)"
+    override fun seedMissed(seed: Int, goal: String?, percent: String) = if (goal ==
+        null
+    ) {
+        "Startzahl $seed: kein Ziel"
+    } else {
+        "Startzahl $seed: \"$goal\" wurde nicht geschafft ($percent)"
+    }
 
     override fun seedFailed(missed: String, error: String) = "$missed. Das Programm konnte nicht weiter: $error"
 

@@ -29,18 +29,22 @@ private object SpanishFileMessages : FileMessages {
 
     override fun isFolder(name: String) = "$name es una carpeta, no un archivo."
 
-    override fun isDevice(name: String) = "$name no es un archivo con un final, sino un dispositivo o una tubería, que no se puede leer."
+    override fun isDevice(name: String) =
+        "$name no es un archivo con un final, sino un dispositivo o una tubería, que no se puede leer."
 
-    override fun fileTooLarge(name: String, bytes: Long) = "$name es demasiado grande: puede tener $bytes bytes como mucho."
+    override fun fileTooLarge(name: String, bytes: Long) =
+        "$name es demasiado grande: puede tener $bytes bytes como mucho."
 
     override fun noClassFile(name: String) = "En $name no hay ningún archivo de clase."
 
-    override fun tooManyClasses(name: String, limit: Int) = "$name tiene demasiadas clases: en un ladrillo caben $limit."
+    override fun tooManyClasses(name: String, limit: Int) =
+        "$name tiene demasiadas clases: en un ladrillo caben $limit."
 
     override fun classFileTooLarge(name: String, bytes: Int) =
         "$name es demasiado grande: un archivo de clase puede tener $bytes bytes como mucho."
 
-    override fun jarTooLarge(name: String, bytes: Int) = "$name es demasiado grande: desempaquetado puede tener $bytes bytes como mucho."
+    override fun jarTooLarge(name: String, bytes: Int) =
+        "$name es demasiado grande: desempaquetado puede tener $bytes bytes como mucho."
 
     override fun tooManyPrograms(limit: Int, given: Int) = "En un ladrillo caben $limit programas, y estos son $given."
 
@@ -51,12 +55,14 @@ private object SpanishFileMessages : FileMessages {
 
     override fun noProgramIn(name: String, robot: String) = "$name no tiene ningún programa para su robot $robot."
 
-    override fun notRobolang(name: String, ending: String) = "$name no es un programa de Robolang: su nombre no termina en $ending."
+    override fun notRobolang(name: String, ending: String) =
+        "$name no es un programa de Robolang: su nombre no termina en $ending."
 
     override fun notToBeChecked(name: String, endings: List<String>) =
         "$name no se puede comprobar: su nombre no termina en ${listed(endings, "ni")}."
 
-    override fun compiled(name: String) = "$name está compilado: un enlace lleva programas tal como se escribieron, .robo o .java."
+    override fun compiled(name: String) =
+        "$name está compilado: un enlace lleva programas tal como se escribieron, .robo o .java."
 }
 
 private object SpanishRunMessages : RunMessages {
@@ -69,11 +75,13 @@ private object SpanishRunMessages : RunMessages {
     override fun needsDesktopApp() =
         "Para las ventanas y las imágenes hace falta la aplicación de escritorio, que ./robotran construye e inicia."
 
-    override fun projectHasItsOwn() = "Un proyecto tiene su mundo y sus programas: --robot va con él solo junto con --world."
+    override fun projectHasItsOwn() =
+        "Un proyecto tiene su mundo y sus programas: --robot va con él solo junto con --world."
 
     override fun firstRobotNamed(name: String) = "El robot $name es el primero: sus programas se dan sin --robot."
 
-    override fun romLogLacks(calls: Long) = "Al registro de la ROM le faltan las primeras $calls llamadas: solo guarda las últimas."
+    override fun romLogLacks(calls: Long) =
+        "Al registro de la ROM le faltan las primeras $calls llamadas: solo guarda las últimas."
 
     override fun nothingStrayed() = "Nada ha desviado al robot."
 
@@ -107,7 +115,13 @@ private object SpanishGradeMessages : GradeMessages {
 
     override fun numberedLink(number: Int) = "enlace $number"
 
-    override fun seeds(first: Int, last: Int) = if (first == last) "la semilla $first" else "las semillas de la $first a la $last"
+    override fun seeds(first: Int, last: Int) = if (first ==
+        last
+    ) {
+        "la semilla $first"
+    } else {
+        "las semillas de la $first a la $last"
+    }
 
     override fun meetsAll(program: String, seeds: String) = "$program consigue todas las metas con $seeds."
 

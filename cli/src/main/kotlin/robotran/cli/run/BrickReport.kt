@@ -15,10 +15,10 @@ import robotran.rcxrom.state.RunState
 import robotran.simulation.Session
 
 /**
- * The brick at the end of a run, as JSON: `poweredOn`, `program` (the number on the display), `state` (`idle`, `running`, `ended`,
- * `stopped`, `failed`), `line`, `lcd` with the `text` a reader would see and the `icons` that are lit, the `explanation` beside it,
- * `motors`, `sensors`, `batteryMillivolts`, the `sounds` it has played with their milliseconds, at most the newest kept, and the
- * `inputs` that make the same run again, as in project files.
+ * The brick at the end of a run, as JSON: `poweredOn`, `program` (the number on the display), `state` (`idle`,
+ * `running`, `ended`, `stopped`, `failed`), `line`, `lcd` with the `text` a reader would see and the `icons` that are
+ * lit, the `explanation` beside it, `motors`, `sensors`, `batteryMillivolts`, the `sounds` it has played with their
+ * milliseconds, at most the newest kept, and the `inputs` that make the same run again, as in project files.
  */
 internal fun brickReport(session: Session): String {
     val brick = session.state.brick
@@ -39,52 +39,46 @@ internal fun brickReport(session: Session): String {
     return jsonOutput.encodeToString(JsonObject.serializer(), report)
 }
 
-private fun stateName(run: RunState): String =
-    when (run) {
-        RunState.Idle -> "idle"
-        is RunState.Running -> "running"
-        is RunState.Ended -> if (run.stopped) "stopped" else "ended"
-        is RunState.Failed -> "failed"
-    }
+private fun stateName(run: RunState): String = when (run) {
+    RunState.Idle -> "idle"
+    is RunState.Running -> "running"
+    is RunState.Ended -> if (run.stopped) "stopped" else "ended"
+    is RunState.Failed -> "failed"
+}
 
-private fun lineOf(run: RunState): Int =
-    when (run) {
-        RunState.Idle, is RunState.Ended -> 0
-        is RunState.Running -> run.sourceLine
-        is RunState.Failed -> run.failure.sourceLine
-    }
+private fun lineOf(run: RunState): Int = when (run) {
+    RunState.Idle, is RunState.Ended -> 0
+    is RunState.Running -> run.sourceLine
+    is RunState.Failed -> run.failure.sourceLine
+}
 
-private fun json(glass: LcdGlass): JsonObject =
-    buildJsonObject {
-        put("text", glass.text)
-        put("icons", JsonArray(glass.iconsBesideText.map { JsonPrimitive(it.words) }))
-    }
+private fun json(glass: LcdGlass): JsonObject = buildJsonObject {
+    put("text", glass.text)
+    put("icons", JsonArray(glass.iconsBesideText.map { JsonPrimitive(it.words) }))
+}
 
-private fun json(motor: MotorState): JsonObject =
-    buildJsonObject {
-        put("mode", motor.mode.name.lowercase())
-        put("power", motor.power)
-    }
+private fun json(motor: MotorState): JsonObject = buildJsonObject {
+    put("mode", motor.mode.name.lowercase())
+    put("power", motor.power)
+}
 
-private fun json(sensor: SensorState): JsonObject =
-    buildJsonObject {
-        put("port", sensor.port)
-        put("raw", sensor.raw)
-        put("value", sensor.value)
-        put("active", sensor.active)
-    }
+private fun json(sensor: SensorState): JsonObject = buildJsonObject {
+    put("port", sensor.port)
+    put("raw", sensor.raw)
+    put("value", sensor.value)
+    put("active", sensor.active)
+}
 
-private fun json(event: SoundEvent): JsonObject =
-    buildJsonObject {
-        put("milliseconds", event.milliseconds)
-        when (event) {
-            is SoundEvent.Tone -> {
-                put("hertz", event.hertz)
-                put("duration", event.durationMilliseconds)
-            }
+private fun json(event: SoundEvent): JsonObject = buildJsonObject {
+    put("milliseconds", event.milliseconds)
+    when (event) {
+        is SoundEvent.Tone -> {
+            put("hertz", event.hertz)
+            put("duration", event.durationMilliseconds)
+        }
 
-            is SoundEvent.Cut -> {
-                put("cut", true)
-            }
+        is SoundEvent.Cut -> {
+            put("cut", true)
         }
     }
+}

@@ -19,15 +19,19 @@ internal sealed interface ButtonPressResult {
     data class Rejected(val reason: String) : ButtonPressResult
 }
 
-/** Reads `BUTTON@SECONDS` or `BUTTON@SECONDS+SECONDS`, such as `run@1` or `on-off@10+0.5`; [longest] is the last second there is. */
-internal fun readButtonPress(
-    text: String,
-    longest: Int,
-): ButtonPressResult {
+/**
+ * Reads `BUTTON@SECONDS` or `BUTTON@SECONDS+SECONDS`, such as `run@1` or `on-off@10+0.5`; [longest] is the last second
+ * there is.
+ */
+internal fun readButtonPress(text: String, longest: Int): ButtonPressResult {
     fun refuse(reason: String) = ButtonPressResult.Rejected("$reason, as in run@2.5 or run@2.5+1.")
     val (name, times) = text.split('@').takeIf { it.size == 2 } ?: return refuse("$text is not a button and a time")
     val button = BrickButton.entries.find { buttonName(it) == name.lowercase() }
-        ?: return refuse("There is no button $name, only ${BrickButton.entries.joinToString { buttonName(it) }}; write one with its time")
+        ?: return refuse(
+            "There is no button $name, only ${BrickButton.entries.joinToString {
+                buttonName(it)
+            }}; write one with its time",
+        )
     val seconds = times.split('+').map { it.toDoubleOrNull()?.takeIf { number -> number in 0.0..longest.toDouble() } }
     val begin = seconds[0] ?: return refuse("${times.substringBefore('+')} is not a number of seconds")
     val length = if (seconds.size == 1) DEFAULT_SECONDS else seconds[1].takeIf { seconds.size == 2 && it != 0.0 }
@@ -40,13 +44,12 @@ internal fun readButtonPress(
 internal fun buttonName(button: BrickButton): String = button.name.lowercase().replace('_', '-')
 
 /** What is wrong with [presses] taken together, in a sentence; null if nothing is. */
-internal fun conflictIn(
-    presses: List<ButtonPress>,
-    runMilliseconds: Int,
-): String? {
+internal fun conflictIn(presses: List<ButtonPress>, runMilliseconds: Int): String? {
     val late = presses.find { it.from > runMilliseconds }
     if (late != null) return "${late.text} comes after the end of the run, which is ${runMilliseconds / 1000.0} s long."
-    val neighbours = presses.groupBy { it.button }.values.flatMap { sameButton -> sameButton.sortedBy { it.from }.zipWithNext() }
+    val neighbours = presses.groupBy { it.button }.values.flatMap { sameButton ->
+        sameButton.sortedBy { it.from }.zipWithNext()
+    }
     val (first, second) = neighbours.find { (first, second) -> second.from < first.until } ?: return null
     return "${second.text} comes while ${first.text} still holds the button down."
 }

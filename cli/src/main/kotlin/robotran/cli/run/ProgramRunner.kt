@@ -35,7 +35,8 @@ import robotran.world.file.BuiltInWorlds
 /**
  * What to run.
  *
- * @property programs the programs' files for the first robot; or one project, which with [world] is one for the first robot, too, see [readHandIn].
+ * @property programs the programs' files for the first robot; or one project, which with [world] is one for the first
+ * robot, too, see [readHandIn].
  * @property robots programs for other robots.
  * @property java how Java programs are to run.
  * @property world the world's file, or a project or link with it; if null, the plain sheet or that of the project.
@@ -52,30 +53,32 @@ internal class RunRequest(
     val presses: List<ButtonPress>,
 )
 
-/** Runs programs in one world as `robotran run` does: reads all, presses Run, lets virtual time pass, writes the results. */
-internal class ProgramRunner(
-    private val console: Console,
-    private val desktop: DesktopApp?,
-) {
-    fun run(
-        request: RunRequest,
-        outputs: RunOutputs,
-    ): ExitCode {
+/**
+ * Runs programs in one world as `robotran run` does: reads all, presses Run, lets virtual time pass, writes the
+ * results.
+ */
+internal class ProgramRunner(private val console: Console, private val desktop: DesktopApp?) {
+    fun run(request: RunRequest, outputs: RunOutputs): ExitCode {
         val project = request.programs.singleOrNull()?.takeIf(::isProject)
         if (project != null && request.world == null) return runProject(project, request, outputs)
         val own = readOwn(request.programs)
-        val place = if (request.world == null) LoadedWorld(BuiltInWorlds.plain) else readGivenWorld(request.world, console)
+        val place = if (request.world ==
+            null
+        ) {
+            LoadedWorld(BuiltInWorlds.plain)
+        } else {
+            readGivenWorld(request.world, console)
+        }
         if (own == null || place == null) return ExitCode.BAD_INPUT
         val loads = readLoads(place, own, request) ?: return ExitCode.BAD_INPUT
         return run(request.changes.of(place.world), loads, request, outputs)
     }
 
-    /** What is said on the command line counts more than what the project says; its inputs are not repeated if buttons are pressed. */
-    private fun runProject(
-        name: String,
-        request: RunRequest,
-        outputs: RunOutputs,
-    ): ExitCode {
+    /**
+     * What is said on the command line counts more than what the project says; its inputs are not repeated if buttons
+     * are pressed.
+     */
+    private fun runProject(name: String, request: RunRequest, outputs: RunOutputs): ExitCode {
         if (request.robots.isNotEmpty()) {
             console.complain(console.messages.projectHasItsOwn())
             return ExitCode.BAD_INPUT
@@ -87,13 +90,18 @@ internal class ProgramRunner(
                 if (request.java.mode == default.mode) project.settings.java.mode else request.java.mode,
                 if (request.java.speed == default.speed) project.settings.java.speed else request.java.speed,
             )
-        return when (val result = runBlocking { readRobotLoads(project, ProgramCompiler(PENBOT_CALIBRATION, java, console.language)) }) {
+        return when (
+            val result =
+                runBlocking { readRobotLoads(project, ProgramCompiler(PENBOT_CALIBRATION, java, console.language)) }
+        ) {
             is RobotLoads.Ready -> {
                 run(request.changes.of(project.worldToRun), result.loads, request, outputs, project.inputs)
             }
 
             is RobotLoads.HasErrors -> {
-                result.diagnostics.forEach { console.complain(if (it.file.isEmpty()) it.message else lineOf(it.file, it)) }
+                result.diagnostics.forEach {
+                    console.complain(if (it.file.isEmpty()) it.message else lineOf(it.file, it))
+                }
                 ExitCode.BAD_INPUT
             }
         }
@@ -122,11 +130,7 @@ internal class ProgramRunner(
         }
     }
 
-    private fun letRun(
-        session: Session,
-        request: RunRequest,
-        inputs: List<RecordedInput>,
-    ) {
+    private fun letRun(session: Session, request: RunRequest, inputs: List<RecordedInput>) {
         val milliseconds = request.milliseconds ?: (session.world.timeLimit * 1000)
         when {
             request.presses.isNotEmpty() -> {
@@ -151,32 +155,29 @@ internal class ProgramRunner(
     }
 
     /** Null if any of them cannot be read; why is told. */
-    private fun readOwn(names: List<String>): Submission? =
-        when (val read = readHandIn(names, console)) {
-            is SubmissionResult.Read -> {
-                read.handIn
-            }
-
-            is SubmissionResult.Rejected -> {
-                console.complain(read.reason)
-                null
-            }
+    private fun readOwn(names: List<String>): Submission? = when (val read = readHandIn(names, console)) {
+        is SubmissionResult.Read -> {
+            read.handIn
         }
+
+        is SubmissionResult.Rejected -> {
+            console.complain(read.reason)
+            null
+        }
+    }
 
     /** Null if any of them cannot run; why is told. */
-    private fun readLoads(
-        place: LoadedWorld,
-        own: Submission,
-        request: RunRequest,
-    ): List<RobotLoad>? =
-        when (val loading = readLoads(place, ProgramCompiler(PENBOT_CALIBRATION, request.java, console.language), own, request.robots)) {
-            is RobotProgramsResult.Loaded -> {
-                loading.loads
-            }
-
-            is RobotProgramsResult.Rejected -> {
-                loading.reasons.forEach(console::complain)
-                null
-            }
+    private fun readLoads(place: LoadedWorld, own: Submission, request: RunRequest): List<RobotLoad>? = when (
+        val loading =
+            readLoads(place, ProgramCompiler(PENBOT_CALIBRATION, request.java, console.language), own, request.robots)
+    ) {
+        is RobotProgramsResult.Loaded -> {
+            loading.loads
         }
+
+        is RobotProgramsResult.Rejected -> {
+            loading.reasons.forEach(console::complain)
+            null
+        }
+    }
 }

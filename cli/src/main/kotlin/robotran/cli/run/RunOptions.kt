@@ -13,20 +13,43 @@ import robotran.tinyvm.config.TinyVmSpeed
 
 /** The options that `run` and `grade` have in common. */
 internal class RunOptions : OptionGroup() {
-    private val forgiving by option("--forgiving", help = "runs Java as the language says, not with the peculiarities of a brick").flag()
+    private val forgiving by option(
+        "--forgiving",
+        help = "runs Java as the language says, not with the peculiarities of a brick",
+    ).flag()
     private val unlimited by option("--unlimited", help = "runs Java much faster than a brick").flag()
 
     /** Virtual milliseconds; null if not given. */
-    val milliseconds by option("--for", metavar = "SECONDS", help = "virtual seconds to run at most; the world's time limit if not given")
-        .convert { text -> virtualMilliseconds(text) ?: fail("$text is not a number of seconds from 0 to $LONGEST_RUN_SECONDS") }
+    val milliseconds by option(
+        "--for",
+        metavar = "SECONDS",
+        help = "virtual seconds to run at most; the world's time limit if not given",
+    )
+        .convert { text ->
+            virtualMilliseconds(text)
+                ?: fail("$text is not a number of seconds from 0 to $LONGEST_RUN_SECONDS")
+        }
 
     /** From 0 to 1; null if not given. */
-    val realism by option("--realism", metavar = "0..1", help = "how much makes a robot stray, instead of what the world says")
-        .convert { text -> text.toDoubleOrNull()?.takeIf { it in 0.0..1.0 } ?: fail("$text is not a number from 0 to 1") }
+    val realism by option(
+        "--realism",
+        metavar = "0..1",
+        help = "how much makes a robot stray, instead of what the world says",
+    )
+        .convert { text ->
+            text.toDoubleOrNull()?.takeIf { it in 0.0..1.0 } ?: fail("$text is not a number from 0 to 1")
+        }
 
     /** Programs for other robots than the first. */
-    val robots by option("--robot", metavar = "NAME=FILE", help = "a program for another robot of the world; may be given several times")
-        .convert { text -> readRobotFile(text) ?: fail("$text is not the name of a robot and a file, as in red=Ram.robo") }
+    val robots by option(
+        "--robot",
+        metavar = "NAME=FILE",
+        help = "a program for another robot of the world; may be given several times",
+    )
+        .convert { text ->
+            readRobotFile(text)
+                ?: fail("$text is not the name of a robot and a file, as in red=Ram.robo")
+        }
         .multiple()
 
     val java: JavaSettings

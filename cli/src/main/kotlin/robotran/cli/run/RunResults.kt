@@ -28,7 +28,10 @@ internal class RunResults(
 ) {
     private val messages = console.messages
 
-    /** Writes all that [outputs] ask for and says in a sentence how the run ended; the answer is what could not be written. */
+    /**
+     * Writes all that [outputs] ask for and says in a sentence how the run ended; the answer is what could not be
+     * written.
+     */
     fun write(outputs: RunOutputs): List<String> {
         val report = session.report()
         val problems =
@@ -48,7 +51,11 @@ internal class RunResults(
             console.complain(messages.romLogLacks(forgotten))
         }
         if (outputs.explains) explain()
-        if (CONSOLE !in listOf(outputs.romLog, outputs.report, outputs.brickReport, outputs.memory)) console.say(summary(report))
+        if (CONSOLE !in
+            listOf(outputs.romLog, outputs.report, outputs.brickReport, outputs.memory)
+        ) {
+            console.say(summary(report))
+        }
         return problems
     }
 
@@ -75,19 +82,23 @@ internal class RunResults(
 
     private fun romLogText(outputs: RunOutputs): String {
         val entries = session.romLog.entries.filter(RomLogFilter(outputs.romLogGroups)::accepts)
-        return if (outputs.romLog.orEmpty().endsWith(".csv", ignoreCase = true)) entries.toCsv() else entries.toLogText()
+        return if (outputs.romLog.orEmpty().endsWith(
+                ".csv",
+                ignoreCase = true,
+            )
+        ) {
+            entries.toCsv()
+        } else {
+            entries.toLogText()
+        }
     }
 
-    private fun writeText(
-        name: String,
-        text: String,
-    ): String? =
-        if (name == CONSOLE) {
-            console.say(text.trimEnd('\n'))
-            null
-        } else {
-            writeFile(name, text.encodeToByteArray(), messages)
-        }
+    private fun writeText(name: String, text: String): String? = if (name == CONSOLE) {
+        console.say(text.trimEnd('\n'))
+        null
+    } else {
+        writeFile(name, text.encodeToByteArray(), messages)
+    }
 
     /** The run in one sentence, for a person at the console. */
     private fun summary(report: RunReport): String {
@@ -104,14 +115,20 @@ internal class RunResults(
         return (listOf(sentences) + goalLines(report.goals, "")).joinToString("\n")
     }
 
-    private fun goalLines(
-        goals: List<GoalReport>,
-        indentation: String,
-    ): List<String> =
-        goals.flatMap { goal ->
-            val told = if (goal.met) messages.goalMet(goal.goal) else messages.goalNotMet(goal.goal, (goal.progress * 100).roundToInt())
-            listOf("$indentation$told") + goalLines(goal.parts, "$indentation  ")
+    private fun goalLines(goals: List<GoalReport>, indentation: String): List<String> = goals.flatMap { goal ->
+        val told = if (goal.met) {
+            messages.goalMet(goal.goal)
+        } else {
+            messages.goalNotMet(
+                goal.goal,
+                (
+                    goal.progress *
+                        100
+                ).roundToInt(),
+            )
         }
+        listOf("$indentation$told") + goalLines(goal.parts, "$indentation  ")
+    }
 
     private companion object {
         const val CONSOLE = "-"

@@ -6,19 +6,14 @@ import robotran.simulation.Session
 import robotran.simulation.SessionInput
 
 /**
- * Presses buttons and lets time pass, until the last button is up, no program runs, and nothing has moved or sounded for
- * [QUIET_MILLISECONDS]; or [milliseconds] have passed. Nothing else is done to the brick.
+ * Presses buttons and lets time pass, until the last button is up, no program runs, and nothing has moved or sounded
+ * for [QUIET_MILLISECONDS]; or [milliseconds] have passed. Nothing else is done to the brick.
  */
-internal fun Session.runWithPresses(
-    presses: List<ButtonPress>,
-    milliseconds: Int,
-) = runWithInputs(inputsOf(presses), milliseconds)
+internal fun Session.runWithPresses(presses: List<ButtonPress>, milliseconds: Int) =
+    runWithInputs(inputsOf(presses), milliseconds)
 
 /** The same with all that can be done to a session, in the order of time. */
-internal fun Session.runWithInputs(
-    inputs: List<RecordedInput>,
-    milliseconds: Int,
-) {
+internal fun Session.runWithInputs(inputs: List<RecordedInput>, milliseconds: Int) {
     var quiet = 0
     val waiting = ArrayDeque(inputs)
     while (state.milliseconds < milliseconds && (waiting.isNotEmpty() || quiet < QUIET_MILLISECONDS)) {
@@ -28,7 +23,8 @@ internal fun Session.runWithInputs(
         }
         val before = state
         advance(1)
-        val resting = state.brick.run !is RunState.Running && !state.brick.sounding && state.robot.pose == before.robot.pose
+        val resting =
+            state.brick.run !is RunState.Running && !state.brick.sounding && state.robot.pose == before.robot.pose
         quiet = if (resting) quiet + 1 else 0
     }
 }

@@ -32,14 +32,17 @@ import kotlin.io.path.name
 import robotran.programs.ProgramResult as Reading
 
 /** `robotran translate FILE..`: writes programs as Java for leJOS, or one as a kit with all that a real brick takes. */
-internal class TranslateCommand(
-    private val console: Console,
-) : CoreCliktCommand("translate") {
+internal class TranslateCommand(private val console: Console) : CoreCliktCommand("translate") {
     private val programs by argument(
         "FILE",
         help = "Robolang programs (.robo); for --kit also the files of one program in leJOS Java (.java)",
     ).multiple(required = true)
-    private val output by option("-o", "--output", metavar = "FILE", help = "where the Java goes; to the console if not given")
+    private val output by option(
+        "-o",
+        "--output",
+        metavar = "FILE",
+        help = "where the Java goes; to the console if not given",
+    )
     private val kit by option("--kit", metavar = "FILE", help = "writes a kit for the real brick (.zip)")
 
     private val spoken by LanguageOption()
@@ -50,7 +53,11 @@ internal class TranslateCommand(
     override fun run() {
         val javaKit = kit.takeIf { output == null && programs.all { it.endsWith(JAVA) } }
         if (javaKit != null) throw ProgramResult(writeJavaKit(javaKit).status)
-        if (programs.size > 1 && (output != null || kit != null)) throw UsageError("-o and --kit take one program at a time")
+        if (programs.size > 1 &&
+            (output != null || kit != null)
+        ) {
+            throw UsageError("-o and --kit take one program at a time")
+        }
         throw ProgramResult(programs.maxOf { translate(it).status })
     }
 
@@ -69,7 +76,8 @@ internal class TranslateCommand(
 
             is Reading.Ready -> {
                 val sources = (files.source as ProgramSource.Java).files.map { KitFile(it.name, it.text) }
-                writeFile(kit, zip(javaKitFiles(checkNotNull(result.mainClass), sources)), sentences)?.let(::refuse) ?: ExitCode.DONE
+                writeFile(kit, zip(javaKitFiles(checkNotNull(result.mainClass), sources)), sentences)?.let(::refuse)
+                    ?: ExitCode.DONE
             }
         }
     }
@@ -79,26 +87,22 @@ internal class TranslateCommand(
         return ExitCode.BAD_INPUT
     }
 
-    private fun translate(program: String): ExitCode =
-        when (val file = readRobolangFile(program, spoken.language)) {
-            is RobolangFile.Ready -> {
-                write(program, file)
-            }
-
-            is RobolangFile.HasErrors -> {
-                file.diagnostics.forEach { console.complain(lineOf(program, it)) }
-                ExitCode.PROGRAM_FAILED
-            }
-
-            is RobolangFile.Unreadable -> {
-                refuse(file.reason)
-            }
+    private fun translate(program: String): ExitCode = when (val file = readRobolangFile(program, spoken.language)) {
+        is RobolangFile.Ready -> {
+            write(program, file)
         }
 
-    private fun write(
-        program: String,
-        file: RobolangFile.Ready,
-    ): ExitCode {
+        is RobolangFile.HasErrors -> {
+            file.diagnostics.forEach { console.complain(lineOf(program, it)) }
+            ExitCode.PROGRAM_FAILED
+        }
+
+        is RobolangFile.Unreadable -> {
+            refuse(file.reason)
+        }
+    }
+
+    private fun write(program: String, file: RobolangFile.Ready): ExitCode {
         val translation = translateRobolang(file.program)
         val problems =
             listOfNotNull(

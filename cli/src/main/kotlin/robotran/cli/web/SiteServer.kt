@@ -48,7 +48,8 @@ class SiteServer private constructor(
 
             else -> {
                 exchange.responseHeaders["Content-Type"] = TYPES[file.extension] ?: "application/octet-stream"
-                exchange.responseHeaders["Cache-Control"] = if (file.startsWith(folder.resolve(FILES))) NEVER_CHANGES else ASK_EACH_TIME
+                exchange.responseHeaders["Cache-Control"] =
+                    if (file.startsWith(folder.resolve(FILES))) NEVER_CHANGES else ASK_EACH_TIME
                 val bytes = Files.readAllBytes(file)
                 exchange.sendResponseHeaders(OK, if (isHead) NO_BODY else bytes.size.toLong())
                 if (!isHead) exchange.responseBody.write(bytes)

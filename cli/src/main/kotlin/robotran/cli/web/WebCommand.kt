@@ -24,7 +24,11 @@ internal class WebCommand(
     private val process: Console,
     private val stay: (SiteServer) -> Unit = { Thread.sleep(Long.MAX_VALUE) },
 ) : CoreCliktCommand("web") {
-    private val port by option("--port", metavar = "N", help = "the port, $DEFAULT_PORT if not given; 0 for any that is free")
+    private val port by option(
+        "--port",
+        metavar = "N",
+        help = "the port, $DEFAULT_PORT if not given; 0 for any that is free",
+    )
         .int().restrictTo(0..HIGHEST_PORT).default(DEFAULT_PORT)
     private val site by option(
         "--site",

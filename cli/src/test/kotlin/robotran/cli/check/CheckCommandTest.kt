@@ -28,7 +28,9 @@ class CheckCommandTest : CommandTest() {
         assertEquals(1, check(first, square, second))
         val places = listOf("$first:1:1: ", "$first:3:5: ", "$second:1:4: ")
         assertEquals(places.size, console.complaints.size)
-        places.zip(console.complaints).forEach { (place, complaint) -> assertTrue(complaint.startsWith(place), complaint) }
+        places.zip(console.complaints).forEach { (place, complaint) ->
+            assertTrue(complaint.startsWith(place), complaint)
+        }
         assertContains(console.said.single(), "square.robo has no mistakes.")
     }
 
@@ -45,7 +47,9 @@ class CheckCommandTest : CommandTest() {
         val (mistaken, ready) = Json.parseToJsonElement(console.said.single()).jsonArray.map { it.jsonObject }
         assertEquals(wrong, mistaken.getValue("file").jsonPrimitive.content)
         val diagnostic = mistaken.getValue("diagnostics").jsonArray.single().jsonObject
-        val told = listOf("code", "severity", "line", "column", "endColumn", "text").map { diagnostic.getValue(it).jsonPrimitive.content }
+        val told = listOf("code", "severity", "line", "column", "endColumn", "text").map {
+            diagnostic.getValue(it).jsonPrimitive.content
+        }
         assertEquals(listOf("unknown-command", "mistake", "1", "1", "7", "foward"), told)
         assertContains(diagnostic.getValue("message").jsonPrimitive.content, "\"foward\"")
         val fix = diagnostic.getValue("fix").jsonObject

@@ -28,7 +28,12 @@ class JavaCheckTest : CommandTest() {
         val robolang = program("forwrd 20\n")
         val robot = program("public class Robot {\n    void drive() {\n        hop();\n    }\n}\n", "Robot.java")
         assertEquals(1, check(main, robolang, robot))
-        assertEquals(listOf("$main:6:17", "$robolang:1:1", "$robot:3:9"), console.complaints.map { it.substringBefore(": ") })
+        assertEquals(
+            listOf("$main:6:17", "$robolang:1:1", "$robot:3:9"),
+            console.complaints.map {
+                it.substringBefore(": ")
+            },
+        )
     }
 
     @Test
@@ -55,7 +60,10 @@ class JavaCheckTest : CommandTest() {
         assertEquals(listOf("There is no file $folder/Missing.java."), console.complaints)
         console.complaints.clear()
         assertEquals(2, check("$folder/Main.class"))
-        assertEquals(listOf("$folder/Main.class cannot be checked: its name does not end in .robo or .java."), console.complaints)
+        assertEquals(
+            listOf("$folder/Main.class cannot be checked: its name does not end in .robo or .java."),
+            console.complaints,
+        )
     }
 
     @Test
@@ -66,7 +74,9 @@ class JavaCheckTest : CommandTest() {
         val (mistaken, ready) = Json.parseToJsonElement(console.said.single()).jsonArray.map { it.jsonObject }
         assertEquals(listOf(main, other), listOf(mistaken, ready).map { it.getValue("file").jsonPrimitive.content })
         val diagnostic = mistaken.getValue("diagnostics").jsonArray.single().jsonObject
-        val place = listOf("severity", "line", "column", "endColumn").map { diagnostic.getValue(it).jsonPrimitive.content }
+        val place = listOf("severity", "line", "column", "endColumn").map {
+            diagnostic.getValue(it).jsonPrimitive.content
+        }
         assertEquals(listOf("mistake", "5", "17", "23"), place)
         assertContains(diagnostic.getValue("message").jsonPrimitive.content, "\"forwrd\"")
         assertEquals("forward", diagnostic.getValue("fix").jsonObject.getValue("replacement").jsonPrimitive.content)

@@ -15,16 +15,13 @@ import kotlin.test.assertIs
 
 /** Files that have no end, or that never deliver anything, named wherever a file can be named. */
 class EndlessFileTest : CommandTest() {
-    private fun linkTo(
-        device: String,
-        name: String,
-    ): String = folder.resolve(name).createSymbolicLinkPointingTo(Path.of(device)).toString()
+    private fun linkTo(device: String, name: String): String =
+        folder.resolve(name).createSymbolicLinkPointingTo(Path.of(device)).toString()
 
-    private fun pipe(name: String): String =
-        "$folder/$name".also { path ->
-            val made = ProcessBuilder("mkfifo", path).start()
-            check(made.waitFor(10, TimeUnit.SECONDS) && made.exitValue() == 0)
-        }
+    private fun pipe(name: String): String = "$folder/$name".also { path ->
+        val made = ProcessBuilder("mkfifo", path).start()
+        check(made.waitFor(10, TimeUnit.SECONDS) && made.exitValue() == 0)
+    }
 
     /** Runs the command in good time; its only complaint. */
     private fun refusal(vararg arguments: String): String {
@@ -39,7 +36,12 @@ class EndlessFileTest : CommandTest() {
     @Test
     fun `a device or a pipe is refused at once with a sentence, whatever it is named for`() {
         for (ending in listOf("robo", "java", "class", "jar", "robotran", "world.json")) {
-            val files = listOf(linkTo("/dev/zero", "zero.$ending"), linkTo("/dev/urandom", "random.$ending"), pipe("pipe.$ending"))
+            val files =
+                listOf(
+                    linkTo("/dev/zero", "zero.$ending"),
+                    linkTo("/dev/urandom", "random.$ending"),
+                    pipe("pipe.$ending"),
+                )
             for (file in files) {
                 val name = if (ending == "class") file.substringAfterLast('/') else file
                 val told = "$name is not a file with an end but a device or a pipe, which cannot be read."
@@ -72,10 +74,16 @@ class EndlessFileTest : CommandTest() {
     fun `of a file that says that it is small no more is read than a byte too many`() {
         val large = folder.resolve("large.robo").also { it.writeBytes(ByteArray(LARGEST_FILE_BYTES + 1)) }
         assertContains(refusal("run", "$large"), "large.robo is too large")
-        // What the system tells of itself has a length of 0 and many letters, as a file has that grows once its length is known.
-        val growing = assertIs<FileContent.Rejected>(readContent(Path.of("/proc/self/status"), "growing.robo", 10, EnglishCommandMessages))
+        // What the system tells of itself has a length of 0 and many letters, as a file has that grows once its length
+        // is known.
+        val growing =
+            assertIs<FileContent.Rejected>(
+                readContent(Path.of("/proc/self/status"), "growing.robo", 10, EnglishCommandMessages),
+            )
         assertEquals("growing.robo is too large: it can have 10 bytes at most.", growing.reason)
-        assertIs<FileContent.Read>(readContent(Path.of("/proc/self/status"), "growing.robo", 100_000, EnglishCommandMessages))
+        assertIs<FileContent.Read>(
+            readContent(Path.of("/proc/self/status"), "growing.robo", 100_000, EnglishCommandMessages),
+        )
     }
 
     private companion object {

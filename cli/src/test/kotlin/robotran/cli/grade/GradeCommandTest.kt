@@ -28,11 +28,7 @@ class GradeCommandTest : CommandTest() {
     private val short = program("forward 10\n", "short.robo")
     private val empty = program("", "empty.robo")
 
-    private fun world(
-        goals: String,
-        more: String = "",
-        name: String = "ahead.world.json",
-    ): String =
+    private fun world(goals: String, more: String = "", name: String = "ahead.world.json"): String =
         folder.resolve(name).also {
             it.writeText(
                 """{"format": "robotran-world", "version": 2, "title": "Ahead", "paper": {"width": 100, "height": 80},
@@ -83,7 +79,14 @@ class GradeCommandTest : CommandTest() {
         assertEquals("./robotran run $empty --world $world --seed 1 --for 8 --picture empty-1.png", command)
         val picture = folder.resolve("shown.png")
         console.said.clear()
-        assertEquals(0, commandLine.execute(command.split(' ').drop(1).map { if (it.endsWith(".png")) "$picture" else it }))
+        assertEquals(
+            0,
+            commandLine.execute(
+                command.split(' ').drop(1).map {
+                    if (it.endsWith(".png")) "$picture" else it
+                },
+            ),
+        )
         assertTrue(picture.exists())
         assertContains(console.said.single(), "\nnot met (0 %): Drive your robot to the marked area on the right")
         assertContains(console.said.single(), "\nmet: Leave <the>")
@@ -91,16 +94,26 @@ class GradeCommandTest : CommandTest() {
 
     @Test
     fun `a program that never ends is graded when the time is up`() {
-        assertEquals(0, grade(world, program("forward 30\nrepeat forever\n  wait 1 second\nend\n")), console.said.joinToString())
+        assertEquals(
+            0,
+            grade(world, program("forward 30\nrepeat forever\n  wait 1 second\nend\n")),
+            console.said.joinToString(),
+        )
         val report = jsonOf(world, program("repeat forever\n  beep\n  wait 1 second\nend\n"))
-        val run = report.getValue("programs").jsonArray.single().jsonObject.getValue("runs").jsonArray.single().jsonObject
+        val run = report.getValue(
+            "programs",
+        ).jsonArray.single().jsonObject.getValue("runs").jsonArray.single().jsonObject
         assertEquals("8.0", run.getValue("report").jsonObject.getValue("seconds").toString())
         assertFalse(run.getValue("passed").jsonPrimitive.boolean)
     }
 
     @Test
     fun `a program that fails while it runs is told with its line`() {
-        assertEquals(1, grade(world, program("var n = 0\nforward 10\nforward 10 / n\n")), console.complaints.joinToString())
+        assertEquals(
+            1,
+            grade(world, program("var n = 0\nforward 10\nforward 10 / n\n")),
+            console.complaints.joinToString(),
+        )
         assertContains(console.said.single(), "The program failed: Line 3: ")
         val failure = junitOf(world, program("var n = 0\nforward 10 / n\n")).all("failure").single()
         assertContains(failure.textContent, "The program failed: Line 2: ")
@@ -109,7 +122,8 @@ class GradeCommandTest : CommandTest() {
     @Test
     fun `JUnit's XML has a case for each seed, and what was said is escaped`() {
         val bumping = program("forward 100\n", "bump & <go>.robo")
-        val walled = world(noTouch, """, "walls": [{"from": [70, 0], "to": [70, 80], "thickness": 1}]""", "walled.world.json")
+        val walled =
+            world(noTouch, """, "walls": [{"from": [70, 0], "to": [70, 80], "thickness": 1}]""", "walled.world.json")
         val suites = junitOf(walled, bumping, "--seeds", "3..5")
         val suite = suites.all("testsuite").single()
         assertEquals(listOf("3", "3", "0"), listOf("tests", "failures", "errors").map(suite::getAttribute))
@@ -161,7 +175,11 @@ class GradeCommandTest : CommandTest() {
             assertEquals(2, grade(world, good, "$argument=$value"), "$argument $value")
             assertContains(console.complaints.single(), value)
         }
-        for (missing in listOf(listOf("$folder/missing.world.json", good), listOf(world, "$folder/missing.robo"), listOf(good, good))) {
+        for (missing in listOf(
+            listOf("$folder/missing.world.json", good),
+            listOf(world, "$folder/missing.robo"),
+            listOf(good, good),
+        )) {
             assertEquals(2, grade(*missing.toTypedArray()), "$missing")
             assertEquals(1, console.complaints.size, "$missing")
         }
@@ -171,9 +189,15 @@ class GradeCommandTest : CommandTest() {
 
     @Test
     fun `as many threads as one likes make the same grades, in both languages`() {
-        val java = javaProgram("Ahead", "Motor.A.forward();\nMotor.C.forward();\nThread.sleep(1500);\nMotor.A.stop();\nMotor.C.stop();")
+        val java =
+            javaProgram(
+                "Ahead",
+                "Motor.A.forward();\nMotor.C.forward();\nThread.sleep(1500);\nMotor.A.stop();\nMotor.C.stop();",
+            )
         val noisy = world(ahead, """, "realism": 1""", "noisy.world.json")
-        val grades = listOf("1", "8").map { jobs -> jsonOf(noisy, good, java, "--seeds", "1..16", "--jobs", jobs).toString() }
+        val grades = listOf("1", "8").map { jobs ->
+            jsonOf(noisy, good, java, "--seeds", "1..16", "--jobs", jobs).toString()
+        }
         assertEquals(grades[0], grades[1])
         val hashes = Regex("\"traceHash\":\"(\\w+)\"").findAll(grades[0]).map { it.groupValues[1] }.toList()
         assertEquals(32, hashes.size)
@@ -202,11 +226,13 @@ class GradeCommandTest : CommandTest() {
     fun `a folder of Java sources is one program`() {
         val project = folder.resolve("pupil one").createDirectory()
         project.resolve("Ahead.java").writeText(
-            "public class Ahead {\n    public static void main(String[] args) throws Exception {\n        new Car().go();\n    }\n}\n",
+            "public class Ahead {\n    public static void main(String[] args) throws Exception {\n        new " +
+                "Car().go();\n    }\n}\n",
         )
         project.resolve("Car.java").writeText(
             "import josx.platform.rcx.*;\n\npublic class Car {\n    void go() throws Exception {\n" +
-                "        Motor.A.forward();\n        Motor.C.forward();\n        Thread.sleep(500);\n        Motor.A.stop();\n        Motor.C.stop();\n    }\n}\n",
+                "        Motor.A.forward();\n        Motor.C.forward();\n        Thread.sleep(500);\n        " +
+                "Motor.A.stop();\n        Motor.C.stop();\n    }\n}\n",
         )
         assertEquals(1, grade(world, "$project"), console.complaints.joinToString())
         assertContains(console.said.single(), "./robotran run '$project/Ahead.java' '$project/Car.java' --world")
@@ -216,7 +242,10 @@ class GradeCommandTest : CommandTest() {
     @Test
     fun `a dash writes to the console and nothing else is said there`() {
         assertEquals(0, grade(world, good, "--report", "-"))
-        assertEquals("Ahead", Json.parseToJsonElement(console.said.single()).jsonObject.getValue("title").jsonPrimitive.content)
+        assertEquals(
+            "Ahead",
+            Json.parseToJsonElement(console.said.single()).jsonObject.getValue("title").jsonPrimitive.content,
+        )
         assertEquals(0, grade(world, good, "--junit", "-"))
         assertTrue(console.said.single().startsWith("<?xml"))
     }

@@ -39,15 +39,10 @@ class SubmissionTest : CommandTest() {
     private val ahead = robolang("forward 30\n")
     private val short = robolang("forward 10\n", "short.robo")
 
-    private fun file(
-        name: String,
-        text: String,
-    ): String = folder.resolve(name).also { it.writeText(text) }.toString()
+    private fun file(name: String, text: String): String = folder.resolve(name).also { it.writeText(text) }.toString()
 
-    private fun robolang(
-        text: String,
-        name: String = "ahead.robo",
-    ) = ProjectProgram(name, ProgramLanguage.ROBOLANG, listOf(SourceFile(name, text)))
+    private fun robolang(text: String, name: String = "ahead.robo") =
+        ProjectProgram(name, ProgramLanguage.ROBOLANG, listOf(SourceFile(name, text)))
 
     private fun java(statements: String): ProjectProgram {
         val main = "  public static void main(String[] a) throws Exception {\n$statements\n  }\n"
@@ -56,15 +51,12 @@ class SubmissionTest : CommandTest() {
     }
 
     /** On the plain sheet, as a pupil at home may have written it. */
-    private fun work(
-        vararg programs: ProjectProgram,
-        first: Int = 0,
-    ) = Project(BuiltInWorlds.plain, listOf(ProjectRobot(BuiltInWorlds.plain.robots.first().name, programs.toList(), first)))
+    private fun work(vararg programs: ProjectProgram, first: Int = 0) = Project(
+        BuiltInWorlds.plain,
+        listOf(ProjectRobot(BuiltInWorlds.plain.robots.first().name, programs.toList(), first)),
+    )
 
-    private fun project(
-        name: String,
-        project: Project,
-    ) = file(name, writeProject(project))
+    private fun project(name: String, project: Project) = file(name, writeProject(project))
 
     private fun link(project: Project): String =
         "https://robotran.example/" + assertIs<LinkMaking.Made>(runBlocking { linkOf(project) }).fragment
@@ -98,18 +90,31 @@ class SubmissionTest : CommandTest() {
     @Test
     fun `a project or a link is the world, too, with its other robots' programs and the seed it is set to`() {
         val rams = ProjectRobot("red", listOf(robolang("forward 40\n", "ram.robo")))
-        val reach = worldText.replace("\"stays\": true", "\"who\": \"red\"").replace("\"x\": 80, \"y\": 40", "\"x\": 50, \"y\": 10")
+        val reach = worldText.replace(
+            "\"stays\": true",
+            "\"who\": \"red\"",
+        ).replace("\"x\": 80, \"y\": 40", "\"x\": 50, \"y\": 10")
         val place = assertIs<WorldFileResult.Loaded>(readWorld(reach)).world
         val teacher = Project(place, listOf(rams), ProjectSettings(seed = 7))
         val waiting = program("wait 7 seconds\n")
         for (shared in listOf(project("teacher.robotran", teacher), link(teacher))) {
             val report = folder.resolve("report.json")
-            assertEquals(0, grade(shared, waiting, "--report", "$report"), console.complaints.joinToString() + console.said)
-            val run = Json.parseToJsonElement(report.toFile().readText()).jsonObject.getValue("programs").jsonArray.single()
+            assertEquals(
+                0,
+                grade(shared, waiting, "--report", "$report"),
+                console.complaints.joinToString() + console.said,
+            )
+            val run = Json.parseToJsonElement(
+                report.toFile().readText(),
+            ).jsonObject.getValue("programs").jsonArray.single()
                 .jsonObject.getValue("runs").jsonArray.single().jsonObject
             assertEquals("7", run.getValue("seed").jsonPrimitive.content)
         }
-        assertEquals(1, grade(project("teacher.robotran", teacher), waiting, "--robot", "red=$waiting"), "what is said counts more")
+        assertEquals(
+            1,
+            grade(project("teacher.robotran", teacher), waiting, "--robot", "red=$waiting"),
+            "what is said counts more",
+        )
         assertEquals(2, grade(project("none.robotran", work(ahead)), waiting))
         assertContains(console.complaints.single(), "none.robotran has no goals")
         assertEquals(2, grade("#p=aAAAA", waiting))
@@ -134,7 +139,9 @@ class SubmissionTest : CommandTest() {
             project("empty.robotran", Project(BuiltInWorlds.plain)),
             file("text.robotran", "{\"format\": \"robotran-project\", \"version\": 1, \"world\": {}}"),
             file("deep.robotran", "[".repeat(1_000_000)),
-            folder.resolve("noise.robotran").also { it.writeBytes(ByteArray(100_000) { byte -> (byte * 31).toByte() }) }.toString(),
+            folder.resolve("noise.robotran").also {
+                it.writeBytes(ByteArray(100_000) { byte -> (byte * 31).toByte() })
+            }.toString(),
             "$folder/missing.robotran",
             "#p=aAAAA",
             "https://robotran.example/#w=" + "a".repeat(50_000),
@@ -145,7 +152,13 @@ class SubmissionTest : CommandTest() {
         assertContains(console.complaints[0], "empty.robotran has no program for its robot")
         assertContains(console.complaints[5], "link 1: The link is broken")
         assertTrue(console.complaints.all { it.length < 300 && '\n' !in it }, console.complaints.joinToString("\n"))
-        assertEquals(bad.size, console.said.single().lines().count { "It cannot be used." in it }, console.said.single())
+        assertEquals(
+            bad.size,
+            console.said.single().lines().count {
+                "It cannot be used." in it
+            },
+            console.said.single(),
+        )
         assertContains(console.said.single(), Regex("good.robotran +\\| +1 of 1"))
         assertEquals(2, grade(worldFile, bad[0]))
     }

@@ -10,7 +10,9 @@ import kotlin.test.assertTrue
 
 /** Every message of the command line in all languages, found by reflection, so that none can be forgotten. */
 class CommandMessagesTest {
-    private val messages = CommandMessages::class.java.methods.filter { Modifier.isAbstract(it.modifiers) }.sortedBy { it.name }
+    private val messages = CommandMessages::class.java.methods.filter {
+        Modifier.isAbstract(it.modifiers)
+    }.sortedBy { it.name }
 
     @Test
     fun `all languages name the same arguments`() {
@@ -21,7 +23,9 @@ class CommandMessagesTest {
             val english = told(message, Language.ENGLISH, arguments)
             listOf(Language.SPANISH, Language.GERMAN).flatMap { language ->
                 val other = told(message, language, arguments)
-                markers.filter { (it in english) != (it in other) }.map { "${message.name} in $language and $it: $other" }
+                markers.filter {
+                    (it in english) != (it in other)
+                }.map { "${message.name} in $language and $it: $other" }
             }
         }
         assertEquals(emptyList(), wrong)
@@ -37,7 +41,9 @@ class CommandMessagesTest {
     }
 
     private fun told(message: Method, language: Language, arguments: List<Any>): String =
-        message.invoke(CommandMessages.of(language), *arguments.toTypedArray()).let { if (it is List<*>) it.joinToString() else "$it" }
+        message.invoke(CommandMessages.of(language), *arguments.toTypedArray()).let {
+            if (it is List<*>) it.joinToString() else "$it"
+        }
 
     private fun argumentsOf(message: Method): List<Any> = message.parameterTypes.mapIndexed { number, type ->
         when (type) {

@@ -18,7 +18,9 @@ internal class Compiled(private val folder: Path) {
     private val library: Path by lazy {
         folder.resolve("leJOS").also { library ->
             for (name in LejosLibrary.classNames.filter { it.startsWith("josx/") }) {
-                library.resolve("$name.class").createParentDirectories().writeBytes(checkNotNull(LejosLibrary.classFile(name)))
+                library.resolve(
+                    "$name.class",
+                ).createParentDirectories().writeBytes(checkNotNull(LejosLibrary.classFile(name)))
             }
         }
     }
@@ -26,16 +28,14 @@ internal class Compiled(private val folder: Path) {
     /** Compiles [sources]; the answer is the folder with their class files. */
     fun classes(vararg sources: String): Path {
         val classes = folder.resolve("classes").createDirectories()
-        val options = arrayOf("--release", "8", "-nowarn", "-Xlint:-options", "-classpath", "$library", "-d", "$classes")
+        val options =
+            arrayOf("--release", "8", "-nowarn", "-Xlint:-options", "-classpath", "$library", "-d", "$classes")
         assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, *options, *sources))
         return classes
     }
 
     /** A jar of [entries], with a manifest that names [mainClass] if there is one. */
-    fun jar(
-        entries: Map<String, ByteArray>,
-        mainClass: String? = null,
-    ): String {
+    fun jar(entries: Map<String, ByteArray>, mainClass: String? = null): String {
         val manifest = Manifest()
         manifest.mainAttributes[Attributes.Name.MANIFEST_VERSION] = "1.0"
         if (mainClass != null) manifest.mainAttributes[Attributes.Name.MAIN_CLASS] = mainClass
@@ -52,6 +52,8 @@ internal class Compiled(private val folder: Path) {
     /** All class files under [classes] by their names in a jar, in the order of these. */
     fun entries(classes: Path): Map<String, ByteArray> {
         val files = classes.toFile().walk().filter { it.isFile }
-        return files.associate { it.relativeTo(classes.toFile()).invariantSeparatorsPath to it.readBytes() }.toSortedMap()
+        return files.associate {
+            it.relativeTo(classes.toFile()).invariantSeparatorsPath to it.readBytes()
+        }.toSortedMap()
     }
 }

@@ -17,7 +17,9 @@ class CompiledRunTest : CommandTest() {
     private fun shown(vararg arguments: String): String {
         console.said.clear()
         assertEquals(0, commandLine.execute(LCD_LOG + arguments), console.complaints.joinToString())
-        val numbers = Regex("LCD number (\\d+) ").findAll(console.said.single()).map { it.groupValues[1].trimStart('0') }
+        val numbers = Regex("LCD number (\\d+) ").findAll(console.said.single()).map {
+            it.groupValues[1].trimStart('0')
+        }
         return numbers.joinToString(" ")
     }
 
@@ -28,12 +30,14 @@ class CompiledRunTest : CommandTest() {
     }
 
     /** Two programs in a package, one of them with a class inside, and a class of another package. */
-    private fun packages() =
-        compiled.classes(
-            program("package tools;\n\npublic class Number {\n    public int get() {\n        return 42;\n    }\n}\n", "tools/Number.java"),
-            program(PROGRAM.replace("NAME", "Begin").replace("VALUE", "new tools.Number().get()"), "robots/Begin.java"),
-            program(PROGRAM.replace("NAME", "Again").replace("VALUE", "8"), "robots/Again.java"),
-        )
+    private fun packages() = compiled.classes(
+        program(
+            "package tools;\n\npublic class Number {\n    public int get() {\n        return 42;\n    }\n}\n",
+            "tools/Number.java",
+        ),
+        program(PROGRAM.replace("NAME", "Begin").replace("VALUE", "new tools.Number().get()"), "robots/Begin.java"),
+        program(PROGRAM.replace("NAME", "Again").replace("VALUE", "8"), "robots/Again.java"),
+    )
 
     @Test
     fun `a class file brings those of the classes inside it`() {
@@ -66,7 +70,12 @@ class CompiledRunTest : CommandTest() {
     @Test
     fun `what a jar holds for newer machines is left alone`() {
         val begin = compiled.entries(packages())
-        val jar = compiled.jar(begin + mapOf("META-INF/versions/9/robots/Begin.class" to ByteArray(9), "module-info.class" to ByteArray(9)))
+        val jar = compiled.jar(
+            begin + mapOf(
+                "META-INF/versions/9/robots/Begin.class" to ByteArray(9),
+                "module-info.class" to ByteArray(9),
+            ),
+        )
         assertEquals("8", shown(jar))
     }
 
@@ -137,16 +146,28 @@ class CompiledRunTest : CommandTest() {
     @Test
     fun `what a brick lacks is refused with class, method and line`() {
         val classes = compiled.classes(
-            javaProgram("Choose", "int way = args.length;\nswitch (way) {\n    case 1: LCD.clear();\n    case 2: LCD.refresh();\n}"),
+            javaProgram(
+                "Choose",
+                "int way = args.length;\nswitch (way) {\n    case 1: LCD.clear();\n    case 2: LCD.refresh();\n}",
+            ),
             program(
-                "interface Job { void work(); }\n\npublic class Lambda {\n    public static void main(String[] args) {\n" +
+                "interface Job { void work(); }\n\npublic class Lambda {\n    public static void main(String[] args) " +
+                    "{\n" +
                     "        Job job = () -> {};\n        job.work();\n    }\n}\n",
                 "Lambda.java",
             ),
         )
-        assertTrue(refused("$classes/Choose.class").startsWith("$classes/Choose.class: Choose.main:6:1: "), console.complaints.single())
+        assertTrue(
+            refused("$classes/Choose.class").startsWith("$classes/Choose.class: Choose.main:6:1: "),
+            console.complaints.single(),
+        )
         assertContains(console.complaints.single(), "\"switch\"")
-        assertTrue(refused("$classes/Lambda.class", "$classes/Job.class").startsWith("$classes/Lambda.class: Lambda.main:5:1: "))
+        assertTrue(
+            refused(
+                "$classes/Lambda.class",
+                "$classes/Job.class",
+            ).startsWith("$classes/Lambda.class: Lambda.main:5:1: "),
+        )
         assertContains(console.complaints.single(), "lambdas")
     }
 
@@ -160,7 +181,8 @@ class CompiledRunTest : CommandTest() {
     private companion object {
         val LCD_LOG = listOf("run", "--rom-log", "-", "--rom-log-only", "display")
         const val PROGRAM =
-            "package robots;\n\nimport josx.platform.rcx.LCD;\n\npublic class NAME {\n    public static void main(String[] args) {\n" +
+            "package robots;\n\nimport josx.platform.rcx.LCD;\n\npublic class NAME {\n    public static void " +
+                "main(String[] args) {\n" +
                 "        LCD.showNumber(VALUE);\n    }\n}\n"
     }
 }

@@ -78,9 +78,11 @@ class JavaRunTest : CommandTest() {
 
     @Test
     fun `files in packages find each other`() {
-        val robot = program("package parts;\n\npublic class Robot {\n    public void drive() {\n    }\n}\n", "parts/Robot.java")
+        val robot =
+            program("package parts;\n\npublic class Robot {\n    public void drive() {\n    }\n}\n", "parts/Robot.java")
         val main = program(
-            "import parts.Robot;\n\npublic class Main {\n    public static void main(String[] args) {\n        new Robot().drive();\n    }\n}\n",
+            "import parts.Robot;\n\npublic class Main {\n    public static void main(String[] args) {\n        new " +
+                "Robot().drive();\n    }\n}\n",
             "Main.java",
         )
         assertEquals(0, run(robot, main), console.complaints.joinToString())

@@ -16,7 +16,8 @@ class PressTest : CommandTest() {
     /** Presses the buttons and answers what the brick's report says. */
     private fun press(text: String, vararg presses: String, status: Int = 0): Brick {
         val file = folder.resolve("brick.json")
-        val arguments = listOf("run", program(text), "--brick-report", "$file") + presses.flatMap { listOf("--press", it) }
+        val arguments =
+            listOf("run", program(text), "--brick-report", "$file") + presses.flatMap { listOf("--press", it) }
         assertEquals(status, commandLine.execute(arguments), console.complaints.joinToString())
         return Brick(Json.parseToJsonElement(file.readText()).jsonObject)
     }
@@ -128,7 +129,8 @@ class PressTest : CommandTest() {
     fun `the same presses make the same run`() {
         val presses = arrayOf("run@1", "on-off@5", "on-off@6", "run@7.25+0.3")
         val reports = List(2) {
-            val arguments = listOf("run", program("forward 5"), "--report", "-") + presses.flatMap { listOf("--press", it) }
+            val arguments =
+                listOf("run", program("forward 5"), "--report", "-") + presses.flatMap { listOf("--press", it) }
             console.said.clear()
             assertEquals(0, commandLine.execute(arguments))
             console.said.single()
@@ -139,7 +141,11 @@ class PressTest : CommandTest() {
     @Test
     fun `presses that cannot be understood are refused in a sentence`() {
         for ((press, word) in listOf(
-            "go@1" to "go", "run" to "run", "run@soon" to "soon", "run@-1" to "-1", "run@1+x" to "x",
+            "go@1" to "go",
+            "run" to "run",
+            "run@soon" to "soon",
+            "run@-1" to "-1",
+            "run@1+x" to "x",
             "run@1+0" to "0",
         )) {
             console.complaints.clear()
@@ -155,7 +161,14 @@ class PressTest : CommandTest() {
             listOf("run@1+3", "run@2") to "run@2 comes while run@1+3 still holds the button down",
         )) {
             console.complaints.clear()
-            assertEquals(2, commandLine.execute(listOf("run", program("beep")) + presses.flatMap { listOf("--press", it) }))
+            assertEquals(
+                2,
+                commandLine.execute(
+                    listOf("run", program("beep")) + presses.flatMap {
+                        listOf("--press", it)
+                    },
+                ),
+            )
             assertContains(console.complaints.single(), words)
         }
     }

@@ -16,7 +16,8 @@ import kotlin.test.assertTrue
 class RunCommandTest : CommandTest() {
     private fun run(vararg arguments: String) = commandLine.execute(listOf("run") + arguments)
 
-    private fun recorded(ending: String) = tree.resolve("shared/simulation/src/commonTest/resources/runs/square$ending").readText()
+    private fun recorded(ending: String) =
+        tree.resolve("shared/simulation/src/commonTest/resources/runs/square$ending").readText()
 
     @Test
     fun `the square leaves the recorded report and ROM log`() {
@@ -47,7 +48,12 @@ class RunCommandTest : CommandTest() {
     fun `without the desktop app a picture is refused before anything runs`() {
         val report = folder.resolve("report.json")
         val alone = CommandLine(console, desktop = null)
-        assertEquals(2, alone.execute(listOf("run", square, "--picture", "$folder/p.png", "--report", "$report", "--language", "de")))
+        assertEquals(
+            2,
+            alone.execute(
+                listOf("run", square, "--picture", "$folder/p.png", "--report", "$report", "--language", "de"),
+            ),
+        )
         assertContains(console.complaints.single(), "Desktop-App")
         assertFalse(report.exists())
         assertEquals(0, alone.execute(listOf("run", square, "--report", "$report")))
@@ -95,7 +101,9 @@ class RunCommandTest : CommandTest() {
 
     @Test
     fun `a world that is not there, or broken, is refused in one sentence`() {
-        val broken = folder.resolve("broken.world.json").also { it.writeText("""{"format": "robotran-world", "version": 1,""") }.toString()
+        val broken = folder.resolve("broken.world.json").also {
+            it.writeText("""{"format": "robotran-world", "version": 1,""")
+        }.toString()
         for (name in listOf("$folder/missing.world.json", broken)) {
             console.complaints.clear()
             assertEquals(2, run(square, "--world", name), name)

@@ -21,7 +21,11 @@ class RunInWorldTest : CommandTest() {
 
     private fun run(vararg arguments: String): String {
         console.said.clear()
-        assertEquals(0, commandLine.execute(listOf("run", forward, "--world", world) + arguments), console.complaints.joinToString())
+        assertEquals(
+            0,
+            commandLine.execute(listOf("run", forward, "--world", world) + arguments),
+            console.complaints.joinToString(),
+        )
         return console.said.single()
     }
 
@@ -63,6 +67,9 @@ class RunInWorldTest : CommandTest() {
 
     @Test
     fun `goals are told after presses as well`() {
-        assertContains(run("--realism", "0", "--press", "run@1"), "\n  met: Drive your robot to the marked area on the right.")
+        assertContains(
+            run("--realism", "0", "--press", "run@1"),
+            "\n  met: Drive your robot to the marked area on the right.",
+        )
     }
 }

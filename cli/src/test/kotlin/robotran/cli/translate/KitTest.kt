@@ -19,12 +19,13 @@ import kotlin.test.assertTrue
 
 /** What `robotran translate --kit` writes. */
 class KitTest : CommandTest() {
-    private fun kit(
-        program: String = square,
-        name: String = "kit.zip",
-    ): Path {
+    private fun kit(program: String = square, name: String = "kit.zip"): Path {
         val kit = folder.resolve(name)
-        assertEquals(0, commandLine.execute(listOf("translate", program, "--kit", "$kit")), console.complaints.joinToString())
+        assertEquals(
+            0,
+            commandLine.execute(listOf("translate", program, "--kit", "$kit")),
+            console.complaints.joinToString(),
+        )
         return kit
     }
 
@@ -39,7 +40,12 @@ class KitTest : CommandTest() {
 
     @Test
     fun `only the script is executable`() {
-        val modes = ZipFile.builder().setPath(kit()).get().use { zip -> zip.entries.asSequence().associate { it.name to it.unixMode } }
+        val modes = ZipFile.builder().setPath(kit()).get().use { zip ->
+            zip.entries.asSequence().associate {
+                it.name to
+                    it.unixMode
+            }
+        }
         assertEquals(0b111_101_101, modes.getValue("Square/download.sh") and 0b111_111_111)
         assertTrue((modes - "Square/download.sh").values.all { it and 0b111_111_111 == 0b110_100_100 })
     }
@@ -61,7 +67,9 @@ class KitTest : CommandTest() {
     fun `script and batch file compile, link and download in this order`() {
         val files = texts(kit())
         for (name in listOf("Square/download.sh", "Square/download.bat")) {
-            val tools = Regex("""^(?:call )?(lejos\w+) """, RegexOption.MULTILINE).findAll(files.getValue(name)).map { it.groupValues[1] }
+            val tools = Regex("""^(?:call )?(lejos\w+) """, RegexOption.MULTILINE).findAll(files.getValue(name)).map {
+                it.groupValues[1]
+            }
             assertEquals(listOf("lejosc", "lejoslink", "lejosdl"), tools.toList(), name)
         }
     }
@@ -70,14 +78,23 @@ class KitTest : CommandTest() {
     fun `the build file has a target for each step, one after the other`() {
         val project = DocumentBuilderFactory.newInstance().newDocumentBuilder()
             .parse(texts(kit()).getValue("Square/build.xml").byteInputStream()).documentElement
-        val targets = project.getElementsByTagName("target").let { list -> (0 until list.length).map { list.item(it) as Element } }
+        val targets = project.getElementsByTagName("target").let { list ->
+            (0 until list.length).map { list.item(it) as Element }
+        }
         assertEquals("download", project.getAttribute("default"))
         assertEquals(
             listOf("compile" to "", "link" to "compile", "download" to "link"),
             targets.map { it.getAttribute("name") to it.getAttribute("depends") },
         )
-        val tools = targets.map { it.getElementsByTagName("exec").item(0) as Element }.map { it.getAttribute("executable") }
-        assertEquals(listOf("lejosc", "lejoslink", "lejosdl"), tools.map { it.substringAfterLast('/').substringBefore('$') })
+        val tools = targets.map {
+            it.getElementsByTagName("exec").item(0) as Element
+        }.map { it.getAttribute("executable") }
+        assertEquals(
+            listOf("lejosc", "lejoslink", "lejosdl"),
+            tools.map {
+                it.substringAfterLast('/').substringBefore('$')
+            },
+        )
     }
 
     @Test
@@ -85,7 +102,13 @@ class KitTest : CommandTest() {
         val page = texts(kit()).getValue("Square/README.txt")
         assertTrue(page.lines().size <= 60, "${page.lines().size} lines")
         assertTrue(page.lines().all { it.length <= 100 })
-        for (words in listOf("forward 100", "turn left 360", "MILLISECONDS_PER_CENTIMETRE", "MILLISECONDS_PER_DEGREE", "62.5f")) {
+        for (words in listOf(
+            "forward 100",
+            "turn left 360",
+            "MILLISECONDS_PER_CENTIMETRE",
+            "MILLISECONDS_PER_DEGREE",
+            "62.5f",
+        )) {
             assertContains(page, words)
         }
         val java = texts(kit()).getValue("Square/Square.java")
@@ -123,16 +146,25 @@ class KitTest : CommandTest() {
         val main = javaProgram("Drive", "new Car().go();")
         val car = program("public class Car {\n    void go() {\n    }\n}\n", "Car.java")
         val kit = folder.resolve("java.zip")
-        assertEquals(0, commandLine.execute(listOf("translate", car, main, "--kit", "$kit")), console.complaints.joinToString())
+        assertEquals(
+            0,
+            commandLine.execute(listOf("translate", car, main, "--kit", "$kit")),
+            console.complaints.joinToString(),
+        )
         val files = texts(kit)
         val names = listOf("Car.java", "Drive.java", "README.txt", "build.xml", "download.sh", "download.bat")
         assertEquals(names.map { "Drive/$it" }, files.keys.toList())
         assertEquals(File(main).readText(), files["Drive/Drive.java"])
-        val steps = listOf("lejosc -encoding UTF-8 Car.java Drive.java", "lejoslink -o Drive.bin Drive", "lejosdl Drive.bin\n")
+        val steps =
+            listOf("lejosc -encoding UTF-8 Car.java Drive.java", "lejoslink -o Drive.bin Drive", "lejosdl Drive.bin\n")
         assertContains(files.getValue("Drive/download.sh"), steps.joinToString("\n"))
         assertContains(files.getValue("Drive/download.bat"), "call lejoslink -o Drive.bin Drive || exit /b 1\r\n")
-        val build = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(files.getValue("Drive/build.xml").byteInputStream())
-        val elements = build.getElementsByTagName("arg").let { list -> (0 until list.length).map { list.item(it) as Element } }
+        val build = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(
+            files.getValue("Drive/build.xml").byteInputStream(),
+        )
+        val elements = build.getElementsByTagName("arg").let { list ->
+            (0 until list.length).map { list.item(it) as Element }
+        }
         val arguments = elements.map { it.getAttribute("value") }
         assertEquals(listOf("", "Car.java", "Drive.java", "", "Drive", "Drive.bin"), arguments)
         assertContains(files.getValue("Drive/README.txt"), "Drive.java is where your Java program begins")
@@ -148,8 +180,7 @@ class KitTest : CommandTest() {
         assertEquals(2, commandLine.execute(listOf("translate", "$folder/none.java", "--kit", "$kit")))
     }
 
-    private fun texts(zip: Path): Map<String, String> =
-        ZipFile.builder().setPath(zip).get().use { file ->
-            file.entries.asSequence().associate { it.name to file.getInputStream(it).readBytes().decodeToString() }
-        }
+    private fun texts(zip: Path): Map<String, String> = ZipFile.builder().setPath(zip).get().use { file ->
+        file.entries.asSequence().associate { it.name to file.getInputStream(it).readBytes().decodeToString() }
+    }
 }

@@ -31,7 +31,12 @@ class TranslateCommandTest : CommandTest() {
     @Test
     fun `several programs go to the console one after the other`() {
         assertEquals(0, translate(square, tree.resolve("examples/star.robo").path))
-        assertEquals(listOf("Square", "Star"), console.said.map { it.substringAfter("public class ").substringBefore(" ") })
+        assertEquals(
+            listOf("Square", "Star"),
+            console.said.map {
+                it.substringAfter("public class ").substringBefore(" ")
+            },
+        )
     }
 
     @Test

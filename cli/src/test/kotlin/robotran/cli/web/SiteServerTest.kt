@@ -37,7 +37,9 @@ class SiteServerTest {
     private fun write(path: String, text: String) = folder.resolve(path).createParentDirectories().writeText(text)
 
     private fun ask(server: SiteServer, path: String, method: String = "GET"): HttpResponse<String> {
-        val request = HttpRequest.newBuilder(URI(server.address.dropLast(1) + path)).method(method, HttpRequest.BodyPublishers.noBody())
+        val request = HttpRequest.newBuilder(
+            URI(server.address.dropLast(1) + path),
+        ).method(method, HttpRequest.BodyPublishers.noBody())
         return client.send(request.build(), HttpResponse.BodyHandlers.ofString())
     }
 
@@ -62,7 +64,14 @@ class SiteServerTest {
     @Test
     fun `what is not there, or lies outside of the folder, is not found`() = serving { server ->
         val outside = listOf("/../secret.txt", "/%2e%2e/secret.txt", "/files/..%2f..%2fsecret.txt", "//secret.txt")
-        for (path in listOf("/nothing.js", "/files", "/files/", "/%00") + outside) assertEquals(404, ask(server, path).statusCode(), path)
+        for (path in listOf(
+            "/nothing.js",
+            "/files",
+            "/files/",
+            "/%00",
+        ) + outside) {
+            assertEquals(404, ask(server, path).statusCode(), path)
+        }
     }
 
     @Test

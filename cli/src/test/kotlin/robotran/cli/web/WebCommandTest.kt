@@ -40,7 +40,9 @@ class WebCommandTest : CommandTest() {
         val site = program("<p>the page</p>", "site/index.html").removeSuffix("index.html")
         ServerSocket(0, 1, InetAddress.getLoopbackAddress()).use {
             val result = assertFailsWith<ProgramResult> {
-                WebCommand(console) { error("It is not served.") }.parse(listOf("--port", "${it.localPort}", "--site", site))
+                WebCommand(console) {
+                    error("It is not served.")
+                }.parse(listOf("--port", "${it.localPort}", "--site", site))
             }
             assertEquals(2, result.statusCode)
             assertContains(console.complaints.single(), "Port ${it.localPort} cannot be used")

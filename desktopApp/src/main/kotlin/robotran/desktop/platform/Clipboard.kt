@@ -6,11 +6,10 @@ import java.awt.datatransfer.StringSelection
 
 /** The clipboard of this machine. */
 internal object Clipboard : Sharing {
-    override suspend fun share(text: String): Boolean =
-        try {
-            Toolkit.getDefaultToolkit().systemClipboard.setContents(StringSelection(text), null)
-            true
-        } catch (_: IllegalStateException) {
-            false // another app is just using it
-        }
+    override suspend fun share(text: String): Boolean = try {
+        Toolkit.getDefaultToolkit().systemClipboard.setContents(StringSelection(text), null)
+        true
+    } catch (_: IllegalStateException) {
+        false // another app is just using it
+    }
 }

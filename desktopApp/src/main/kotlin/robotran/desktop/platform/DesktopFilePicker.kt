@@ -23,10 +23,8 @@ import kotlin.io.path.name
  *
  * @param tellUnreadable is told in one sentence what could not be read.
  */
-internal class DesktopFilePicker(
-    private val window: () -> Frame?,
-    private val tellUnreadable: (String) -> Unit,
-) : FilePicker {
+internal class DesktopFilePicker(private val window: () -> Frame?, private val tellUnreadable: (String) -> Unit) :
+    FilePicker {
     private var folder: String? = null
 
     override suspend fun open(kinds: List<FileKind>): List<OpenedFile> {
@@ -40,26 +38,22 @@ internal class DesktopFilePicker(
         return withContext(Dispatchers.IO) { paths.mapNotNull { path -> openedFile(path, tellUnreadable) } }
     }
 
-    override suspend fun save(
-        name: String,
-        kind: FileKind,
-        bytes: ByteArray,
-    ): Saving {
+    override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving {
         var suggestion = name
         while (true) {
             val path = choosePlace(suggestion) ?: return Saving.GivenUp
-            val whole = if (path.name.endsWith(kind.extension, ignoreCase = true)) path else path.resolveSibling(path.name + kind.extension)
+            val whole = if (path.name.endsWith(kind.extension, ignoreCase = true)) {
+                path
+            } else {
+                path.resolveSibling(path.name + kind.extension)
+            }
             // The dialog has asked about replacing the name that was typed, not the one with our ending.
             if (whole == path || !whole.exists()) return write(whole.toString(), whole.name, bytes)
             suggestion = whole.name
         }
     }
 
-    override suspend fun write(
-        place: String,
-        name: String,
-        bytes: ByteArray,
-    ): Saving =
+    override suspend fun write(place: String, name: String, bytes: ByteArray): Saving =
         when (val result = withContext(Dispatchers.IO) { writeSafely(Path.of(place), bytes) }) {
             StoreResult.Done -> Saving.Saved(name, place)
             StoreResult.Full -> Saving.Failed("", isFull = true)
@@ -80,10 +74,7 @@ internal class DesktopFilePicker(
 }
 
 /** The file at [path]; null if it cannot be read, and [tell] is told why in the language of this machine. */
-internal fun openedFile(
-    path: Path,
-    tell: (String) -> Unit,
-): OpenedFile? {
+internal fun openedFile(path: Path, tell: (String) -> Unit): OpenedFile? {
     val place = path.toAbsolutePath().normalize()
     return when (val file = readFile(place, spokenLanguage(null))) {
         is FileContent.Read -> {

@@ -10,7 +10,10 @@ import javax.sound.sampled.DataLine
 import javax.sound.sampled.LineUnavailableException
 import javax.sound.sampled.SourceDataLine
 
-/** The loudspeaker of this computer. The sound card is looked for when the first tone is to be heard, and nobody waits for it. */
+/**
+ * The loudspeaker of this computer. The sound card is looked for when the first tone is to be heard, and nobody waits
+ * for it.
+ */
 internal fun soundCardSpeaker(): LoudSpeaker = SampleFeeder { openSoundCard(::findLine) }
 
 /** Sixteen bits, one channel, the low byte first. */
@@ -19,25 +22,25 @@ internal val FORMAT = AudioFormat(ToneWave.SAMPLE_RATE.toFloat(), Short.SIZE_BIT
 /**
  * A line of [FORMAT] to the sound card.
  *
- * @param find answers the line as Java's sound system has it; may throw what that throws where there is no sound card, or another program
- *   keeps it for itself.
+ * @param find answers the line as Java's sound system has it; may throw what that throws where there is no sound card,
+ * or another program keeps it for itself.
  * @return null if there is none.
  */
-internal fun openSoundCard(find: () -> SourceDataLine): SampleLine? =
-    try {
-        val line = find()
-        line.open(FORMAT, SampleLine.BUFFER_BYTES)
-        line.start()
-        SoundCardLine(line)
-    } catch (_: LineUnavailableException) {
-        null
-    } catch (_: IllegalArgumentException) {
-        null
-    } catch (_: SecurityException) {
-        null
-    }
+internal fun openSoundCard(find: () -> SourceDataLine): SampleLine? = try {
+    val line = find()
+    line.open(FORMAT, SampleLine.BUFFER_BYTES)
+    line.start()
+    SoundCardLine(line)
+} catch (_: LineUnavailableException) {
+    null
+} catch (_: IllegalArgumentException) {
+    null
+} catch (_: SecurityException) {
+    null
+}
 
-private fun findLine(): SourceDataLine = AudioSystem.getLine(DataLine.Info(SourceDataLine::class.java, FORMAT)) as SourceDataLine
+private fun findLine(): SourceDataLine =
+    AudioSystem.getLine(DataLine.Info(SourceDataLine::class.java, FORMAT)) as SourceDataLine
 
 /** [line] is open and started. */
 private class SoundCardLine(private val line: SourceDataLine) : SampleLine {

@@ -28,12 +28,7 @@ import java.awt.Dimension
 /** The window [open], with the platform's menu; [close] is called once it can go, [openAnother] for one more. */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
-internal fun AppWindow(
-    open: OpenWindow,
-    state: WindowState,
-    openAnother: () -> Unit,
-    close: () -> Unit,
-) {
+internal fun AppWindow(open: OpenWindow, state: WindowState, openAnother: () -> Unit, close: () -> Unit) {
     val icon = remember { BrickIcon() }
     val rescue = remember { CrashHandler(open, close) }
     val askToClose: () -> Unit = { open.scope.launch { if (open.workshop?.closeDocument() != false) close() } }
@@ -56,14 +51,15 @@ internal fun AppWindow(
 
 /** Remembers where the window is, for the next start, once it has come to rest there. */
 @Composable
-private fun KeepPlace(
-    open: OpenWindow,
-    state: WindowState,
-) {
+private fun KeepPlace(open: OpenWindow, state: WindowState) {
     LaunchedEffect(state) {
         snapshotFlow { WindowBounds.of(state) }.collectLatest { place ->
             delay(REST_MILLISECONDS)
-            if (place != null && !state.isMinimized) withContext(Dispatchers.IO) { open.platform.store.write(PLACE, place.toText()) }
+            if (place != null &&
+                !state.isMinimized
+            ) {
+                withContext(Dispatchers.IO) { open.platform.store.write(PLACE, place.toText()) }
+            }
         }
     }
 }

@@ -6,14 +6,12 @@ import androidx.compose.ui.window.WindowExceptionHandlerFactory
 import javax.swing.JOptionPane
 
 /**
- * What happens if something goes wrong in drawing or handling an event: the work is kept, a sentence says so, and the window is drawn anew. If that
- * keeps going wrong, it is closed.
+ * What happens if something goes wrong in drawing or handling an event: the work is kept, a sentence says so, and the
+ * window is drawn anew. If that keeps going wrong, it is closed.
  */
 @OptIn(ExperimentalComposeUiApi::class)
-internal class CrashHandler(
-    private val open: OpenWindow,
-    private val giveUp: () -> Unit,
-) : WindowExceptionHandlerFactory {
+internal class CrashHandler(private val open: OpenWindow, private val giveUp: () -> Unit) :
+    WindowExceptionHandlerFactory {
     private val times = ArrayDeque<Long>()
 
     override fun exceptionHandler(window: java.awt.Window) = WindowExceptionHandler { problem -> handle(problem) }

@@ -47,13 +47,12 @@ internal fun arrivalsIn(dropped: Transferable): List<OpenRequest> {
     return errors + listOfNotNull(opened.takeIf { it.isNotEmpty() }?.let(OpenRequest::OfFiles))
 }
 
-private fun Transferable.contentIn(flavour: DataFlavor): Any? =
-    try {
-        if (isDataFlavorSupported(flavour)) getTransferData(flavour) else null
-    } catch (_: IOException) {
-        null
-    } catch (_: UnsupportedFlavorException) {
-        null
-    }
+private fun Transferable.contentIn(flavour: DataFlavor): Any? = try {
+    if (isDataFlavorSupported(flavour)) getTransferData(flavour) else null
+} catch (_: IOException) {
+    null
+} catch (_: UnsupportedFlavorException) {
+    null
+}
 
 private val FLAVOURS = listOf(DataFlavor.javaFileListFlavor, DataFlavor.stringFlavor)

@@ -27,11 +27,7 @@ import java.awt.Frame
  *
  * @param arrival what it begins with; null for the work that was open last or, if it does not go on, for a new one.
  */
-internal class OpenWindow(
-    store: KeyValueStore,
-    arrival: OpenRequest?,
-    goesOn: Boolean,
-) {
+internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, goesOn: Boolean) {
     private val arrivals = OpenRequests().also { arrivals -> arrival?.let(arrivals::bring) }
 
     /** The window on the screen; null while there is none. */
@@ -43,7 +39,8 @@ internal class OpenWindow(
     /** How often what is drawn had to be begun anew after something went wrong. */
     var attempt: Int by mutableIntStateOf(0)
 
-    val platform = DesktopPlatform(soundCardSpeaker(), store, DesktopFilePicker({ frame }, ::tellUnreadable), arrivals, goesOn)
+    val platform =
+        DesktopPlatform(soundCardSpeaker(), store, DesktopFilePicker({ frame }, ::tellUnreadable), arrivals, goesOn)
 
     /** Lives as long as the window; runs on its thread. */
     val scope = CoroutineScope(SupervisorJob() + Dispatchers.Swing)

@@ -12,7 +12,10 @@ import robotran.workshop.platform.OpenRequest
 import java.awt.Desktop
 import kotlin.coroutines.EmptyCoroutineContext
 
-/** Shows a window with what [arrival] brings or, without, with the work that was open last, and returns when all windows are closed. */
+/**
+ * Shows a window with what [arrival] brings or, without, with the work that was open last, and returns when all windows
+ * are closed.
+ */
 internal fun showWindows(arrival: OpenRequest?) {
     val store = FolderKeyValueStore(dataFolder(), EmptyCoroutineContext)
     val place = runBlocking { store.read(PLACE) }?.let { WindowBounds.of(it) }

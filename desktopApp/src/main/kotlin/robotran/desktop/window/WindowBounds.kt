@@ -10,7 +10,8 @@ import java.awt.GraphicsEnvironment
 import java.awt.Rectangle
 
 /**
- * Where a window was on the screen, as one line of text: left, top, width and height in units of the screen, and whether it filled it.
+ * Where a window was on the screen, as one line of text: left, top, width and height in units of the screen, and
+ * whether it filled it.
  */
 internal data class WindowBounds(
     val left: Int,
@@ -44,13 +45,14 @@ internal data class WindowBounds(
     }
 }
 
-/** Where a window begins: where the last one was, if that is still on a screen and not taken; otherwise in the middle. */
-internal fun windowStateFor(
-    last: WindowBounds?,
-    screens: List<Rectangle> = screens(),
-): WindowState {
+/**
+ * Where a window begins: where the last one was, if that is still on a screen and not taken; otherwise in the middle.
+ */
+internal fun windowStateFor(last: WindowBounds?, screens: List<Rectangle> = screens()): WindowState {
     val width = last?.width?.coerceAtLeast(MIN_WIDTH) ?: 0
-    if (last == null || screens.none { it.intersection(Rectangle(last.left, last.top, width, TITLE_HEIGHT)).width >= GRIP }) {
+    if (last == null ||
+        screens.none { it.intersection(Rectangle(last.left, last.top, width, TITLE_HEIGHT)).width >= GRIP }
+    ) {
         return WindowState(position = WindowPosition(Alignment.Center), size = firstSize())
     }
     return WindowState(

@@ -15,7 +15,11 @@ class SoundCardTest {
     private var written = byteArrayOf()
 
     /** A line that remembers what it is asked, and takes everything. */
-    private val line = Proxy.newProxyInstance(javaClass.classLoader, arrayOf(SourceDataLine::class.java)) { _, method, arguments ->
+    private val line = Proxy.newProxyInstance(javaClass.classLoader, arrayOf(SourceDataLine::class.java)) {
+        _,
+        method,
+        arguments,
+        ->
         asked += method.name
         if (method.name == "write") {
             written += (arguments[0] as ByteArray).copyOf(arguments[2] as Int)

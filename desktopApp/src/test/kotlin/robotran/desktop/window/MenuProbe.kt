@@ -23,8 +23,8 @@ import javax.swing.JMenuItem
 import javax.swing.SwingUtilities
 
 /**
- * Opens a window with the app's menu over a text field, changes the language and edits by menu; says in a line each what came of it. A process of its own, which is
- * given a display.
+ * Opens a window with the app's menu over a text field, changes the language and edits by menu; says in a line each
+ * what came of it. A process of its own, which is given a display.
  */
 fun main() {
     val workshop = runBlocking { openWorkshop() }
@@ -53,14 +53,18 @@ fun main() {
     }
 }
 
-private fun menus(window: ComposeWindow): List<String> =
-    window.jMenuBar.components.filterIsInstance<JMenu>().map { if (it.isShowing && it.height > 0) it.text else "${it.text} out of sight" }
+private fun menus(window: ComposeWindow): List<String> = window.jMenuBar.components.filterIsInstance<JMenu>().map {
+    if (it.isShowing &&
+        it.height > 0
+    ) {
+        it.text
+    } else {
+        "${it.text} out of sight"
+    }
+}
 
 /** Chooses what has the shortcut of [letter] in the second menu, as a click does. */
-private fun choose(
-    window: ComposeWindow,
-    letter: String,
-) {
+private fun choose(window: ComposeWindow, letter: String) {
     val items = window.jMenuBar.getMenu(1).menuComponents.filterIsInstance<JMenuItem>()
     val item = items.single { it.accelerator?.keyCode == letter.single().code && "shift" !in it.accelerator.toString() }
     SwingUtilities.invokeLater(item::doClick)

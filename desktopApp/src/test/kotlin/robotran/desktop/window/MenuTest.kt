@@ -8,7 +8,10 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** The menu over the window, in a window: on the display that there is, or on one of Xvfb. Skipped where there is neither. */
+/**
+ * The menu over the window, in a window: on the display that there is, or on one of Xvfb. Skipped where there is
+ * neither.
+ */
 class MenuTest {
     private var display: Process? = null
 
@@ -22,7 +25,8 @@ class MenuTest {
         val name = System.getenv("DISPLAY")?.takeIf { it.isNotEmpty() } ?: openDisplay()
         assumeTrue(name != null, "There is neither a display nor Xvfb, so there is no window to look at.")
         val java = File(System.getProperty("java.home"), "bin/java").path
-        val builder = ProcessBuilder(java, "-cp", System.getProperty("java.class.path"), "robotran.desktop.window.MenuProbeKt")
+        val builder =
+            ProcessBuilder(java, "-cp", System.getProperty("java.class.path"), "robotran.desktop.window.MenuProbeKt")
         builder.environment()["DISPLAY"] = checkNotNull(name)
         val probe = builder.redirectError(ProcessBuilder.Redirect.DISCARD).start()
         // What draws the window has something to say, too, where there is no graphics card.
@@ -45,7 +49,14 @@ class MenuTest {
     /** The name of a display that nobody sees; null if there is no Xvfb. */
     private fun openDisplay(): String? {
         val started = runCatching {
-            ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1000x700x24").redirectError(ProcessBuilder.Redirect.DISCARD).start()
+            ProcessBuilder(
+                "Xvfb",
+                "-displayfd",
+                "1",
+                "-screen",
+                "0",
+                "1000x700x24",
+            ).redirectError(ProcessBuilder.Redirect.DISCARD).start()
         }.getOrNull() ?: return null
         display = started
         return started.inputStream.bufferedReader().readLine()?.let { ":$it" }

@@ -44,12 +44,18 @@ class OpenRequestTest {
     @Test
     fun `nothing named is nothing, and a link is a link`() {
         assertNull(assertIs<OpenRequestResult.Read>(readArrival(emptyList())).arrival)
-        assertEquals(OpenRequest.OfLink("#p=a123"), assertIs<OpenRequestResult.Read>(readArrival(listOf("#p=a123"))).arrival)
+        assertEquals(
+            OpenRequest.OfLink("#p=a123"),
+            assertIs<OpenRequestResult.Read>(readArrival(listOf("#p=a123"))).arrival,
+        )
     }
 
     @Test
     fun `what cannot be read is refused before a window opens`() {
-        assertContains(assertIs<OpenRequestResult.Rejected>(readArrival(listOf("$folder/none.robo"))).reason, "There is no file none.robo.")
+        assertContains(
+            assertIs<OpenRequestResult.Rejected>(readArrival(listOf("$folder/none.robo"))).reason,
+            "There is no file none.robo.",
+        )
         assertContains(assertIs<OpenRequestResult.Rejected>(readArrival(listOf("Main.class"))).reason, "is compiled")
         assertIs<OpenRequestResult.Rejected>(readArrival(listOf("$folder")))
     }
@@ -68,15 +74,19 @@ class OpenRequestTest {
 
     @Test
     fun `dropped files and links arrive`() {
-        assertEquals("a.robo", assertIs<OpenRequest.OfFiles>(arrivalsIn(DroppedFiles(program.toFile())).single()).files.single().name)
-        assertEquals(listOf(OpenRequest.OfLink("https://x.example/#w=a12")), arrivalsIn(StringSelection("https://x.example/#w=a12")))
+        assertEquals(
+            "a.robo",
+            assertIs<OpenRequest.OfFiles>(arrivalsIn(DroppedFiles(program.toFile())).single()).files.single().name,
+        )
+        assertEquals(
+            listOf(OpenRequest.OfLink("https://x.example/#w=a12")),
+            arrivalsIn(StringSelection("https://x.example/#w=a12")),
+        )
         assertEquals(emptyList(), arrivalsIn(StringSelection("hello")))
         assertIs<OpenRequest.Unreadable>(arrivalsIn(DroppedFiles(folder.resolve("none").toFile())).single())
     }
 
-    private class DroppedFiles(
-        private vararg val files: File,
-    ) : Transferable {
+    private class DroppedFiles(private vararg val files: File) : Transferable {
         override fun getTransferDataFlavors() = arrayOf(DataFlavor.javaFileListFlavor)
 
         override fun isDataFlavorSupported(flavour: DataFlavor) = flavour == DataFlavor.javaFileListFlavor

@@ -40,7 +40,10 @@ class WindowBoundsTest {
         val home = Path.of("/home/ann")
         assertEquals(home.resolve(".local/share/robotran"), dataFolder(emptyMap(), "Linux", home))
         assertEquals(Path.of("/data/robotran"), dataFolder(mapOf("XDG_DATA_HOME" to "/data"), "Linux", home))
-        assertEquals(home.resolve(".local/share/robotran"), dataFolder(mapOf("XDG_DATA_HOME" to "not/absolute"), "Linux", home))
+        assertEquals(
+            home.resolve(".local/share/robotran"),
+            dataFolder(mapOf("XDG_DATA_HOME" to "not/absolute"), "Linux", home),
+        )
         assertEquals(home.resolve("Library/Application Support/Robotran"), dataFolder(emptyMap(), "Mac OS X", home))
         assertEquals(home.resolve("AppData/Roaming/Robotran"), dataFolder(emptyMap(), "Windows 11", home))
         assertEquals(Path.of("/elsewhere"), dataFolder(mapOf("ROBOTRAN_DATA" to "/elsewhere"), "Windows 11", home))

@@ -24,7 +24,9 @@ class RealismPicturesTest {
     fun `the more realism, the more the runs of a program differ`() {
         val spreads = listOf(0.0, 0.5, 1.0).map { realism ->
             val tracks = (1..20).map { track(realism, it) }
-            File("build/pictures/realism-$realism.png").apply { parentFile.mkdirs() }.writeBytes(pngOf(renderRuns(world, tracks)))
+            File("build/pictures/realism-$realism.png").apply {
+                parentFile.mkdirs()
+            }.writeBytes(pngOf(renderRuns(world, tracks)))
             tracks.maxOf { hypot(it.end.x - tracks.first().end.x, it.end.y - tracks.first().end.y) }
         }
         assertEquals(0.0, spreads[0])

@@ -21,7 +21,9 @@ internal object ShippedWorlds {
     private val reader = ProgramCompiler(PENBOT_CALIBRATION)
 
     /** Each world by its name, such as `line-loop`. */
-    val all: Map<String, World> = tree.resolve("worlds").listFiles().orEmpty().filter { it.name.endsWith(ENDING) }.sortedBy { it.name }
+    val all: Map<String, World> = tree.resolve("worlds").listFiles().orEmpty().filter {
+        it.name.endsWith(ENDING)
+    }.sortedBy { it.name }
         .associate { it.name.removeSuffix(ENDING) to loaded(it) }
 
     /** Those in which there is something to be reached. */
@@ -37,10 +39,11 @@ internal object ShippedWorlds {
     val solutionFiles: List<File> get() = solutions
 
     /** What the robots of [world] get if the pupil's own is given the program in [file], or an empty one for null. */
-    fun loads(
-        world: World,
-        file: File?,
-    ): List<RobotLoad> = when (val loads = runBlocking { readRobotLoads(world, reader, world.forFirstRobot(listOf(source(file)))) }) {
+    fun loads(world: World, file: File?): List<RobotLoad> = when (
+        val loads = runBlocking {
+            readRobotLoads(world, reader, world.forFirstRobot(listOf(source(file))))
+        }
+    ) {
         is RobotLoads.Ready -> loads.loads
         is RobotLoads.HasErrors -> error("${loads.robot}: ${loads.diagnostics}")
     }

@@ -12,7 +12,10 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** The worlds that come with Robotran, with pictures in `build/pictures/worlds`. `robotran grade` runs them over as many seeds as one likes. */
+/**
+ * The worlds that come with Robotran, with pictures in `build/pictures/worlds`. `robotran grade` runs them over as many
+ * seeds as one likes.
+ */
 class ShippedWorldsTest {
     private val pictures = File("build/pictures/worlds").apply { mkdirs() }
     private val physics = runBlocking { loadPhysicsEngine() }
@@ -46,15 +49,26 @@ class ShippedWorldsTest {
 
     @Test
     fun `every solution belongs to a world`() {
-        assertEquals(ShippedWorlds.solutionFiles.toSet(), ShippedWorlds.withGoals.keys.map(ShippedWorlds::solutionOf).toSet())
+        assertEquals(
+            ShippedWorlds.solutionFiles.toSet(),
+            ShippedWorlds.withGoals.keys.map(ShippedWorlds::solutionOf).toSet(),
+        )
     }
 
     private fun grade(world: World, program: File?, picture: String? = null): Grade {
         val session = Session(world, ShippedWorlds.loads(world, program), physics)
         try {
-            if (picture != null) pictures.resolve("$picture-start.png").writeBytes(sheetPng(world, session.state, PICTURE_WIDTH))
+            if (picture !=
+                null
+            ) {
+                pictures.resolve("$picture-start.png").writeBytes(sheetPng(world, session.state, PICTURE_WIDTH))
+            }
             return session.runForGoals().also {
-                if (picture != null) pictures.resolve("$picture-end.png").writeBytes(sheetPng(world, session.state, PICTURE_WIDTH))
+                if (picture !=
+                    null
+                ) {
+                    pictures.resolve("$picture-end.png").writeBytes(sheetPng(world, session.state, PICTURE_WIDTH))
+                }
             }
         } finally {
             session.close()

@@ -20,7 +20,8 @@ import javax.inject.Inject
 @DisableCachingByDefault(because = "What is measured is another thing each time")
 abstract class BrowserBenchmark
     @Inject
-    constructor(private val processes: ExecOperations) : BrowserTask(processes) {
+    constructor(private val processes: ExecOperations) :
+    BrowserTask(processes) {
         @get:Classpath
         abstract val jvmClasses: ConfigurableFileCollection
 
@@ -40,7 +41,11 @@ abstract class BrowserBenchmark
         fun measure() {
             val onJvm = figures(measureOnJvm())
             val inBrowser = figures(measureInBrowser())
-            if (onJvm.keys != inBrowser.keys) throw GradleException("The JVM measured ${onJvm.keys}, the browser ${inBrowser.keys}.")
+            if (onJvm.keys !=
+                inBrowser.keys
+            ) {
+                throw GradleException("The JVM measured ${onJvm.keys}, the browser ${inBrowser.keys}.")
+            }
             for ((name, jvm) in onJvm) {
                 val browser = inBrowser.getValue(name)
                 val ratio = "%.2f".format(browser.substringBefore(' ').toDouble() / jvm.substringBefore(' ').toDouble())

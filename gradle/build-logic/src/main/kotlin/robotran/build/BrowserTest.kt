@@ -27,12 +27,18 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val helpers: ConfigurableFileCollection
 
-        /** A file that says where other browsers are than Chromium, as lines for the environment of the tests; none if they need no others. */
+        /**
+         * A file that says where other browsers are than Chromium, as lines for the environment of the tests; none if
+         * they need no others.
+         */
         @get:InputFiles
         @get:PathSensitive(PathSensitivity.NONE)
         abstract val engines: ConfigurableFileCollection
 
-        /** The programs that the page runs; in [expectedRuns] and, for Java, [expectedJavaRuns] the report and the ROM log that each must leave. */
+        /**
+         * The programs that the page runs; in [expectedRuns] and, for Java, [expectedJavaRuns] the report and the ROM
+         * log that each must leave.
+         */
         @get:InputFiles
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val examples: ConfigurableFileCollection
@@ -61,8 +67,12 @@ abstract class BrowserTest
         @TaskAction
         fun test() {
             val runner = listOf(
-                "--test", "--test-concurrency=1", "--test-reporter=spec", "--test-reporter-destination=stdout",
-                "--test-reporter=junit", "--test-reporter-destination=${results.file("TEST-browser.xml").get().asFile}",
+                "--test",
+                "--test-concurrency=1",
+                "--test-reporter=spec",
+                "--test-reporter-destination=stdout",
+                "--test-reporter=junit",
+                "--test-reporter-destination=${results.file("TEST-browser.xml").get().asFile}",
             )
             val lines = engines.files.filter { it.exists() }.flatMap { it.readLines() }
             runNode(runner + tests.files.map { it.path }.sorted()) { exec ->

@@ -5,4 +5,5 @@ import org.gradle.api.artifacts.VersionCatalog
 import org.gradle.api.artifacts.VersionCatalogsExtension
 
 /** `gradle/libs.versions.toml`, for plugins, which have no generated accessors. */
-fun catalog(project: Project): VersionCatalog = project.extensions.getByType(VersionCatalogsExtension::class.java).named("libs")
+fun catalog(project: Project): VersionCatalog =
+    project.extensions.getByType(VersionCatalogsExtension::class.java).named("libs")

@@ -14,7 +14,10 @@ import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 
-/** Fails if a module imports what the module map in `docs/architecture.md` does not allow it, is not on the map, or has packages that lie in a cycle. */
+/**
+ * Fails if a module imports what the module map in `docs/architecture.md` does not allow it, is not on the map, or has
+ * packages that lie in a cycle.
+ */
 @CacheableTask
 abstract class CheckModuleMap : DefaultTask() {
     @get:InputFile
@@ -40,7 +43,13 @@ abstract class CheckModuleMap : DefaultTask() {
         val violations =
             files.flatMap { file ->
                 val module = map.modules.find { file.path.startsWith(it.folder + "/") }
-                if (module == null) listOf("${file.path}: its module is not on the map") else map.violations(module, file)
+                if (module ==
+                    null
+                ) {
+                    listOf("${file.path}: its module is not on the map")
+                } else {
+                    map.violations(module, file)
+                }
             } + PackageGraph(files).cycles()
         report.get().asFile.writeText(
             violations.ifEmpty {
@@ -48,7 +57,9 @@ abstract class CheckModuleMap : DefaultTask() {
             }.joinToString("\n", postfix = "\n"),
         )
         if (violations.isNotEmpty()) {
-            throw GradleException(violations.joinToString("\n", prefix = "Against the module map of docs/architecture.md:\n"))
+            throw GradleException(
+                violations.joinToString("\n", prefix = "Against the module map of docs/architecture.md:\n"),
+            )
         }
     }
 }

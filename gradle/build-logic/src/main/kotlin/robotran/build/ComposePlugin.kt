@@ -9,7 +9,8 @@ import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
 /**
- * A module of Compose screens for the JVM, wasm and, where the module applies an Android library plugin before this one, Android.
+ * A module of Compose screens for the JVM, wasm and, where the module applies an Android library plugin before this
+ * one, Android.
  *
  * Its tests run on the JVM only: Skiko, which Compose draws with, does not load in Node.
  */

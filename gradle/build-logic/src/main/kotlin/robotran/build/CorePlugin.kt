@@ -33,7 +33,8 @@ class CorePlugin : Plugin<Project> {
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.useJUnitPlatform()
             PropertyTests.configure(project, test)
-            // Another JDK than the one that builds, by its folder: what must be the same on all of them can be tried on any.
+            // Another JDK than the one that builds, by its folder: what must be the same on all of them can be tried on
+            // any.
             project.findProperty(TEST_JAVA_PROPERTY)?.let { test.setExecutable("$it/bin/java") }
         }
     }

@@ -13,17 +13,19 @@ class DesktopPlugin : Plugin<Project> {
         project.pluginManager.apply("org.jetbrains.compose")
         project.tasks.withType(Test::class.java).configureEach { test ->
             // What opens a window is skipped without one.
-            test.inputs.files(FindPrograms.found(project, FindPrograms.DISPLAY)).withPathSensitivity(PathSensitivity.NONE)
+            test.inputs.files(
+                FindPrograms.found(project, FindPrograms.DISPLAY),
+            ).withPathSensitivity(PathSensitivity.NONE)
         }
         for (type in PACKAGES) addPackage(project, type)
     }
 
     /** `packageDeb` and the like: the app as a package for a system, in `build/packages`. */
-    private fun addPackage(
-        project: Project,
-        type: String,
-    ) {
-        project.tasks.register("package${type.replaceFirstChar(Char::uppercase)}", PackageDesktopApp::class.java) { task ->
+    private fun addPackage(project: Project, type: String) {
+        project.tasks.register(
+            "package${type.replaceFirstChar(Char::uppercase)}",
+            PackageDesktopApp::class.java,
+        ) { task ->
             task.group = "distribution"
             task.description = "Makes a .$type of the desktop app, with a Java of its own."
             task.dependsOn("installDist")

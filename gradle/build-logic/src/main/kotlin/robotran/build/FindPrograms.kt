@@ -15,8 +15,8 @@ import org.gradle.work.DisableCachingByDefault
 import javax.inject.Inject
 
 /**
- * Runs a script that prints where programs of this machine are, and installs those that are missing where it can. Tests that are skipped without them take
- * [found] as an input, so that they run as soon as the programs are there.
+ * Runs a script that prints where programs of this machine are, and installs those that are missing where it can. Tests
+ * that are skipped without them take [found] as an input, so that they run as soon as the programs are there.
  */
 @DisableCachingByDefault(because = "It asks the machine")
 abstract class FindPrograms
@@ -54,8 +54,18 @@ abstract class FindPrograms
 
             /** Registers [DISPLAY] and [ENGINES] in the root project. */
             fun registerSetUp(root: Project) {
-                register(root, DISPLAY, "display.sh", "Installs Xvfb for the tests that open a window, if it is missing and can be.")
-                register(root, ENGINES, "engines.sh", "Installs Firefox and WebKitGTK for the browser tests, if missing and possible.")
+                register(
+                    root,
+                    DISPLAY,
+                    "display.sh",
+                    "Installs Xvfb for the tests that open a window, if it is missing and can be.",
+                )
+                register(
+                    root,
+                    ENGINES,
+                    "engines.sh",
+                    "Installs Firefox and WebKitGTK for the browser tests, if missing and possible.",
+                )
                 // One apt at a time.
                 root.tasks.named(DISPLAY) { it.mustRunAfter(Chromium.SET_UP_TASK) }
                 root.tasks.named(ENGINES) { it.mustRunAfter(Chromium.SET_UP_TASK, DISPLAY) }

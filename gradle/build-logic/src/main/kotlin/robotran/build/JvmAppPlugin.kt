@@ -27,7 +27,8 @@ class JvmAppPlugin : Plugin<Project> {
     }
 
     private companion object {
-        val RECORDED_RUNS = listOf("shared/simulation/src/commonTest/resources/runs", "shared/programs/src/commonTest/resources/runs")
+        val RECORDED_RUNS =
+            listOf("shared/simulation/src/commonTest/resources/runs", "shared/programs/src/commonTest/resources/runs")
         const val TEST_PROGRAMS = "shared/robolang/src/commonTest/resources/programs"
     }
 }

@@ -18,21 +18,21 @@ data class MappedModule(
 )
 
 /** The module map as `docs/architecture.md` draws it: the document is the only place where it is written. */
-class ModuleMap(
-    val modules: List<MappedModule>,
-) {
+class ModuleMap(val modules: List<MappedModule>) {
     private val byFolder = modules.associateBy { it.folder }
 
-    /** What [file] of [module] imports against the map, a sentence each. Tests may import any module: they look at how modules work together. */
-    fun violations(
-        module: MappedModule,
-        file: SourceFile,
-    ): List<String> {
+    /**
+     * What [file] of [module] imports against the map, a sentence each. Tests may import any module: they look at how
+     * modules work together.
+     */
+    fun violations(module: MappedModule, file: SourceFile): List<String> {
         val allowed = listOf(module) + module.uses.map { byFolder.getValue(it) }
         val wrongPackage = listOf(file.packageName).filterNot { inPackage(it, module.packageName) }.map {
             "${file.path}: package $it does not belong to ${module.folder}, whose package is ${module.packageName}"
         }
-        val foreign = file.imports.filter { name -> !file.isTest && owner(name)?.let { it !in allowed } ?: false }.map { name ->
+        val foreign = file.imports.filter { name ->
+            !file.isTest && owner(name)?.let { it !in allowed } ?: false
+        }.map { name ->
             "${file.path}: imports $name, but ${module.folder} may not use ${owner(name)!!.folder}"
         }
         val core = module.core && "/commonMain/" in file.path
@@ -52,17 +52,49 @@ class ModuleMap(
 
     companion object {
         /**
-         * What would make a run depend on the machine it runs on: platforms, screens, threads, clocks, reflection, random numbers
-         * without a seed, and the functions of kotlin.math that differ from platform to platform in the last bit.
+         * What would make a run depend on the machine it runs on: platforms, screens, threads, clocks, reflection,
+         * random numbers without a seed, and the functions of kotlin.math that differ from platform to platform in the
+         * last bit.
          */
         private val IMPURE =
             listOf(
-                "java.", "javax.", "android.", "androidx.", "org.jetbrains.", "kotlin.js.", "kotlin.reflect.", "kotlin.concurrent.",
-                "kotlin.time.Clock", "kotlin.time.TimeSource", "kotlin.time.measureTime", "kotlin.random.Random.Default",
+                "java.",
+                "javax.",
+                "android.",
+                "androidx.",
+                "org.jetbrains.",
+                "kotlin.js.",
+                "kotlin.reflect.",
+                "kotlin.concurrent.",
+                "kotlin.time.Clock",
+                "kotlin.time.TimeSource",
+                "kotlin.time.measureTime",
+                "kotlin.random.Random.Default",
             ) +
                 listOf(
-                    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh",
-                    "exp", "expm1", "ln", "ln1p", "log", "log2", "log10", "pow", "cbrt", "hypot",
+                    "sin",
+                    "cos",
+                    "tan",
+                    "asin",
+                    "acos",
+                    "atan",
+                    "atan2",
+                    "sinh",
+                    "cosh",
+                    "tanh",
+                    "asinh",
+                    "acosh",
+                    "atanh",
+                    "exp",
+                    "expm1",
+                    "ln",
+                    "ln1p",
+                    "log",
+                    "log2",
+                    "log10",
+                    "pow",
+                    "cbrt",
+                    "hypot",
                 ).map { "kotlin.math.$it" }
 
         /** What Compose draws with; all a presentation module needs is what publishes its state. */
@@ -72,7 +104,9 @@ class ModuleMap(
         /** Reads the table whose header begins with `| module | package |`; every later row of it is a module. */
         fun parse(document: String): ModuleMap {
             val rows =
-                document.lines().dropWhile { !it.startsWith("| module | package |") }.drop(2).takeWhile { it.startsWith("|") }
+                document.lines().dropWhile {
+                    !it.startsWith("| module | package |")
+                }.drop(2).takeWhile { it.startsWith("|") }
             require(rows.isNotEmpty()) { "no module map: a table with the header | module | package | .. is missing" }
             val modules =
                 rows.map { row ->
@@ -92,20 +126,17 @@ class ModuleMap(
             return ModuleMap(modules)
         }
 
-        private fun code(cell: String): List<String> = Regex("`([^`]+)`").findAll(cell).map { it.groupValues[1] }.toList()
+        private fun code(cell: String): List<String> = Regex("`([^`]+)`").findAll(cell).map {
+            it.groupValues[1]
+        }.toList()
 
-        private fun inPackage(
-            name: String,
-            packageName: String,
-        ): Boolean = name == packageName || name.startsWith("$packageName.")
+        private fun inPackage(name: String, packageName: String): Boolean =
+            name == packageName || name.startsWith("$packageName.")
     }
 }
 
 /** What the check reads of a Kotlin or Java file. */
-class SourceFile(
-    val path: String,
-    text: String,
-) {
+class SourceFile(val path: String, text: String) {
     /** Whether it belongs to a source set of tests. */
     val isTest: Boolean = Regex("/src/([a-z][A-Za-z]*)?[tT]est/").containsMatchIn(path)
     val packageName: String = PACKAGE.find(text)?.groupValues?.get(1) ?: ""

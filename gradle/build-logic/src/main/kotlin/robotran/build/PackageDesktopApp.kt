@@ -18,7 +18,8 @@ import java.io.File
 import javax.inject.Inject
 
 /**
- * Makes a package of the desktop app for the system that builds it, with a Java of its own, by the JDK's jpackage: `deb`, `msi` or `dmg`.
+ * Makes a package of the desktop app for the system that builds it, with a Java of its own, by the JDK's jpackage:
+ * `deb`, `msi` or `dmg`.
  *
  * Compose's plugin could do the same, but its tasks and those of Gradle's application plugin have the same names.
  */
@@ -59,7 +60,9 @@ abstract class PackageDesktopApp
         fun pack() {
             val system = SYSTEMS.getValue(type.get())
             if (!System.getProperty("os.name").startsWith(system)) {
-                throw GradleException("A .${type.get()} can only be made on $system: jpackage makes packages for its own system only.")
+                throw GradleException(
+                    "A .${type.get()} can only be made on $system: jpackage makes packages for its own system only.",
+                )
             }
             files.delete { it.delete(output) }
             val image = temporaryDir.resolve("image").also { it.deleteRecursively() }
@@ -68,28 +71,70 @@ abstract class PackageDesktopApp
             run(packageArguments(image.listFiles().orEmpty().single()))
         }
 
-        private fun imageArguments(image: File) =
-            listOf(
-                "--type", "app-image", "--name", NAME, "--app-version", version.get(), "--dest", image.path,
-                "--input", jars.get().asFile.path, "--main-jar", "desktopApp.jar", "--main-class", mainClass.get(),
-                "--icon", resourceFile("robotran.$ICON"),
-                "--add-modules", MODULES.joinToString(","), "--jlink-options", "--strip-debug --no-man-pages --no-header-files",
-                "--java-options", "-XX:SharedArchiveFile=\$APPDIR/robotran.jsa", "--java-options", "-Xshare:auto",
-                "--java-options", "-XX:+UseSerialGC", "--java-options", "-Xss2m",
-            )
+        private fun imageArguments(image: File) = listOf(
+            "--type",
+            "app-image",
+            "--name",
+            NAME,
+            "--app-version",
+            version.get(),
+            "--dest",
+            image.path,
+            "--input",
+            jars.get().asFile.path,
+            "--main-jar",
+            "desktopApp.jar",
+            "--main-class",
+            mainClass.get(),
+            "--icon",
+            resourceFile("robotran.$ICON"),
+            "--add-modules",
+            MODULES.joinToString(","),
+            "--jlink-options",
+            "--strip-debug --no-man-pages --no-header-files",
+            "--java-options",
+            "-XX:SharedArchiveFile=\$APPDIR/robotran.jsa",
+            "--java-options",
+            "-Xshare:auto",
+            "--java-options",
+            "-XX:+UseSerialGC",
+            "--java-options",
+            "-Xss2m",
+        )
 
         private fun packageArguments(image: File): List<String> {
             val common =
                 listOf(
-                    "--type", type.get(), "--name", NAME, "--app-version", version.get(), "--dest", output.get().asFile.path,
-                    "--app-image", image.path, "--resource-dir", resources.get().asFile.path, "--vendor", "Robotran",
-                    "--description", "Program a simulated LEGO RCX robot in Robolang or Java",
+                    "--type",
+                    type.get(),
+                    "--name",
+                    NAME,
+                    "--app-version",
+                    version.get(),
+                    "--dest",
+                    output.get().asFile.path,
+                    "--app-image",
+                    image.path,
+                    "--resource-dir",
+                    resources.get().asFile.path,
+                    "--vendor",
+                    "Robotran",
+                    "--description",
+                    "Program a simulated LEGO RCX robot in Robolang or Java",
                 )
             val associations = KINDS.flatMap { listOf("--file-associations", resourceFile("$it.properties")) }
             val ofSystem =
                 when (type.get()) {
-                    "deb" -> listOf("--linux-shortcut", "--linux-menu-group", "Education;", "--linux-app-category", "education")
+                    "deb" -> listOf(
+                        "--linux-shortcut",
+                        "--linux-menu-group",
+                        "Education;",
+                        "--linux-app-category",
+                        "education",
+                    )
+
                     "msi" -> listOf("--win-menu", "--win-shortcut", "--win-per-user-install")
+
                     else -> emptyList()
                 }
             return common + associations + ofSystem
@@ -121,9 +166,22 @@ abstract class PackageDesktopApp
             /** What the app uses of the JDK; `jdk.localedata` for days as Spanish and German people write them. */
             val MODULES =
                 listOf(
-                    "java.base", "java.compiler", "java.datatransfer", "java.desktop", "java.instrument", "java.logging",
-                    "java.management", "java.naming", "java.prefs", "java.sql", "java.xml", "jdk.accessibility",
-                    "jdk.httpserver", "jdk.localedata", "jdk.unsupported", "jdk.zipfs",
+                    "java.base",
+                    "java.compiler",
+                    "java.datatransfer",
+                    "java.desktop",
+                    "java.instrument",
+                    "java.logging",
+                    "java.management",
+                    "java.naming",
+                    "java.prefs",
+                    "java.sql",
+                    "java.xml",
+                    "jdk.accessibility",
+                    "jdk.httpserver",
+                    "jdk.localedata",
+                    "jdk.unsupported",
+                    "jdk.zipfs",
                 )
         }
     }

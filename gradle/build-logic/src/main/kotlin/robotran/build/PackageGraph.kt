@@ -1,9 +1,7 @@
 package robotran.build
 
 /** Which packages import which others, tests left out: they may look at anything. */
-class PackageGraph(
-    files: List<SourceFile>,
-) {
+class PackageGraph(files: List<SourceFile>) {
     private val sources = files.filterNot { it.isTest }
     private val packages = sources.map { it.packageName }.toSet()
 
@@ -16,15 +14,16 @@ class PackageGraph(
                 .toMap()
         }
 
-    /** Packages that use each other, directly or over others, a sentence for each such group; empty if there are none. */
-    fun cycles(): List<String> =
-        groups().filter { it.size > 1 }.map { group ->
-            val edges =
-                group.flatMap { from ->
-                    uses.getValue(from).filterKeys { it in group }.map { (to, file) -> "  $from imports $to in $file" }
-                }
-            "packages in a cycle: ${group.joinToString()}\n${edges.joinToString("\n")}"
-        }
+    /**
+     * Packages that use each other, directly or over others, a sentence for each such group; empty if there are none.
+     */
+    fun cycles(): List<String> = groups().filter { it.size > 1 }.map { group ->
+        val edges =
+            group.flatMap { from ->
+                uses.getValue(from).filterKeys { it in group }.map { (to, file) -> "  $from imports $to in $file" }
+            }
+        "packages in a cycle: ${group.joinToString()}\n${edges.joinToString("\n")}"
+    }
 
     /** Tarjan's strongly connected components, each sorted by name. */
     private fun groups(): List<List<String>> {

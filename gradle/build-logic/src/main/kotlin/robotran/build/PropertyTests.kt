@@ -9,10 +9,7 @@ internal object PropertyTests {
     private const val SEED_PROPERTY = "propertySeed"
     private const val DEFAULT_SEED = "2005"
 
-    fun configure(
-        project: Project,
-        test: Test,
-    ) {
+    fun configure(project: Project, test: Test) {
         test.systemProperty("kotest.proptest.default.seed", project.findProperty(SEED_PROPERTY) ?: DEFAULT_SEED)
         // A seed remembered in the home folder would make a build depend on the ones before.
         test.systemProperty("kotest.proptest.seed.write-failed", "false")

@@ -7,7 +7,9 @@ import org.gradle.api.tasks.Classpath
 import org.gradle.api.tasks.OutputDirectory
 import org.gradle.process.CommandLineArgumentProvider
 
-/** Lets Robolectric take its Android framework from a jar that Gradle has fetched, so that it downloads nothing itself. */
+/**
+ * Lets Robolectric take its Android framework from a jar that Gradle has fetched, so that it downloads nothing itself.
+ */
 class RobolectricArguments(
     @get:Classpath val framework: FileCollection,
     /** Where tests put the pictures they take, for people to look at. */

@@ -29,13 +29,18 @@ abstract class VerifyApkTask : DefaultTask() {
         if (apks.isEmpty()) throw GradleException("There is no APK in ${apkFolder.get()}")
         val lines = apks.map { apk ->
             val result = ApkVerifier.Builder(apk).build().verify()
-            if (!result.isVerified) throw GradleException("${apk.name} does not verify: ${result.allErrors.joinToString("; ")}")
+            if (!result.isVerified) {
+                throw GradleException(
+                    "${apk.name} does not verify: ${result.allErrors.joinToString("; ")}",
+                )
+            }
             val schemes = listOf(
                 "v1" to result.isVerifiedUsingV1Scheme,
                 "v2" to result.isVerifiedUsingV2Scheme,
                 "v3" to result.isVerifiedUsingV3Scheme,
             )
-            "${apk.name}: ${apk.length() / KILOBYTE} KB, signed by ${schemes.filter { it.second }.joinToString(" ") { it.first }}"
+            "${apk.name}: ${apk.length() / KILOBYTE} KB, signed by " +
+                "${schemes.filter { it.second }.joinToString(" ") { it.first }}"
         }
         report.get().asFile.writeText(lines.joinToString("\n", postfix = "\n"))
         lines.forEach(logger::lifecycle)

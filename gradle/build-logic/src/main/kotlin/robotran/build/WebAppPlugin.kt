@@ -8,7 +8,10 @@ import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 import org.jetbrains.kotlin.gradle.targets.js.webpack.KotlinWebpack
 import robotran.build.site.AssembleSite
 
-/** The web page: one Kotlin/Wasm executable with its page, the folder to put on a web server, and tests that drive it in a real browser. */
+/**
+ * The web page: one Kotlin/Wasm executable with its page, the folder to put on a web server, and tests that drive it in
+ * a real browser.
+ */
 class WebAppPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.pluginManager.apply("org.jetbrains.kotlin.multiplatform")
@@ -76,7 +79,9 @@ class WebAppPlugin : Plugin<Project> {
     /** `engineTest`: a short visit to the page in each engine that pupils have. */
     private fun addEngineTest(project: Project): TaskProvider<BrowserTest> =
         project.tasks.register("engineTest", BrowserTest::class.java) { task ->
-            task.description = "Visits the built page in Chromium, Firefox and WebKit: it starts, runs programs, and needs no network then."
+            task.description =
+                "Visits the built page in Chromium, Firefox and WebKit: it starts, runs programs, and needs no " +
+                "network then."
             task.engines.from(FindPrograms.found(project, FindPrograms.ENGINES))
             task.tests.from(project.fileTree("src/browserTest/engines") { it.include("*.test.mjs") })
             task.pictures.set(project.layout.buildDirectory.dir("engine-pictures"))
@@ -86,7 +91,8 @@ class WebAppPlugin : Plugin<Project> {
     private fun addMeasuring(project: Project, dist: TaskProvider<AssembleSite>) {
         project.tasks.register("measurePage", MeasurePage::class.java) { task ->
             task.group = "verification"
-            task.description = "Measures the built page in headless Chromium: loading over a slow network, frames, memory."
+            task.description =
+                "Measures the built page in headless Chromium: loading over a slow network, frames, memory."
             task.page.set(dist.flatMap { it.site })
             task.script.set(project.file("src/browserTest/measure.mjs"))
             task.names.set(project.providers.gradleProperty("measure").map { it.split(",") }.orElse(emptyList()))

@@ -29,9 +29,10 @@ import java.io.File
 import javax.inject.Inject
 
 /**
- * Node 24, webpack, binaryen and Playwright's driver as npm packages, pinned by `gradle/web-tools/package-lock.json` and shared
- * by all checkouts. Kotlin's plugin would fetch its own builds of them, some from hosts that are no package registries.
- * Where Node's package does not fit the machine (it is Linux's on x86-64), Kotlin's plugin does as it always does.
+ * Node 24, webpack, binaryen and Playwright's driver as npm packages, pinned by `gradle/web-tools/package-lock.json`
+ * and shared by all checkouts. Kotlin's plugin would fetch its own builds of them, some from hosts that are no package
+ * registries. Where Node's package does not fit the machine (it is Linux's on x86-64), Kotlin's plugin does as it
+ * always does.
  */
 object WebTools {
     /** The task of the root project that installs them. */
@@ -95,9 +96,7 @@ object WebTools {
 @DisableCachingByDefault(because = "The tools lie outside the build and are shared by all checkouts")
 abstract class SetUpWebTools
     @Inject
-    constructor(
-        private val processes: ExecOperations,
-    ) : DefaultTask() {
+    constructor(private val processes: ExecOperations) : DefaultTask() {
         @get:InputFile
         @get:PathSensitive(PathSensitivity.NONE)
         abstract val script: RegularFileProperty

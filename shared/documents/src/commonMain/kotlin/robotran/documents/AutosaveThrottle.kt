@@ -1,9 +1,10 @@
 package robotran.documents
 
 /**
- * When a work is to be kept: soon after a change, and at most once in [INTERVAL] milliseconds, so that not even somebody who never stops typing
- * loses more than a second. A work so long that keeping it can be felt is kept when the keys rest, and every [LONGEST] milliseconds at the latest.
- * Times are in milliseconds of any one clock that does not go backwards.
+ * When a work is to be kept: soon after a change, and at most once in [INTERVAL] milliseconds, so that not even
+ * somebody who never stops typing loses more than a second. A work so long that keeping it can be felt is kept when the
+ * keys rest, and every [LONGEST] milliseconds at the latest. Times are in milliseconds of any one clock that does not
+ * go backwards.
  *
  * @property took how long it took to keep the last copy.
  */
@@ -31,7 +32,10 @@ data class AutosaveThrottle(
     companion object {
         const val INTERVAL = 500L
 
-        /** How often to look whether something has changed. With [INTERVAL] and the time it takes to write, it stays below a second. */
+        /**
+         * How often to look whether something has changed. With [INTERVAL] and the time it takes to write, it stays
+         * below a second.
+         */
         const val LOOK = 250L
 
         /** How long keeping may take so that nobody feels it while typing. */

@@ -10,7 +10,17 @@ data class FileStamp(val text: String) {
         fun of(bytes: ByteArray): FileStamp =
             FileStamp(digits(bytes.fold(START) { hash, byte -> (hash xor (byte.toULong() and 0xFFu)) * PRIME }))
 
-        fun of(text: String): FileStamp = FileStamp(digits(text.fold(START) { hash, letter -> (hash xor letter.code.toULong()) * PRIME }))
+        fun of(text: String): FileStamp = FileStamp(
+            digits(
+                text.fold(START) { hash, letter ->
+                    (
+                        hash xor
+                            letter.code.toULong()
+                    ) *
+                        PRIME
+                },
+            ),
+        )
 
         private fun digits(hash: ULong) = hash.toString(radix = 16).padStart(DIGITS, '0')
 

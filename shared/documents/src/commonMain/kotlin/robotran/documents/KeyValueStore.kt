@@ -1,11 +1,12 @@
 package robotran.documents
 
 /**
- * Where the app keeps texts by name: the pupil's work, settings, what was learned. Each platform has one; what is in it belongs to this device
- * alone.
+ * Where the app keeps texts by name: the pupil's work, settings, what was learned. Each platform has one; what is in it
+ * belongs to this device alone.
  *
- * Names have at most [MAXIMUM_NAME] characters, all of them of `a`-`z`, `0`-`9`, `-` and `.`, and begin with a letter. A store may lose a text that
- * it is just writing when the app is killed, or leave a piece of it; all others stay as they are. [ProjectRepository] makes sure that nothing is lost by that.
+ * Names have at most [MAXIMUM_NAME] characters, all of them of `a`-`z`, `0`-`9`, `-` and `.`, and begin with a letter.
+ * A store may lose a text that it is just writing when the app is killed, or leave a piece of it; all others stay as
+ * they are. [ProjectRepository] makes sure that nothing is lost by that.
  */
 interface KeyValueStore {
     /** The names of all texts, in no order; empty where the store cannot be read. */
@@ -21,8 +22,8 @@ interface KeyValueStore {
     suspend fun remove(name: String): StoreResult
 
     /**
-     * Claims [name] for this window until the claim is released or the window is gone, however it ends; null if another window has it. A claim is
-     * about the name alone, there may be a text of that name or not.
+     * Claims [name] for this window until the claim is released or the window is gone, however it ends; null if another
+     * window has it. A claim is about the name alone, there may be a text of that name or not.
      */
     suspend fun claim(name: String): ProjectLock?
 
@@ -43,6 +44,8 @@ sealed interface StoreResult {
     /** There is no room left on this device, or none for this app. */
     data object Full : StoreResult
 
-    /** It cannot be written for another reason, such as a folder that is read-only; [reason] is what the platform says. */
+    /**
+     * It cannot be written for another reason, such as a folder that is read-only; [reason] is what the platform says.
+     */
     data class Failed(val reason: String) : StoreResult
 }

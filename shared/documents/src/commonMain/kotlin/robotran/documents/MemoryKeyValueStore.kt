@@ -26,5 +26,11 @@ class MemoryKeyValueStore(texts: Map<String, String> = emptyMap()) : KeyValueSto
         return StoreResult.Done
     }
 
-    override suspend fun claim(name: String): ProjectLock? = if (claimed.add(name)) ProjectLock { claimed.remove(name) } else null
+    override suspend fun claim(name: String): ProjectLock? = if (claimed.add(name)) {
+        ProjectLock {
+            claimed.remove(name)
+        }
+    } else {
+        null
+    }
 }

@@ -32,7 +32,8 @@ sealed interface OpenFilesResult {
      * @property world a world in place of the one that is open, or of the first of [projects].
      * @property programs to come to those that are there.
      */
-    data class Opened(val projects: List<OpenedProject>, val world: World?, val programs: List<ProjectProgram>) : OpenFilesResult
+    data class Opened(val projects: List<OpenedProject>, val world: World?, val programs: List<ProjectProgram>) :
+        OpenFilesResult
 
     /** None of the files is opened. */
     data class Rejected(val error: OpenFilesError) : OpenFilesResult
@@ -84,20 +85,37 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.E
         listOfNotNull(java.firstOrNull()?.let { ProjectProgram(it.name, ProgramLanguage.JAVA, java) })
     return when {
         worlds.size > 1 -> OpenFilesResult.Rejected(OpenFilesError.SeveralWorlds)
-        programs.size > Brick.MAX_PROGRAMS -> OpenFilesResult.Rejected(OpenFilesError.TooManyPrograms(Brick.MAX_PROGRAMS))
-        else -> OpenFilesResult.Opened(parts.filterIsInstance<Part.OfProject>().map { it.project }, worlds.singleOrNull(), programs)
+
+        programs.size > Brick.MAX_PROGRAMS -> OpenFilesResult.Rejected(
+            OpenFilesError.TooManyPrograms(Brick.MAX_PROGRAMS),
+        )
+
+        else -> OpenFilesResult.Opened(
+            parts.filterIsInstance<Part.OfProject>().map {
+                it.project
+            },
+            worlds.singleOrNull(),
+            programs,
+        )
     }
 }
 
-/** Opens what is behind [link], see [robotran.projects.openLink]. A project that comes so has the title of its world as its name. */
-suspend fun openLinkText(
-    link: String,
-    language: Language = Language.ENGLISH,
-): OpenFilesResult = when (val result = openLink(link, language)) {
-    is LinkResult.OfProject -> OpenFilesResult.Opened(listOf(OpenedProject(titleOf(result.project.world), result.project, null)), null, emptyList())
-    is LinkResult.OfWorld -> OpenFilesResult.Opened(emptyList(), result.world, emptyList())
-    is LinkResult.Rejected -> OpenFilesResult.Rejected(OpenFilesError.InLink(result.message))
-}
+/**
+ * Opens what is behind [link], see [robotran.projects.openLink]. A project that comes so has the title of its world as
+ * its name.
+ */
+suspend fun openLinkText(link: String, language: Language = Language.ENGLISH): OpenFilesResult =
+    when (val result = openLink(link, language)) {
+        is LinkResult.OfProject -> OpenFilesResult.Opened(
+            listOf(OpenedProject(titleOf(result.project.world), result.project, null)),
+            null,
+            emptyList(),
+        )
+
+        is LinkResult.OfWorld -> OpenFilesResult.Opened(emptyList(), result.world, emptyList())
+
+        is LinkResult.Rejected -> OpenFilesResult.Rejected(OpenFilesError.InLink(result.message))
+    }
 
 private sealed interface Part {
     data class OfProject(val project: OpenedProject) : Part
@@ -156,10 +174,13 @@ private fun jsonPartOf(file: IncomingFile, text: String, language: Language): Pa
     }
 }
 
-private suspend fun linkedPartOf(text: String, language: Language): Part = when (val opening = openLinkText(text, language)) {
-    is OpenFilesResult.Rejected -> Part.Unusable(opening.error)
-    is OpenFilesResult.Opened -> opening.projects.firstOrNull()?.let(Part::OfProject) ?: Part.OfWorld(checkNotNull(opening.world))
-}
+private suspend fun linkedPartOf(text: String, language: Language): Part =
+    when (val opening = openLinkText(text, language)) {
+        is OpenFilesResult.Rejected -> Part.Unusable(opening.error)
+
+        is OpenFilesResult.Opened -> opening.projects.firstOrNull()?.let(Part::OfProject)
+            ?: Part.OfWorld(checkNotNull(opening.world))
+    }
 
 private fun titleOf(world: World) = workName(world.title) ?: workNameOfFile("")
 

@@ -1,21 +1,27 @@
 package robotran.documents
 
 /**
- * Which works are open in windows, so that they come back after the app has ended, in whatever way: a small text for each, which outlives its window.
+ * Which works are open in windows, so that they come back after the app has ended, in whatever way: a small text for
+ * each, which outlives its window.
  */
 class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectRepository) {
     /** The work [id] is shown in a window. */
     suspend fun opened(id: String, now: Long): StoreResult = store.write(nameOf(id), "$RUNNING $now")
 
-    /** The window with the work [id] is closed or the app ends as it should; it comes back at the next start if [comesBack]. */
+    /**
+     * The window with the work [id] is closed or the app ends as it should; it comes back at the next start if
+     * [comesBack].
+     */
     suspend fun closed(id: String, now: Long, comesBack: Boolean): StoreResult =
         if (comesBack) store.write(nameOf(id), "$CLOSED $now") else store.remove(nameOf(id))
 
     /**
-     * Claims the work that is to come back and reads it; null if none does. It is the one that was opened last of those that no window has; the
-     * others do not come back by themselves, but are among all works. Works that cannot be read are passed over and stay where they are.
+     * Claims the work that is to come back and reads it; null if none does. It is the one that was opened last of those
+     * that no window has; the others do not come back by themselves, but are among all works. Works that cannot be read
+     * are passed over and stay where they are.
      *
-     * @param hasEnded whether the window with the work of this id has ended as it should, although it could not say so here any more.
+     * @param hasEnded whether the window with the work of this id has ended as it should, although it could not say so
+     * here any more.
      */
     suspend fun takeBack(hasEnded: (id: String) -> Boolean = { false }): RestoredProject? {
         var back: RestoredProject? = null
@@ -36,16 +42,20 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
     }
 
     /**
-     * The work [id], which [claim] is on, as the one that comes back to the window it was in; null if it cannot be read, or is gone.
+     * The work [id], which [claim] is on, as the one that comes back to the window it was in; null if it cannot be
+     * read, or is gone.
      *
      * @param hasEnded whether that window has ended as it should, although it could not say so here any more.
-     * @param left what that window has left of it elsewhere as it ended, see [leftText]; counts if it is newer than what was kept.
+     * @param left what that window has left of it elsewhere as it ended, see [leftText]; counts if it is newer than
+     * what was kept.
      */
     suspend fun takeBack(id: String, claim: ProjectLock, hasEnded: Boolean, left: String? = null): RestoredProject? {
         val reading = shelf.read(id)
         if (reading is SavedProjectResult.Unusable) return null
         val kept = reading as? SavedProjectResult.Found
-        val newer = left?.let { SavedProjectText.open(id, it) as? SavedProjectCopy.Whole }?.takeIf { it.isNewerThan(kept) }
+        val newer = left?.let {
+            SavedProjectText.open(id, it) as? SavedProjectCopy.Whole
+        }?.takeIf { it.isNewerThan(kept) }
         val found = newer?.read() as? SavedProjectResult.Found ?: kept ?: return null
         val wasRunning = store.read(nameOf(id))?.startsWith(RUNNING) ?: false
         val wasCutShort = kept?.isPartial == true || (wasRunning && !hasEnded)
@@ -53,8 +63,8 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
     }
 
     /**
-     * Keeps [left], what a window that is gone has left elsewhere of the work [id], see [leftText], unless what is kept is newer; the work, which must be
-     * claimed, comes back like any other then.
+     * Keeps [left], what a window that is gone has left elsewhere of the work [id], see [leftText], unless what is kept
+     * is newer; the work, which must be claimed, comes back like any other then.
      *
      * @return whether all that can be used of it is kept now; otherwise it must stay where it is.
      */
@@ -67,18 +77,18 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
         val work = (copy.read() as? SavedProjectResult.Found)?.work ?: return false
         if (reading is SavedProjectResult.Found) return shelf.keep(work) == SaveResult.Kept
         val name = if (work.file == null) freeWorkName(work.name, shelf.works().map { it.name }) else work.name
-        return shelf.keep(work.copy(name = name)) == SaveResult.Kept && closed(id, work.keptAt, comesBack = true) == StoreResult.Done
+        return shelf.keep(work.copy(name = name)) == SaveResult.Kept &&
+            closed(id, work.keptAt, comesBack = true) == StoreResult.Done
     }
 
     /** Of two at the same time, what was left is that of a page that could not keep it any more. */
     private fun SavedProjectCopy.Whole.isNewerThan(kept: SavedProjectResult.Found?): Boolean =
         kept == null || entry.keptAt >= kept.work.keptAt
 
-    private suspend fun orphans(): List<Open> =
-        store.names().filter { it.startsWith(PREFIX) }.mapNotNull { name ->
-            val words = store.read(name)?.split(' ').orEmpty()
-            Open(name.removePrefix(PREFIX), words.firstOrNull() != CLOSED, words.getOrNull(1)?.toLongOrNull() ?: 0)
-        }.sortedByDescending { it.since }
+    private suspend fun orphans(): List<Open> = store.names().filter { it.startsWith(PREFIX) }.mapNotNull { name ->
+        val words = store.read(name)?.split(' ').orEmpty()
+        Open(name.removePrefix(PREFIX), words.firstOrNull() != CLOSED, words.getOrNull(1)?.toLongOrNull() ?: 0)
+    }.sortedByDescending { it.since }
 
     private fun nameOf(id: String) = "$PREFIX$id"
 

@@ -5,8 +5,8 @@ import robotran.projects.readProject
 import robotran.projects.writeProject
 
 /**
- * The pupil's works in a [KeyValueStore], two copies of each: keeping a work writes over the older copy, so whatever happens meanwhile, the newer
- * one is still there.
+ * The pupil's works in a [KeyValueStore], two copies of each: keeping a work writes over the older copy, so whatever
+ * happens meanwhile, the newer one is still there.
  *
  * Two windows must not keep the same work, see [claim]. Not safe for use by several threads.
  */
@@ -21,7 +21,12 @@ class ProjectRepository(private val store: KeyValueStore) {
     suspend fun read(id: String): SavedProjectResult {
         val copies = copies(id)
         val whole = copies.filter { it.second is SavedProjectCopy.Whole }
-        if (copies.any { it.second is SavedProjectCopy.Newer }) return SavedProjectResult.Unusable { DocumentMessages.of(it).keptByNewer() }
+        if (copies.any {
+                it.second is SavedProjectCopy.Newer
+            }
+        ) {
+            return SavedProjectResult.Unusable { DocumentMessages.of(it).keptByNewer() }
+        }
         val (place, copy) = whole.newestWhole()
             ?: return if (copies.isEmpty()) {
                 SavedProjectResult.Missing
@@ -40,7 +45,11 @@ class ProjectRepository(private val store: KeyValueStore) {
         require(work.id.length <= SavedProject.MAXIMUM_ID) { "${work.id} is too long" }
         val project = writeProject(work.project)
         if (readProject(project) is ProjectFileResult.Rejected) return SaveResult.TooLong
-        if (work.id !in newest) copies(work.id).newestWhole()?.let { (place, copy) -> newest[work.id] = Place(place, copy.order) }
+        if (work.id !in
+            newest
+        ) {
+            copies(work.id).newestWhole()?.let { (place, copy) -> newest[work.id] = Place(place, copy.order) }
+        }
         val last = newest[work.id]
         val place = if (last?.copy == COPIES.first()) COPIES.last() else COPIES.first()
         val order = (last?.order ?: 0) + 1
@@ -51,7 +60,10 @@ class ProjectRepository(private val store: KeyValueStore) {
         }
     }
 
-    /** Forgets the work [id] for good. If that is cut short, it is still there, perhaps as it was before it was last kept. */
+    /**
+     * Forgets the work [id] for good. If that is cut short, it is still there, perhaps as it was before it was last
+     * kept.
+     */
     suspend fun delete(id: String): StoreResult {
         val last = copies(id).newestWhole()?.first ?: COPIES.first()
         val results = (COPIES - last + last).map { store.remove(nameOf(id, it)) }
@@ -73,7 +85,9 @@ class ProjectRepository(private val store: KeyValueStore) {
     }
 
     private fun List<Pair<String, SavedProjectCopy?>>.newestWhole(): Pair<String, SavedProjectCopy.Whole>? =
-        mapNotNull { (place, copy) -> (copy as? SavedProjectCopy.Whole)?.let { place to it } }.maxByOrNull { it.second.order }
+        mapNotNull { (place, copy) ->
+            (copy as? SavedProjectCopy.Whole)?.let { place to it }
+        }.maxByOrNull { it.second.order }
 
     private fun nameOf(id: String, copy: String) = "$PREFIX$id.$copy"
 

@@ -25,4 +25,10 @@ enum class SavingCheck {
  * @param toWrite what is to be written: if that is in it already, nothing is lost.
  */
 fun checkBeforeSaving(file: SaveTarget, now: ByteArray?, toWrite: ByteArray): SavingCheck =
-    if (now == null || FileStamp.of(now) == file.stamp || now.contentEquals(toWrite)) SavingCheck.FREE else SavingCheck.CHANGED_MEANWHILE
+    if (now == null || FileStamp.of(now) == file.stamp ||
+        now.contentEquals(toWrite)
+    ) {
+        SavingCheck.FREE
+    } else {
+        SavingCheck.CHANGED_MEANWHILE
+    }

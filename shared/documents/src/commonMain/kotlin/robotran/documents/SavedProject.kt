@@ -6,7 +6,8 @@ import robotran.projects.Project
 /**
  * A pupil's work as the app keeps it by itself.
  *
- * @property id what the store knows it by: a name as [KeyValueStore] has them, of at most [MAXIMUM_ID] characters without `.`.
+ * @property id what the store knows it by: a name as [KeyValueStore] has them, of at most [MAXIMUM_ID] characters
+ * without `.`.
  * @property name what the pupil calls it.
  * @property keptAt when it was last kept, in milliseconds since 1970.
  * @property file where the pupil has saved it too; null if nowhere.

@@ -10,8 +10,8 @@ import robotran.projects.readProject
 import robotran.projects.writeProject
 
 /**
- * One copy of a kept work as a text: a line with the version, a line about the work, the project file, and at the end a stamp of all that
- * comes before, so that a text that was cut off while it was written is known for what it is.
+ * One copy of a kept work as a text: a line with the version, a line about the work, the project file, and at the end a
+ * stamp of all that comes before, so that a text that was cut off while it was written is known for what it is.
  */
 internal object SavedProjectText {
     /**
@@ -23,12 +23,19 @@ internal object SavedProjectText {
         return "$sealed$END${FileStamp.of(sealed).text}\n"
     }
 
-    /** What is in the copy [text] of the work [id], as far as can be said without reading the project; null if it is not whole. */
+    /**
+     * What is in the copy [text] of the work [id], as far as can be said without reading the project; null if it is not
+     * whole.
+     */
     fun open(id: String, text: String): SavedProjectCopy? {
         val end = text.length - FileStamp.DIGITS - 1
         if (end < END.length || !text.startsWith(FORMAT) || !text.endsWith('\n')) return null
         val sealed = text.substring(0, end - END.length)
-        if (!text.startsWith(END, end - END.length) || FileStamp.of(sealed).text != text.substring(end, text.length - 1)) return null
+        if (!text.startsWith(END, end - END.length) ||
+            FileStamp.of(sealed).text != text.substring(end, text.length - 1)
+        ) {
+            return null
+        }
         if (sealed.substringBefore('\n') != "$FORMAT$VERSION") return SavedProjectCopy.Newer
         val head = sealed.substringAfter('\n').substringBefore('\n')
         val project = sealed.substringAfter('\n').substringAfter('\n')
@@ -85,11 +92,16 @@ internal sealed interface SavedProjectCopy {
     ) : SavedProjectCopy {
         fun read(): SavedProjectResult = when (val result = readProject(project)) {
             is ProjectFileResult.Loaded -> {
-                SavedProjectResult.Found(SavedProject(entry.id, entry.name, entry.keptAt, result.project, file, saved), isPartial = false)
+                SavedProjectResult.Found(
+                    SavedProject(entry.id, entry.name, entry.keptAt, result.project, file, saved),
+                    isPartial = false,
+                )
             }
 
             is ProjectFileResult.Rejected -> {
-                SavedProjectResult.Unusable { (readProject(project, it) as? ProjectFileResult.Rejected ?: result).message }
+                SavedProjectResult.Unusable {
+                    (readProject(project, it) as? ProjectFileResult.Rejected ?: result).message
+                }
             }
         }
     }

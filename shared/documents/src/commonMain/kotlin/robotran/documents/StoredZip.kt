@@ -9,8 +9,8 @@ package robotran.documents
 class ZipEntry(val path: String, val bytes: ByteArray, val isExecutable: Boolean = false)
 
 /**
- * [entries] as a zip file (PKWARE's APPNOTE 6.3): the same bytes for the same files, whenever and wherever it is made. They are not compressed, since
- * that differs between systems.
+ * [entries] as a zip file (PKWARE's APPNOTE 6.3): the same bytes for the same files, whenever and wherever it is made.
+ * They are not compressed, since that differs between systems.
  */
 fun zipOf(entries: List<ZipEntry>): ByteArray {
     val local = ZipBytes()
@@ -45,7 +45,10 @@ fun zipOf(entries: List<ZipEntry>): ByteArray {
     return local.toByteArray()
 }
 
-/** What the headers of a file have in common: version, flags, method, time, checksum, both lengths, and those of name and extra fields. */
+/**
+ * What the headers of a file have in common: version, flags, method, time, checksum, both lengths, and those of name
+ * and extra fields.
+ */
 private fun ZipBytes.common(checksum: UInt, length: Int, name: ByteArray) {
     short(VERSION_NEEDED)
     short(UTF_8_NAMES)
@@ -84,8 +87,9 @@ private class ZipBytes {
 
 /** The CRC-32 of ISO 3309. */
 @OptIn(ExperimentalUnsignedTypes::class)
-private fun crc32(bytes: ByteArray): UInt =
-    bytes.fold(UInt.MAX_VALUE) { crc, byte -> (crc shr 8) xor CRC_TABLE[((crc xor byte.toUInt()) and 0xFFu).toInt()] }.inv()
+private fun crc32(bytes: ByteArray): UInt = bytes.fold(UInt.MAX_VALUE) { crc, byte ->
+    (crc shr 8) xor CRC_TABLE[((crc xor byte.toUInt()) and 0xFFu).toInt()]
+}.inv()
 
 @OptIn(ExperimentalUnsignedTypes::class)
 private val CRC_TABLE = UIntArray(256) { index ->

@@ -3,13 +3,17 @@ package robotran.documents
 import robotran.language.Language
 import robotran.language.choose
 
-/** What [name] is as the name of a work: one line, without blanks around it, not too long; null if nothing is left of it. */
+/**
+ * What [name] is as the name of a work: one line, without blanks around it, not too long; null if nothing is left of
+ * it.
+ */
 fun workName(name: String): String? =
     name.map { if (it.isISOControl()) ' ' else it }.joinToString("").trim().take(SavedProject.MAXIMUM_NAME)
         .withoutHalfCharacters().trim().ifEmpty { null }
 
 /** What a work is called that nobody has given a name. */
-fun newWorkName(language: Language): String = language.choose("My first work", "Mi primer trabajo", "Meine erste Arbeit")
+fun newWorkName(language: Language): String =
+    language.choose("My first work", "Mi primer trabajo", "Meine erste Arbeit")
 
 /** [name] if none of [taken] is the same, otherwise with the least number behind it that makes it another: `Maze 2`. */
 fun freeWorkName(name: String, taken: Collection<String>): String {
@@ -17,7 +21,12 @@ fun freeWorkName(name: String, taken: Collection<String>): String {
     val last = NUMBER.find(name)
     val stem = if (last == null) name else name.removeRange(last.range)
     return generateSequence(2) { it + 1 }
-        .map { number -> " $number".let { stem.take(SavedProject.MAXIMUM_NAME - it.length).withoutHalfCharacters().trimEnd() + it } }
+        .map { number ->
+            " $number".let {
+                stem.take(SavedProject.MAXIMUM_NAME - it.length).withoutHalfCharacters().trimEnd() +
+                    it
+            }
+        }
         .first { it !in taken }
 }
 
@@ -27,7 +36,15 @@ fun workNameOfFile(fileName: String): String =
 
 /** A name for a file of [kind] with the work or program [name] in it, which no file system refuses. */
 fun fileNameFor(name: String, kind: FileKind): String {
-    val plain = name.removeSuffixOf(FileKind.entries).map { if (it in FORBIDDEN || it.isISOControl()) '-' else it }.joinToString("")
+    val plain = name.removeSuffixOf(FileKind.entries).map {
+        if (it in FORBIDDEN ||
+            it.isISOControl()
+        ) {
+            '-'
+        } else {
+            it
+        }
+    }.joinToString("")
     return plain.trim { it == '.' || it == ' ' }.take(SavedProject.MAXIMUM_NAME).ifEmpty { FALLBACK } + kind.extension
 }
 

@@ -1,14 +1,11 @@
 package robotran.documents
 
 /**
- * A store on a disk with [room] for so many more characters. The write that does not fit leaves as much as fits in place of what was there, as a bad
- * disk may do; then either the app is killed or the disk says that it is full.
+ * A store on a disk with [room] for so many more characters. The write that does not fit leaves as much as fits in
+ * place of what was there, as a bad disk may do; then either the app is killed or the disk says that it is full.
  */
-internal class CuttingStore(
-    private val disk: MemoryKeyValueStore,
-    private var room: Int,
-    private val kills: Boolean,
-) : KeyValueStore by disk {
+internal class CuttingStore(private val disk: MemoryKeyValueStore, private var room: Int, private val kills: Boolean) :
+    KeyValueStore by disk {
     override suspend fun write(name: String, text: String): StoreResult {
         if (text.length <= room) {
             room -= text.length

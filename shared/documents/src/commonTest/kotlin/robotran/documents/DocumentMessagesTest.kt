@@ -8,7 +8,9 @@ import kotlin.test.assertTrue
 class DocumentMessagesTest {
     @Test
     fun `every sentence is another one in every language`() {
-        val sentences = Language.entries.map(DocumentMessages::of).flatMap { listOf(it.keptByNewer(), it.copiesBroken()) }
+        val sentences = Language.entries.map(DocumentMessages::of).flatMap {
+            listOf(it.keptByNewer(), it.copiesBroken())
+        }
         assertEquals(2 * Language.entries.size, sentences.toSet().size)
         assertTrue(sentences.all { it.endsWith('.') })
     }

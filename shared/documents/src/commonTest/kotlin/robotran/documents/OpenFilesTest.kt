@@ -20,7 +20,10 @@ class OpenFilesTest {
         val place = FileReference("/home/ann/Maze 2.robotran", "Maze 2.robotran")
         val bytes = writeProject(projectOf("beep")).encodeToByteArray()
         val opened = opened(IncomingFile(place.name, bytes, place))
-        assertEquals(listOf(OpenedProject("Maze 2", projectOf("beep"), SaveTarget(place, FileStamp.of(bytes)))), opened.projects)
+        assertEquals(
+            listOf(OpenedProject("Maze 2", projectOf("beep"), SaveTarget(place, FileStamp.of(bytes)))),
+            opened.projects,
+        )
     }
 
     @Test
@@ -40,13 +43,19 @@ class OpenFilesTest {
     @Test
     fun `files are known by what is in them when their names were changed on the way`() = runTest {
         assertEquals("Town", opened(file("town.world (1).json", writeWorld(world))).world?.title)
-        assertEquals("maze", opened(file("maze.robotran.txt", "\uFEFF" + writeProject(projectOf("beep")))).projects.single().name)
+        assertEquals(
+            "maze",
+            opened(file("maze.robotran.txt", "\uFEFF" + writeProject(projectOf("beep")))).projects.single().name,
+        )
     }
 
     @Test
     fun `a text with a link in it opens what is behind the link`() = runTest {
         val fragment = assertIs<LinkMaking.Made>(linkOf(projectOf("beep").copy(world = world))).fragment
-        assertEquals("Town", opened(file("link.txt", "https://school.example/robotran/$fragment\n")).projects.single().name)
+        assertEquals(
+            "Town",
+            opened(file("link.txt", "https://school.example/robotran/$fragment\n")).projects.single().name,
+        )
         assertEquals("Town", assertIs<OpenFilesResult.Opened>(openLinkText(fragment)).projects.single().name)
     }
 
@@ -74,7 +83,10 @@ class OpenFilesTest {
     fun `names of works and files are what every system takes`() {
         assertEquals("Maze", workName("  Maze\n"))
         assertEquals("Maze 🤖", workName("Maze 🤖\uD83E"))
-        assertEquals("x".repeat(SavedProject.MAXIMUM_NAME - 1), workName("x".repeat(SavedProject.MAXIMUM_NAME - 1) + "🤖"))
+        assertEquals(
+            "x".repeat(SavedProject.MAXIMUM_NAME - 1),
+            workName("x".repeat(SavedProject.MAXIMUM_NAME - 1) + "🤖"),
+        )
         assertEquals(null, workName(" \t"))
         assertEquals(SavedProject.MAXIMUM_NAME, workName("x".repeat(500))?.length)
         assertEquals("Maze", workNameOfFile("Maze.robotran"))
@@ -87,5 +99,6 @@ class OpenFilesTest {
 
     private suspend fun opened(vararg files: IncomingFile) = assertIs<OpenFilesResult.Opened>(openFiles(files.toList()))
 
-    private suspend fun refused(vararg files: IncomingFile) = assertIs<OpenFilesResult.Rejected>(openFiles(files.toList())).error
+    private suspend fun refused(vararg files: IncomingFile) =
+        assertIs<OpenFilesResult.Rejected>(openFiles(files.toList())).error
 }

@@ -93,7 +93,10 @@ class OpenProjectsTest {
         assertEquals(projectOf("forward 1"), store.work().work.project)
         assertTrue(open.keepLeft("one", leftText(workOf("forward 3", keptAt = 2_000))))
         assertEquals(projectOf("forward 3"), store.work().work.project)
-        assertTrue(open.keepLeft("one", leftText(workOf("forward 4", keptAt = 9_000)).dropLast(3)), "what is torn is of no use")
+        assertTrue(
+            open.keepLeft("one", leftText(workOf("forward 4", keptAt = 9_000)).dropLast(3)),
+            "what is torn is of no use",
+        )
         assertEquals(projectOf("forward 3"), store.work().work.project)
     }
 
@@ -103,7 +106,9 @@ class OpenProjectsTest {
             override suspend fun write(name: String, text: String): StoreResult = StoreResult.Full
         }
         assertFalse(OpenProjects(full, ProjectRepository(full)).keepLeft("one", leftText(workOf("forward 1"))))
-        val newer = leftText(workOf("forward 1")).replaceFirst("robotran-work 1", "robotran-work 2").substringBeforeLast("end ")
+        val newer = leftText(
+            workOf("forward 1"),
+        ).replaceFirst("robotran-work 1", "robotran-work 2").substringBeforeLast("end ")
         assertFalse(open.keepLeft("one", "${newer}end ${FileStamp.of(newer).text}\n"), "of a newer Robotran")
     }
 }

@@ -17,7 +17,9 @@ class ProjectRepositoryTest {
     @Test
     fun `a work comes back as it was kept`() = runTest {
         val file = SaveTarget(FileReference("/home/ann/maze.robotran", "maze.robotran"), FileStamp.of("x"))
-        val work = workOf("beep\n\t// ñ🤖 \"end \"\nend 0123456789abcdef\n").copy(name = "Ann's \"Maze\" \uD83E", file = file, saved = true)
+        val work = workOf(
+            "beep\n\t// ñ🤖 \"end \"\nend 0123456789abcdef\n",
+        ).copy(name = "Ann's \"Maze\" \uD83E", file = file, saved = true)
         assertEquals(SaveResult.Kept, shelf.keep(work))
         assertEquals(SavedProjectResult.Found(work, isPartial = false), ProjectRepository(store).read("one"))
     }
@@ -38,8 +40,19 @@ class ProjectRepositoryTest {
         val whole = SavedProjectText.write(workOf("forward 3"), order = 3)
         for (room in 0..whole.length) {
             val disk = MemoryKeyValueStore(store.texts)
-            val kept = runCatching { ProjectRepository(CuttingStore(disk, room, kills = true)).keep(workOf("forward 3")) }
-            assertEquals(if (room == whole.length) "forward 3" else "forward 2", disk.work().work.text, "killed after $room")
+            val kept =
+                runCatching { ProjectRepository(CuttingStore(disk, room, kills = true)).keep(workOf("forward 3")) }
+            assertEquals(
+                if (room ==
+                    whole.length
+                ) {
+                    "forward 3"
+                } else {
+                    "forward 2"
+                },
+                disk.work().work.text,
+                "killed after $room",
+            )
             assertEquals(kept.isSuccess, room == whole.length)
         }
     }
@@ -60,7 +73,8 @@ class ProjectRepositoryTest {
             val disk = MemoryKeyValueStore(
                 store.texts + (
                     name to text.replaceRange(
-                        place, place + 1,
+                        place,
+                        place + 1,
                         if (text[place] ==
                             '7'
                         ) {
@@ -79,7 +93,10 @@ class ProjectRepositoryTest {
     fun `a full disk is told and the work before stays`() = runTest {
         shelf.keep(workOf("forward 1"))
         for (room in listOf(0, 1, 100)) {
-            assertEquals(SaveResult.Full, ProjectRepository(CuttingStore(store, room, kills = false)).keep(workOf("forward 2")))
+            assertEquals(
+                SaveResult.Full,
+                ProjectRepository(CuttingStore(store, room, kills = false)).keep(workOf("forward 2")),
+            )
             assertEquals("forward 1", store.work().work.text)
         }
         assertEquals(SaveResult.Kept, ProjectRepository(store).keep(workOf("forward 2")))
@@ -99,7 +116,10 @@ class ProjectRepositoryTest {
         shelf.keep(workOf("beep", id = "new", keptAt = 7).copy(name = "Town"))
         store.write("work-broken.a", "robotran-work 1\n{")
         store.write("settings", "language=de")
-        assertEquals(listOf(ProjectSummary("new", "Town", 7, null), ProjectSummary("old", "Maze", 5, null)), shelf.works())
+        assertEquals(
+            listOf(ProjectSummary("new", "Town", 7, null), ProjectSummary("old", "Maze", 5, null)),
+            shelf.works(),
+        )
     }
 
     @Test

@@ -8,48 +8,49 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 
-class KeepingProperties : StringSpec({
-    "being killed at any byte of any write loses at most the last change, again and again" {
-        checkAll(Arb.list(Arb.int(0..3_000), 1..6), Arb.list(Arb.string(0..40), 1..8)) { kills, changes ->
-            val disk = MemoryKeyValueStore()
-            var kept: String? = null
-            for (room in kills) {
-                val shelf = ProjectRepository(CuttingStore(disk, room, kills = true))
-                var tried: String? = kept
-                try {
-                    for (change in changes) {
-                        tried = "$room $change"
-                        shelf.keep(workOf(tried)) shouldBe SaveResult.Kept
-                        kept = tried
+class KeepingProperties :
+    StringSpec({
+        "being killed at any byte of any write loses at most the last change, again and again" {
+            checkAll(Arb.list(Arb.int(0..3_000), 1..6), Arb.list(Arb.string(0..40), 1..8)) { kills, changes ->
+                val disk = MemoryKeyValueStore()
+                var kept: String? = null
+                for (room in kills) {
+                    val shelf = ProjectRepository(CuttingStore(disk, room, kills = true))
+                    var tried: String? = kept
+                    try {
+                        for (change in changes) {
+                            tried = "$room $change"
+                            shelf.keep(workOf(tried)) shouldBe SaveResult.Kept
+                            kept = tried
+                        }
+                    } catch (_: Killed) {
+                        // The app is started anew.
                     }
-                } catch (_: Killed) {
-                    // The app is started anew.
+                    val found = (ProjectRepository(disk).read("one") as? SavedProjectResult.Found)?.work?.text
+                    (found == kept || found == tried) shouldBe true
+                    kept = found
                 }
-                val found = (ProjectRepository(disk).read("one") as? SavedProjectResult.Found)?.work?.text
-                (found == kept || found == tried) shouldBe true
-                kept = found
             }
         }
-    }
 
-    "a full disk is told every time and never costs what was kept" {
-        checkAll(Arb.int(0..4_000), Arb.list(Arb.string(0..60), 1..10)) { room, changes ->
-            val disk = MemoryKeyValueStore()
-            val shelf = ProjectRepository(CuttingStore(disk, room, kills = false))
-            var kept: String? = null
-            for (change in changes) {
-                if (shelf.keep(workOf(change)) == SaveResult.Kept) kept = change
-                (ProjectRepository(disk).read("one") as? SavedProjectResult.Found)?.work?.text shouldBe kept
+        "a full disk is told every time and never costs what was kept" {
+            checkAll(Arb.int(0..4_000), Arb.list(Arb.string(0..60), 1..10)) { room, changes ->
+                val disk = MemoryKeyValueStore()
+                val shelf = ProjectRepository(CuttingStore(disk, room, kills = false))
+                var kept: String? = null
+                for (change in changes) {
+                    if (shelf.keep(workOf(change)) == SaveResult.Kept) kept = change
+                    (ProjectRepository(disk).read("one") as? SavedProjectResult.Found)?.work?.text shouldBe kept
+                }
             }
         }
-    }
 
-    "any text at all in place of a copy is passed over" {
-        checkAll(Arb.string(0..300)) { text ->
-            val disk = MemoryKeyValueStore()
-            ProjectRepository(disk).keep(workOf("beep"))
-            disk.write("work-one.b", text)
-            disk.work().work.text shouldBe "beep"
+        "any text at all in place of a copy is passed over" {
+            checkAll(Arb.string(0..300)) { text ->
+                val disk = MemoryKeyValueStore()
+                ProjectRepository(disk).keep(workOf("beep"))
+                disk.write("work-one.b", text)
+                disk.work().work.text shouldBe "beep"
+            }
         }
-    }
-})
+    })

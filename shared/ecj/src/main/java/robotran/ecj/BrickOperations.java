@@ -29,7 +29,8 @@ final class BrickOperations {
             report.refuse(BrickProblem.LONG_ARITHMETIC, operation);
         } else if (remainder && (isFraction(left.resolvedType) || isFraction(right.resolvedType))) {
             report.refuse(BrickProblem.FLOAT_REMAINDER, operation);
-        } else if ((remainder || operator == OperatorIds.DIVIDE) && !isFraction(left.resolvedType) && isWhole(right.constant)) {
+        } else if ((remainder || operator == OperatorIds.DIVIDE)
+                && !isFraction(left.resolvedType) && isWhole(right.constant)) {
             int divisor = right.constant.intValue();
             if (divisor != (short) divisor) {
                 report.warn(BrickProblem.DIVISOR_TOO_LARGE, right, divisor, (short) divisor);
@@ -38,7 +39,8 @@ final class BrickOperations {
     }
 
     private static boolean isShift(int operator) {
-        return operator == OperatorIds.LEFT_SHIFT || operator == OperatorIds.RIGHT_SHIFT || operator == OperatorIds.UNSIGNED_RIGHT_SHIFT;
+        return operator == OperatorIds.LEFT_SHIFT || operator == OperatorIds.RIGHT_SHIFT
+            || operator == OperatorIds.UNSIGNED_RIGHT_SHIFT;
     }
 
     private static boolean isText(TypeBinding type) {

@@ -36,6 +36,7 @@ final class BrickReport {
         for (int i = 0; i < arguments.length; i++) {
             texts[i] = Integer.toString(arguments[i]);
         }
-        problems.add(new EcjProblem(path, number, error, false, start, end, "", Arrays.asList(texts), Collections.emptyList()));
+        problems.add(new EcjProblem(
+            path, number, error, false, start, end, "", Arrays.asList(texts), Collections.emptyList()));
     }
 }

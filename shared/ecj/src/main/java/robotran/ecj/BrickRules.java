@@ -57,7 +57,8 @@ final class BrickRules extends ASTVisitor {
     @Override
     public boolean visit(CastExpression cast, BlockScope scope) {
         // A cast that changes nothing leaves no instruction behind.
-        if (cast.resolvedType != null && cast.resolvedType.isArrayType() && (cast.bits & ASTNode.GenerateCheckcast) != 0) {
+        if (cast.resolvedType != null && cast.resolvedType.isArrayType()
+                && (cast.bits & ASTNode.GenerateCheckcast) != 0) {
             report.refuse(BrickProblem.ARRAY_TYPE_TEST, cast);
         }
         return true;
@@ -102,7 +103,8 @@ final class BrickRules extends ASTVisitor {
     @Override
     public boolean visit(ArrayAllocationExpression allocation, BlockScope scope) {
         for (Expression dimension : allocation.dimensions) {
-            if (dimension != null && BrickOperations.isWhole(dimension.constant) && dimension.constant.intValue() > LONGEST_ARRAY) {
+            if (dimension != null && BrickOperations.isWhole(dimension.constant)
+                    && dimension.constant.intValue() > LONGEST_ARRAY) {
                 report.warn(BrickProblem.ARRAY_TOO_LONG, dimension, dimension.constant.intValue(), LONGEST_ARRAY);
             }
         }

@@ -16,8 +16,11 @@ final class CheckingCompiler extends Compiler {
     private final List<EcjProblem> problems;
     private boolean crashed;
 
-    CheckingCompiler(INameEnvironment library, CompilerOptions options, ICompilerRequestor results, List<EcjProblem> problems) {
-        super(library, DefaultErrorHandlingPolicies.proceedWithAllProblems(), options, results, new EcjMessages(), silence(), null);
+    CheckingCompiler(
+            INameEnvironment library, CompilerOptions options, ICompilerRequestor results, List<EcjProblem> problems) {
+        super(
+            library, DefaultErrorHandlingPolicies.proceedWithAllProblems(), options, results, new EcjMessages(), silence(),
+            null);
         this.problems = problems;
         useSingleThread = true;
     }
@@ -38,7 +41,8 @@ final class CheckingCompiler extends Compiler {
     }
 
     @Override
-    protected void handleInternalException(Throwable failure, CompilationUnitDeclaration unit, CompilationResult result) {
+    protected void handleInternalException(
+            Throwable failure, CompilationUnitDeclaration unit, CompilationResult result) {
         crashed = true;
     }
 

@@ -3,8 +3,8 @@ package robotran.ecj;
 import java.math.BigInteger;
 
 /**
- * Reads decimal numbers to the last bit, as Java defines it and for ECJ's constants: the build makes ECJ call these. Not every
- * platform's own reader is exact.
+ * Reads decimal numbers to the last bit, as Java defines it and for ECJ's constants: the build makes ECJ call these.
+ * Not every platform's own reader is exact.
  */
 public final class DecimalReader {
     private static final int DOUBLE_BITS = 53;
@@ -15,7 +15,10 @@ public final class DecimalReader {
     /** All greater ones are infinite, whether float or double. */
     private static final int EXPONENTS = 2046;
 
-    /** No number that lies between two doubles has more digits, so of those behind it only counts whether they are all 0. */
+    /**
+     * No number that lies between two doubles has more digits, so of those behind it only counts whether they are all
+     * 0.
+     */
     private static final int DIGITS = 800;
 
     /** Beyond that, every number is 0 or infinite. */
@@ -23,7 +26,9 @@ public final class DecimalReader {
 
     private DecimalReader() {}
 
-    /** @param text digits with a point, an exponent and a letter for the type, as in Java, each but the digits if wanted */
+    /**
+     * @param text digits with a point, an exponent and a letter for the type, as in Java, each but the digits if wanted
+     */
     public static Double doubleOf(String text) {
         long bits = bits(text, DOUBLE_BITS, LEAST_DOUBLE_EXPONENT);
         return Double.longBitsToDouble(Math.min(bits, Double.doubleToLongBits(Double.POSITIVE_INFINITY)));
@@ -61,7 +66,9 @@ public final class DecimalReader {
             digits.append('1');
             exponent--;
         }
-        return bits(new BigInteger(digits.toString()), exponent + writtenExponent(text, place), digits.length(), precision, leastExponent);
+        return bits(
+            new BigInteger(digits.toString()), exponent + writtenExponent(text, place), digits.length(), precision,
+            leastExponent);
     }
 
     /** The number behind the letter at {@code place}, if that is an E. */
@@ -80,7 +87,10 @@ public final class DecimalReader {
         return negative ? -exponent : exponent;
     }
 
-    /** The bits of the floating-point number next to {@code number} times ten to the power of {@code exponent}, perhaps beyond infinity. */
+    /**
+     * The bits of the floating-point number next to {@code number} times ten to the power of {@code exponent}, perhaps
+     * beyond infinity.
+     */
     private static long bits(BigInteger number, int exponent, int digits, int precision, int leastExponent) {
         if (digits + exponent > DIGITS) {
             return Long.MAX_VALUE;

@@ -5,8 +5,8 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 
 /**
- * Writes decimal numbers with as few digits as tell them from their neighbours, but at least two, for ECJ's constant texts: the build
- * makes ECJ call these. Older and newer versions of Java differ in the last digit.
+ * Writes decimal numbers with as few digits as tell them from their neighbours, but at least two, for ECJ's constant
+ * texts: the build makes ECJ call these. Older and newer versions of Java differ in the last digit.
  */
 public final class DecimalText {
     /** So many digits tell any two doubles from each other. */

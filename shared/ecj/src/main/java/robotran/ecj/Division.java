@@ -3,8 +3,9 @@ package robotran.ecj;
 import java.math.BigDecimal;
 
 /**
- * Divisions as Java defines them, for ECJ's constants: the build makes ECJ call these. WebAssembly does not throw an exception for a
- * division by 0, nor divide the least number by -1, but ends the whole module, and a pupil may write either.
+ * Divisions as Java defines them, for ECJ's constants: the build makes ECJ call these. WebAssembly does not throw an
+ * exception for a division by 0, nor divide the least number by -1, but ends the whole module, and a pupil may write
+ * either.
  */
 public final class Division {
     private Division() {}
@@ -31,7 +32,8 @@ public final class Division {
 
     /** Exact, which not every platform's own is. */
     public static double remainder(double dividend, double divisor) {
-        boolean isPlain = !Double.isNaN(dividend) && !Double.isInfinite(dividend) && !Double.isInfinite(divisor) && dividend != 0;
+        boolean isPlain = !Double.isNaN(dividend) && !Double.isInfinite(dividend)
+            && !Double.isInfinite(divisor) && dividend != 0;
         if (!isPlain || divisor == 0 || Double.isNaN(divisor)) {
             return dividend % divisor;
         }

@@ -18,7 +18,10 @@ import org.eclipse.jdt.internal.compiler.env.IBinaryMethod;
 import org.eclipse.jdt.internal.compiler.env.ICompilationUnit;
 import org.eclipse.jdt.internal.compiler.impl.CompilerOptions;
 
-/** The Eclipse compiler for Java in memory: sources of Java 1.3 in, class files of version 45.3 out, as the linker of leJOS reads them. */
+/**
+ * The Eclipse compiler for Java in memory: sources of Java 1.3 in, class files of version 45.3 out, as the linker of
+ * leJOS reads them.
+ */
 public final class EcjCompiler {
     /** How many UTF-16 characters all sources may have together: some fifty times what fits into a brick. */
     public static final int SOURCE_CHARACTERS = 200_000;
@@ -57,7 +60,8 @@ public final class EcjCompiler {
     public void addSource(String path, String text) {
         characters = Math.min(characters, SOURCE_CHARACTERS) + Math.min(text.length(), SOURCE_CHARACTERS + 1);
         if (characters > SOURCE_CHARACTERS || sources.size() == SOURCES) {
-            report(path, BrickProblem.SOURCE_TOO_LONG, 0, Collections.singletonList(Integer.toString(SOURCE_CHARACTERS)));
+            report(
+                path, BrickProblem.SOURCE_TOO_LONG, 0, Collections.singletonList(Integer.toString(SOURCE_CHARACTERS)));
             return;
         }
         int tooDeep = SourceBounds.tooDeep(text);
@@ -74,7 +78,8 @@ public final class EcjCompiler {
         boolean crashed = false;
         if (problems.isEmpty()) {
             try {
-                CheckingCompiler compiler = new CheckingCompiler(library.environment(), options(), this::take, problems);
+                CheckingCompiler compiler =
+                    new CheckingCompiler(library.environment(), options(), this::take, problems);
                 compiler.compile(sources.toArray(new ICompilationUnit[0]));
                 crashed = compiler.crashed();
             } catch (RuntimeException | Error failure) {
@@ -110,7 +115,8 @@ public final class EcjCompiler {
 
     private EcjProblem described(CategorizedProblem problem) {
         String path = new String(problem.getOriginatingFileName());
-        List<String> arguments = problem.getArguments() == null ? Collections.emptyList() : Arrays.asList(problem.getArguments());
+        List<String> arguments = problem.getArguments() == null
+            ? Collections.emptyList() : Arrays.asList(problem.getArguments());
         return new EcjProblem(
                 path,
                 problem.getID() & IProblem.IgnoreCategoriesMask,

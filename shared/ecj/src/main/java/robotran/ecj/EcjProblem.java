@@ -2,7 +2,10 @@ package robotran.ecj;
 
 import java.util.List;
 
-/** Something that the compiler or {@link BrickRules} find wrong, as they see it; the words for a pupil are found elsewhere. */
+/**
+ * Something that the compiler or {@link BrickRules} find wrong, as they see it; the words for a pupil are found
+ * elsewhere.
+ */
 public final class EcjProblem {
     private final String path;
     private final int number;

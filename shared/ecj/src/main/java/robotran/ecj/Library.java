@@ -53,7 +53,10 @@ public final class Library {
         };
     }
 
-    /** The names of the methods and fields of the class that is called so, whatever its package, and of the classes above it. */
+    /**
+     * The names of the methods and fields of the class that is called so, whatever its package, and of the classes
+     * above it.
+     */
     List<String> memberNames(String simpleName) {
         Set<String> names = new TreeSet<>();
         String next = null;
@@ -101,7 +104,8 @@ public final class Library {
             return known;
         }
         try {
-            NameEnvironmentAnswer answer = new NameEnvironmentAnswer(new ClassFileReader(file, (name + ".class").toCharArray()), null);
+            NameEnvironmentAnswer answer = new NameEnvironmentAnswer(
+                new ClassFileReader(file, (name + ".class").toCharArray()), null);
             answers.put(name, answer);
             return answer;
         } catch (ClassFormatException malformed) {

@@ -7,12 +7,16 @@ import org.eclipse.jdt.internal.compiler.parser.Scanner;
 import org.eclipse.jdt.internal.compiler.parser.TerminalTokens;
 
 /**
- * Finds out before the compiler does whether a source has too much inside each other. The compiler walks its tree by recursion, and a
- * stack that overflows cannot be caught on every platform. Each word since the last end of a statement may lead one level down
- * ({@code !!!!x}, {@code a + b + c}, {@code if (a) if (b)}), and so may each {@code else} of a chain.
+ * Finds out before the compiler does whether a source has too much inside each other. The compiler walks its tree by
+ * recursion, and a stack that overflows cannot be caught on every platform. Each word since the last end of a statement
+ * may lead one level down ({@code !!!!x}, {@code a + b + c}, {@code if (a) if (b)}), and so may each {@code else} of a
+ * chain.
  */
 final class SourceBounds {
-    /** How deep the compiler's tree may get at most: far more than a program needs, and a third of what the smallest stack bears. */
+    /**
+     * How deep the compiler's tree may get at most: far more than a program needs, and a third of what the smallest
+     * stack bears.
+     */
     static final int LEVELS = 1_000;
 
     /** How many brackets may be inside each other. */

@@ -7,8 +7,10 @@ import kotlin.test.assertNotNull
 
 /** What Java has on a computer and not on a brick. */
 class BrickMistakesTest {
-    private suspend fun assertHint(statements: String, hint: String) =
-        assertContains(listOfNotNull(diagnostic(statements).message, diagnostic(statements).hint).joinToString(" "), hint)
+    private suspend fun assertHint(statements: String, hint: String) = assertContains(
+        listOfNotNull(diagnostic(statements).message, diagnostic(statements).hint).joinToString(" "),
+        hint,
+    )
 
     @Test
     fun `classes that the brick does not have are told with what it has instead`() = runTest {
@@ -21,8 +23,14 @@ class BrickMistakesTest {
         assertHint("char d = Character.toUpperCase('c');", "char")
         assertHint("JFrame frame;", "LCD")
         assertHint("UltrasonicSensor eye;", "josx.platform.rcx")
-        assertContains(assertNotNull(diagnostics("import lejos.nxt.Motor;\nclass Robot { }").first().hint), "josx.platform.rcx")
-        assertContains(assertNotNull(diagnostics("import java.util.ArrayList;\nclass Robot { }").first().hint), "Vector")
+        assertContains(
+            assertNotNull(diagnostics("import lejos.nxt.Motor;\nclass Robot { }").first().hint),
+            "josx.platform.rcx",
+        )
+        assertContains(
+            assertNotNull(diagnostics("import java.util.ArrayList;\nclass Robot { }").first().hint),
+            "Vector",
+        )
     }
 
     @Test
@@ -33,7 +41,14 @@ class BrickMistakesTest {
         assertHint("Integer.parseInt(\"3\");", "numbers from texts")
         assertHint("String.format(\"\", args);", "LCD.showNumber")
         assertHint("String s = String.valueOf(3);", "\"\" + number")
-        for (call in listOf("substring(1)", "equalsIgnoreCase(\"b\")", "indexOf(\"b\")", "trim()", "toUpperCase()", "isEmpty()")) {
+        for (call in listOf(
+            "substring(1)",
+            "equalsIgnoreCase(\"b\")",
+            "indexOf(\"b\")",
+            "trim()",
+            "toUpperCase()",
+            "isEmpty()",
+        )) {
             assertHint("\"a\".$call;", "charAt()")
         }
         assertHint("new java.util.Vector().add(null);", "addElement()")
@@ -60,10 +75,19 @@ class BrickMistakesTest {
         assertHint("assert 1 > 2;", "Use \"if\"")
         assertHint("int x = 1_000;", "digits only")
         assertHint("String s = \"\"\"\nhello\n\"\"\";", "on one line")
-        assertContains(assertNotNull(diagnostics("class Robot { enum Color { RED } }").first().hint), "static final int")
-        assertContains(diagnostics("class Robot { @Override public String toString() { return null; } }").first().message, "annotations")
+        assertContains(
+            assertNotNull(diagnostics("class Robot { enum Color { RED } }").first().hint),
+            "static final int",
+        )
+        assertContains(
+            diagnostics("class Robot { @Override public String toString() { return null; } }").first().message,
+            "annotations",
+        )
         assertContains(assertNotNull(diagnostics("class Robot { void all(int... n) { } }").first().hint), "array")
-        assertContains(assertNotNull(diagnostics("import static java.lang.Math.*;\nclass Robot { }").first().hint), "Import the class")
+        assertContains(
+            assertNotNull(diagnostics("import static java.lang.Math.*;\nclass Robot { }").first().hint),
+            "Import the class",
+        )
     }
 
     @Test

@@ -8,7 +8,9 @@ import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 
 /** The class files of leJOS, always the same map, so that the compiler reads them once. */
-val library: Map<String, ByteArray> by lazy { LejosLibrary.classNames.associateWith { assertNotNull(LejosLibrary.classFile(it)) } }
+val library: Map<String, ByteArray> by lazy {
+    LejosLibrary.classNames.associateWith { assertNotNull(LejosLibrary.classFile(it)) }
+}
 
 private var compiler: JavaCompiler? = null
 
@@ -19,14 +21,16 @@ suspend fun compiler(): JavaCompiler = compiler ?: loadJavaCompiler().also { com
 suspend fun compile(text: String, vararg others: JavaSource): CompilationResult =
     compiler().compile(listOf(JavaSource("Robot.java", text)) + others, library)
 
-suspend fun compiled(text: String, vararg others: JavaSource): CompilationResult.Compiled = assertIs(compile(text, *others))
+suspend fun compiled(text: String, vararg others: JavaSource): CompilationResult.Compiled =
+    assertIs(compile(text, *others))
 
 suspend fun diagnostics(text: String, vararg others: JavaSource): List<JavaDiagnostic> =
     assertIs<CompilationResult.Rejected>(compile(text, *others)).diagnostics
 
 /** A whole program around [statements], which begin in line 4. */
 fun program(statements: String) =
-    "import josx.platform.rcx.*;\npublic class Robot {\npublic static void main(String[] args) throws InterruptedException {\n$statements\n}\n}\n"
+    "import josx.platform.rcx.*;\npublic class Robot {\npublic static void main(String[] args) throws " +
+        "InterruptedException {\n$statements\n}\n}\n"
 
 /** The first mistake of [statements] in a method main. */
 suspend fun diagnostic(statements: String): JavaDiagnostic = diagnostics(program(statements)).first()
@@ -38,7 +42,8 @@ suspend fun memberMistake(declarations: String): JavaDiagnostic = diagnostics("c
 fun mended(text: String, fix: JavaFix): String {
     val lines = text.lines().toMutableList()
     val line = lines[fix.range.line - 1]
-    lines[fix.range.line - 1] = line.substring(0, fix.range.column - 1) + fix.replacement + line.substring(fix.range.endColumn - 1)
+    lines[fix.range.line - 1] =
+        line.substring(0, fix.range.column - 1) + fix.replacement + line.substring(fix.range.endColumn - 1)
     return lines.joinToString("\n")
 }
 

@@ -28,7 +28,11 @@ class CompilingTest {
 
     @Test
     fun `several files may use each other and each may have a main method`() = runTest {
-        val other = JavaSource("tools/Driver.java", "package tools; public class Driver { public static void main(String[] a) { } }")
+        val other =
+            JavaSource(
+                "tools/Driver.java",
+                "package tools; public class Driver { public static void main(String[] a) { } }",
+            )
         val result = compiled("class Robot { public static void main(String[] a) { tools.Driver.main(a); } }", other)
         assertEquals(listOf("Robot", "tools/Driver"), result.classes.keys.toList())
         assertEquals(listOf("Robot", "tools/Driver"), result.mainClasses)
@@ -68,7 +72,10 @@ class CompilingTest {
     @Test
     fun `a byte order mark is no part of a program`() = runTest {
         assertTrue(compiled("\uFEFFclass Robot { }").warnings.isEmpty())
-        assertEquals(JavaRange(1, 15, 15), diagnostics("\uFEFFclass Robot { int a }").single().range.copy(column = 15, endColumn = 15))
+        assertEquals(
+            JavaRange(1, 15, 15),
+            diagnostics("\uFEFFclass Robot { int a }").single().range.copy(column = 15, endColumn = 15),
+        )
     }
 
     @Test

@@ -5,7 +5,10 @@ import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertTrue
 
-/** What the compiler works out itself is the same on every platform; the numbers here are those that platforms like to get wrong. */
+/**
+ * What the compiler works out itself is the same on every platform; the numbers here are those that platforms like to
+ * get wrong.
+ */
 class ConstantsTest {
     private suspend fun robot(type: String, value: String): ByteArray =
         compiled("class Robot { static $type value = $value; }").classes.getValue("Robot")

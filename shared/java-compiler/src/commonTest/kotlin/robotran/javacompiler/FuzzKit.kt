@@ -5,9 +5,33 @@ import kotlin.test.assertTrue
 
 private val WORD = Regex("""\w+|\s+|[^\w\s]""")
 private val ODD_WORDS =
-    listOf("\"", "'", "/*", "//", "{", "}", "(", ")", ";", "\\u0022", "\\u", "class", "new", "0x", "1e", "\u0000", "enum", "->", "<", "@")
+    listOf(
+        "\"",
+        "'",
+        "/*",
+        "//",
+        "{",
+        "}",
+        "(",
+        ")",
+        ";",
+        "\\u0022",
+        "\\u",
+        "class",
+        "new",
+        "0x",
+        "1e",
+        "\u0000",
+        "enum",
+        "->",
+        "<",
+        "@",
+    )
 
-/** Compiles [count] programs, each one of the examples of which some words are left out, doubled, moved or made something else. */
+/**
+ * Compiles [count] programs, each one of the examples of which some words are left out, doubled, moved or made
+ * something else.
+ */
 suspend fun compileMutations(count: Int) {
     val originals = examplePrograms.values.toList()
     repeat(count) { number ->

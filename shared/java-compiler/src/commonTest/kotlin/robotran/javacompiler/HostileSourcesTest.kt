@@ -28,7 +28,12 @@ class HostileSourcesTest {
             "long a = 1;" + "a = a % a;\n".repeat(15_000),
         )
         texts.forEach { assertIs<CompilationResult>(compile(program(it))) }
-        val files = List(100) { JavaSource("Wrong$it.java", "class Wrong$it { " + "int f$it() { return lenght; } ".repeat(50) + "}") }
+        val files = List(100) {
+            JavaSource(
+                "Wrong$it.java",
+                "class Wrong$it { " + "int f$it() { return lenght; } ".repeat(50) + "}",
+            )
+        }
         assertIs<CompilationResult.Rejected>(compiler().compile(files, library))
     }
 
@@ -45,7 +50,14 @@ class HostileSourcesTest {
             "int" + "[]".repeat(20_000) + " x;",
             "\\u0028".repeat(5_000),
         )
-        deep.forEach { assertContains(diagnostics(program(it)).joinToString { diagnostic -> diagnostic.message }, "inside each other") }
+        deep.forEach {
+            assertContains(
+                diagnostics(program(it)).joinToString { diagnostic ->
+                    diagnostic.message
+                },
+                "inside each other",
+            )
+        }
     }
 
     @Test
@@ -57,7 +69,8 @@ class HostileSourcesTest {
 
     @Test
     fun `divisions that have no result are left to the brick`() = runTest {
-        val divisions = listOf("1 / 0", "1 % 0", "-2147483648 / -1", "-2147483648 % -1", "'a' / 0", "(byte) 1 / (short) 0")
+        val divisions =
+            listOf("1 / 0", "1 % 0", "-2147483648 / -1", "-2147483648 % -1", "'a' / 0", "(byte) 1 / (short) 0")
         divisions.forEach { compiled(program("int x = $it;")) }
         listOf("1L / 0L", "1L % 0L", "-9223372036854775808L / -1L").forEach { compile(program("long x = $it;")) }
         listOf("1 / 0.0", "1 % 0.0f").forEach { compile(program("double x = $it;")) }
@@ -72,7 +85,20 @@ class HostileSourcesTest {
     @Test
     fun `no text whatever makes the compiler fail`() = runTest {
         val texts =
-            listOf("", "\u0000", "\"", "'", "/*", "\\u", "class", "}", "class Robot extends Robot { }", "package ;", "import ;", "\uD800")
+            listOf(
+                "",
+                "\u0000",
+                "\"",
+                "'",
+                "/*",
+                "\\u",
+                "class",
+                "}",
+                "class Robot extends Robot { }",
+                "package ;",
+                "import ;",
+                "\uD800",
+            )
         texts.forEach { assertIs<CompilationResult>(compile(it)) }
     }
 

@@ -27,7 +27,10 @@ class MeaningMistakesTest {
     @Test
     fun `an object of a Vector is cast to what it is`() = runTest {
         val vector = "java.util.Vector v = new java.util.Vector();"
-        assertEquals("$vector String s = (String) v.elementAt(0);", mendedStatements("$vector String s = v.elementAt(0);"))
+        assertEquals(
+            "$vector String s = (String) v.elementAt(0);",
+            mendedStatements("$vector String s = v.elementAt(0);"),
+        )
     }
 
     @Test
@@ -53,7 +56,10 @@ class MeaningMistakesTest {
     @Test
     fun `a catch of what cannot happen is told`() = runTest {
         assertContains(hint("try { } catch (InterruptedException e) { }"), "Take this \"catch\" away")
-        assertContains(hint("try { Thread.sleep(3); } catch (Exception e) { } catch (InterruptedException e) { }"), "Take this")
+        assertContains(
+            hint("try { Thread.sleep(3); } catch (Exception e) { } catch (InterruptedException e) { }"),
+            "Take this",
+        )
     }
 
     @Test
@@ -93,7 +99,10 @@ class MeaningMistakesTest {
     fun `classes have the methods that they must have`() = runTest {
         assertContains(assertNotNull(diagnostics("class Robot extends Thread { }").single().hint), "public void run()")
         assertContains(diagnostics("class Robot extends Thread { void run() { } }").single().message, "\"public\"")
-        assertContains(assertNotNull(diagnostics("interface X { } class Robot { X x = new X(); }").single().hint), "is a X")
+        assertContains(
+            assertNotNull(diagnostics("interface X { } class Robot { X x = new X(); }").single().hint),
+            "is a X",
+        )
     }
 
     @Test

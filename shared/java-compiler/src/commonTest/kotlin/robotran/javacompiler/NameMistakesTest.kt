@@ -16,7 +16,10 @@ class NameMistakesTest {
     fun `a misspelt name is told with the one that is near`() = runTest {
         assertEquals("Motor.A.forward();", mendedStatements("Motor.A.foward();"))
         assertEquals("Motor.A.forward();", mendedStatements("Moter.A.forward();"))
-        assertEquals("int speed = 3; Motor.A.setPower(speed);", mendedStatements("int speed = 3; Motor.A.setPower(sped);"))
+        assertEquals(
+            "int speed = 3; Motor.A.setPower(speed);",
+            mendedStatements("int speed = 3; Motor.A.setPower(sped);"),
+        )
         assertNull(diagnostic("int x = qqq;").fix)
     }
 

@@ -43,7 +43,8 @@ class ProgramsTest {
     fun `the classes of leJOS are compiled to the bytes that the build makes of them`() = runTest {
         val made = mutableMapOf<String, Int>()
         for ((path, text) in librarySources) {
-            val result = assertIs<CompilationResult.Compiled>(compiler().compile(listOf(JavaSource(path, text)), library), path)
+            val result =
+                assertIs<CompilationResult.Compiled>(compiler().compile(listOf(JavaSource(path, text)), library), path)
             made += result.classes.mapValues { it.value.contentHashCode() }
         }
         assertEquals(library.mapValues { it.value.contentHashCode() }, made)
@@ -54,7 +55,9 @@ class ProgramsTest {
 
     /** The lines that the compiler refuses, and those whose instruction it knows that the linker refuses. */
     private fun linesWithMistakes(text: String): List<Int> {
-        val named = text.lines().filter { it.startsWith("// error ") }.map { it.removePrefix("// error ").trim().toInt() }
+        val named = text.lines().filter {
+            it.startsWith("// error ")
+        }.map { it.removePrefix("// error ").trim().toInt() }
         val refused = text.lines().mapIndexedNotNull { index, line -> (index + 1).takeIf { "// refused: " in line } }
         return (named + refused).sorted()
     }

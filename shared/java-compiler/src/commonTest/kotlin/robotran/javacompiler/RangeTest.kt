@@ -30,6 +30,12 @@ class RangeTest {
     fun `mistakes come in the order of the sources`() = runTest {
         val other = JavaSource("Other.java", "class Other {\nA a;\n}")
         val found = diagnostics("class Robot {\nC c;\nB b;\n}", other)
-        assertEquals(listOf("Robot.java" to 2, "Robot.java" to 3, "Other.java" to 2), found.map { it.path to it.range.line })
+        assertEquals(
+            listOf("Robot.java" to 2, "Robot.java" to 3, "Other.java" to 2),
+            found.map {
+                it.path to
+                    it.range.line
+            },
+        )
     }
 }

@@ -26,7 +26,10 @@ class SyntaxMistakesTest {
             assertEquals(JavaRange(6, 20, 20), diagnostic.range)
             assertEquals("$statements;$rest", mendedStatements(statements + rest))
         }
-        assertEquals("for (;;) {\nint a = 1, b = 2;\na = a - b;\n}", mendedStatements("for (;;) {\nint a = 1, b = 2;\na = a - b\n}"))
+        assertEquals(
+            "for (;;) {\nint a = 1, b = 2;\na = a - b;\n}",
+            mendedStatements("for (;;) {\nint a = 1, b = 2;\na = a - b\n}"),
+        )
     }
 
     @Test
@@ -67,7 +70,10 @@ class SyntaxMistakesTest {
     @Test
     fun `words of other languages are told with Java's own`() = runTest {
         assertEquals("int i = 3; if (i > 2)  { }", mendedStatements("int i = 3; if (i > 2) then { }"))
-        assertEquals("int i = 3; if (i > 2) { } else if (i < 1) { }", mendedStatements("int i = 3; if (i > 2) { } elseif (i < 1) { }"))
+        assertEquals(
+            "int i = 3; if (i > 2) { } else if (i < 1) { }",
+            mendedStatements("int i = 3; if (i > 2) { } elseif (i < 1) { }"),
+        )
         assertEquals("boolean b = true;", mendedStatements("bool b = true;"))
         assertEquals("boolean b = true;", mendedStatements("boolean b = True;"))
         assertEquals("boolean b = 1 > 2 && 2 > 1;", mendedStatements("boolean b = 1 > 2 and 2 > 1;"))
@@ -101,7 +107,10 @@ class SyntaxMistakesTest {
     @Test
     fun `a statement outside of any method is told`() = runTest {
         val message = "in none of its methods"
-        assertContains(diagnostics("import josx.platform.rcx.*;\nclass Robot {\nMotor.A.forward();\n}").first().message, message)
+        assertContains(
+            diagnostics("import josx.platform.rcx.*;\nclass Robot {\nMotor.A.forward();\n}").first().message,
+            message,
+        )
         assertContains(memberMistake("int x; x = 3;").message, message)
     }
 

@@ -21,7 +21,15 @@ private class JvmEcj : Ecj {
         val result = compiler.compile()
         val problems = result.problems().map {
             EcjProblem(
-                it.path(), it.number(), it.error(), it.syntax(), it.start(), it.end(), it.message(), it.arguments(), it.members(),
+                it.path(),
+                it.number(),
+                it.error(),
+                it.syntax(),
+                it.start(),
+                it.end(),
+                it.message(),
+                it.arguments(),
+                it.members(),
             )
         }
         return EcjCompilation(result.classes(), result.mainClasses(), problems, completed = !result.crashed())

@@ -9,7 +9,8 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
 
-actual suspend fun loadJavaCompiler(messages: JavaMessages): JavaCompiler = JavaCompiler(WasmEcj(importEcjModule().await()), messages)
+actual suspend fun loadJavaCompiler(messages: JavaMessages): JavaCompiler =
+    JavaCompiler(WasmEcj(importEcjModule().await()), messages)
 
 private class WasmEcj(private val module: EcjModule) : Ecj {
     private var known: Map<String, ByteArray>? = null

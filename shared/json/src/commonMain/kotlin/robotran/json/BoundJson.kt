@@ -6,8 +6,8 @@ import robotran.language.Language
 internal class LimitExceeded(val sentence: (Language) -> String, val line: Int?) : Exception(sentence(Language.ENGLISH))
 
 /**
- * Refuses what is too long, nests too deep or has a text in quotes that goes beyond its line, which is nearly always a forgotten quote: the
- * parser would only notice much further down.
+ * Refuses what is too long, nests too deep or has a text in quotes that goes beyond its line, which is nearly always a
+ * forgotten quote: the parser would only notice much further down.
  */
 internal fun boundJson(text: String) {
     if (text.length > JsonLimits.MAXIMUM_CHARACTERS) {

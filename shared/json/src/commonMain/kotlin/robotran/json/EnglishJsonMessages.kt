@@ -2,7 +2,8 @@ package robotran.json
 
 /** The messages in English. */
 internal object EnglishJsonMessages : JsonMessages {
-    override fun refused(line: Int, path: String, reason: String) = "Line $line: ${path.ifEmpty { "the file" }} $reason."
+    override fun refused(line: Int, path: String, reason: String) =
+        "Line $line: ${path.ifEmpty { "the file" }} $reason."
 
     override fun fileTooLong(limit: Int) = "The file is too long: more than $limit characters."
 

@@ -2,13 +2,15 @@ package robotran.json
 
 /** The messages in German. */
 internal object GermanJsonMessages : JsonMessages {
-    override fun refused(line: Int, path: String, reason: String) = "Zeile $line: ${path.ifEmpty { "die Datei" }} $reason."
+    override fun refused(line: Int, path: String, reason: String) =
+        "Zeile $line: ${path.ifEmpty { "die Datei" }} $reason."
 
     override fun fileTooLong(limit: Int) = "Die Datei ist zu lang: Sie hat mehr als $limit Zeichen."
 
     override fun notUtf8() = "Die Datei ist kein Text in UTF-8; ein Editor kann sie so speichern."
 
-    override fun notReadable(line: Int) = "Zeile $line kann nicht gelesen werden: Dort fehlt etwas, oder etwas steht am falschen Platz."
+    override fun notReadable(line: Int) =
+        "Zeile $line kann nicht gelesen werden: Dort fehlt etwas, oder etwas steht am falschen Platz."
 
     override fun textNotClosed(line: Int) = "In Zeile $line ist ein Text, der nicht mit einem Anführungszeichen endet."
 

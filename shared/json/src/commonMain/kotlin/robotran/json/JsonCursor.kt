@@ -8,8 +8,8 @@ import kotlinx.serialization.json.JsonPrimitive
 import robotran.language.Language
 
 /**
- * A value in a JSON file that knows where it is. Whatever is not as it is asked for ends the reading with a [JsonValidationException] that names the
- * place.
+ * A value in a JSON file that knows where it is. Whatever is not as it is asked for ends the reading with a
+ * [JsonValidationException] that names the place.
  */
 class JsonCursor(val element: JsonElement, val path: JsonPath) {
     private var asked: MutableMap<String, JsonCursor>? = null
@@ -29,8 +29,8 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
     val names: Set<String> get() = members.keys
 
     /**
-     * The members that nobody has asked for; under the name of an object that somebody has asked for, but not for its rest, what is left in
-     * that. [withRest] puts them back.
+     * The members that nobody has asked for; under the name of an object that somebody has asked for, but not for its
+     * rest, what is left in that. [withRest] puts them back.
      */
     fun rest(): Map<String, JsonElement> {
         restTaken = true
@@ -61,7 +61,8 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
         if (!mayBeEmpty && text.isBlank()) refuse(told { mustNotBeEmpty() })
         if (text.length > maximum) refuse(told { tooManyCharacters(maximum) })
         val isOrdinary =
-            text.none { it.isISOControl() && !(severalLines && it == '\n') } && text.indices.none { isHalfCharacter(text, it) }
+            text.none { it.isISOControl() && !(severalLines && it == '\n') } &&
+                text.indices.none { isHalfCharacter(text, it) }
         if (!isOrdinary) refuse(told { if (severalLines) mustBeOrdinary() else mustBeOneOrdinaryLine() })
         return text
     }
@@ -86,7 +87,11 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
     fun wholeNumber(range: IntRange): Int {
         val number = numberOrNull() ?: refuse(told { mustBeNumber() })
         val isWhole = number == number.toInt().toDouble()
-        if (!isWhole || number.toInt() !in range) refuse(told { mustBeWholeFrom(range.first.toLong(), range.last.toLong()) })
+        if (!isWhole ||
+            number.toInt() !in range
+        ) {
+            refuse(told { mustBeWholeFrom(range.first.toLong(), range.last.toLong()) })
+        }
         return number.toInt()
     }
 
@@ -111,7 +116,9 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
     /** Ends the reading; [reason], in any language, is read behind the path: `must be a number`. */
     fun refuse(reason: (Language) -> String): Nothing = throw JsonValidationException(path, reason)
 
-    /** Refuses what the parser lets pass: words without quotes that are neither a number nor `true`, `false` or `null`. */
+    /**
+     * Refuses what the parser lets pass: words without quotes that are neither a number nor `true`, `false` or `null`.
+     */
     internal fun checkLiterals() {
         when (element) {
             is JsonObject -> element.forEach { (name, value) ->
@@ -127,9 +134,18 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
     }
 
     private fun hasLiterals(value: JsonElement): Boolean = when (value) {
-        is JsonNull -> false
-        is JsonPrimitive -> !value.isString && value.content != "true" && value.content != "false" && !isNumber(value.content)
-        else -> true
+        is JsonNull -> {
+            false
+        }
+
+        is JsonPrimitive -> {
+            !value.isString && value.content != "true" && value.content != "false" &&
+                !isNumber(value.content)
+        }
+
+        else -> {
+            true
+        }
     }
 
     private val members: JsonObject get() = element as? JsonObject ?: refuse(told { mustBeObject() })

@@ -4,8 +4,8 @@ import robotran.language.Language
 import robotran.language.listed
 
 /**
- * What is said of JSON files that cannot be used. Most are what is wrong with a value, and are read behind its path, without a full stop: `must be
- * a number`.
+ * What is said of JSON files that cannot be used. Most are what is wrong with a value, and are read behind its path,
+ * without a full stop: `must be a number`.
  */
 interface JsonMessages {
     /**

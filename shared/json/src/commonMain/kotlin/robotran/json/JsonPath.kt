@@ -9,10 +9,7 @@ sealed interface JsonStep {
 }
 
 /** Where in a JSON file a value is; written such as `walls[2].from`, and empty for the whole file. */
-class JsonPath private constructor(
-    private val outer: JsonPath?,
-    private val last: JsonStep?,
-) {
+class JsonPath private constructor(private val outer: JsonPath?, private val last: JsonStep?) {
     /** From the whole file inwards. */
     val steps: List<JsonStep> get() = generateSequence(this) { it.outer }.mapNotNull { it.last }.toList().asReversed()
 

@@ -19,8 +19,9 @@ sealed interface JsonReading<out T> {
 }
 
 /**
- * Reads a JSON file with [read], which takes what it wants from the whole file and refuses the rest with a [JsonValidationException]. Whatever the text is,
- * this ends quickly: its length and the depth of its brackets are bounded before it is taken apart.
+ * Reads a JSON file with [read], which takes what it wants from the whole file and refuses the rest with a
+ * [JsonValidationException]. Whatever the text is, this ends quickly: its length and the depth of its brackets are
+ * bounded before it is taken apart.
  *
  * @param language what a refusal is told in.
  */

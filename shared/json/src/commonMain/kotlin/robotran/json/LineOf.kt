@@ -1,8 +1,9 @@
 package robotran.json
 
 /**
- * The line, from 1, of the value at [path] in the JSON [text], or of the nearest one around it if there is none. The parser forgets
- * where it read what, so the way is gone once more; only after a refusal. Where a name is there twice, the last counts, as for the parser.
+ * The line, from 1, of the value at [path] in the JSON [text], or of the nearest one around it if there is none. The
+ * parser forgets where it read what, so the way is gone once more; only after a refusal. Where a name is there twice,
+ * the last counts, as for the parser.
  */
 internal fun lineOf(path: JsonPath, text: String): Int {
     val scanner = JsonScanner(text)

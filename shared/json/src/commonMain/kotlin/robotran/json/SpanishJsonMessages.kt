@@ -2,7 +2,8 @@ package robotran.json
 
 /** The messages in Spanish. */
 internal object SpanishJsonMessages : JsonMessages {
-    override fun refused(line: Int, path: String, reason: String) = "Línea $line: ${path.ifEmpty { "el archivo" }} $reason."
+    override fun refused(line: Int, path: String, reason: String) =
+        "Línea $line: ${path.ifEmpty { "el archivo" }} $reason."
 
     override fun fileTooLong(limit: Int) = "El archivo es demasiado largo: tiene más de $limit letras y signos."
 

@@ -4,8 +4,9 @@ import kotlin.math.abs
 import kotlin.math.floor
 
 /**
- * The shortest decimal number without a power of ten that [readDecimal] reads as [number]; where there is none, the nearest with fifteen significant
- * digits. The same on every target, since it takes nothing but exact and correctly rounded operations.
+ * The shortest decimal number without a power of ten that [readDecimal] reads as [number]; where there is none, the
+ * nearest with fifteen significant digits. The same on every target, since it takes nothing but exact and correctly
+ * rounded operations.
  *
  * @param number finite, its size below 1e15 or exactly what [readDecimal] gives.
  */

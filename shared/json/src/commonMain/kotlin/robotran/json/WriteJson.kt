@@ -8,8 +8,8 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.JsonUnquotedLiteral
 
 /**
- * [element] as text for people and for merging: what fits into a line is on one, but each object in a list is on a line of its own. Ends with
- * a line end.
+ * [element] as text for people and for merging: what fits into a line is on one, but each object in a list is on a line
+ * of its own. Ends with a line end.
  *
  * @param tall the names of members whose lists have each entry on a line of its own, as lines of a text.
  */
@@ -19,7 +19,8 @@ fun writeJson(element: JsonElement, tall: Set<String> = emptySet()): String = bu
 }
 
 /** [element] as short as it can be. */
-fun writeCompactJson(element: JsonElement): String = buildString { JsonWriter(this, emptySet(), blank = "").writeOnOneLine(element) }
+fun writeCompactJson(element: JsonElement): String =
+    buildString { JsonWriter(this, emptySet(), blank = "").writeOnOneLine(element) }
 
 /** A number as every target writes it. */
 @OptIn(ExperimentalSerializationApi::class)
@@ -41,17 +42,28 @@ fun JsonObject.withRest(rest: Map<String, JsonElement>): JsonObject = if (rest.i
     )
 }
 
-private class JsonWriter(private val out: StringBuilder, private val tall: Set<String>, private val blank: String = " ") {
+private class JsonWriter(
+    private val out: StringBuilder,
+    private val tall: Set<String>,
+    private val blank: String = " ",
+) {
     /** @param before how much of the line is taken already, beside the indentation. */
     fun write(element: JsonElement, indent: Int, before: Int) {
         when {
-            element is JsonPrimitive || (!mustBreak(element, indent) && fits(element, indent + before)) -> writeOnOneLine(element)
+            element is JsonPrimitive || (
+                !mustBreak(
+                    element,
+                    indent,
+                ) && fits(element, indent + before)
+            ) -> writeOnOneLine(element)
 
             element is JsonObject -> lines(element.entries, "{", "}", indent) { (name, value) ->
                 writeText(name)
                 out.append(": ")
                 if (isTall(name, value)) {
-                    lines(value as JsonArray, "[", "]", indent + INDENT) { write(it, indent + INDENT + INDENT, before = 0) }
+                    lines(value as JsonArray, "[", "]", indent + INDENT) {
+                        write(it, indent + INDENT + INDENT, before = 0)
+                    }
                 } else {
                     write(value, indent + INDENT, before = name.length + NAME_MARKS)
                 }
@@ -89,7 +101,9 @@ private class JsonWriter(private val out: StringBuilder, private val tall: Set<S
 
     private fun isTall(name: String, value: JsonElement) = name in tall && value is JsonArray && value.isNotEmpty()
 
-    /** Tried on paper of its own: to take something back from a long text costs as much as all of it on some platforms. */
+    /**
+     * Tried on paper of its own: to take something back from a long text costs as much as all of it on some platforms.
+     */
     private fun fits(element: JsonElement, before: Int): Boolean {
         val room = LINE - before
         if (!isShort(element, room)) return false

@@ -1,7 +1,8 @@
 package robotran.language
 
 /**
- * The languages that Robotran speaks with a pupil. The words of Robolang and Java are the same in all of them, and nothing about a run depends on it.
+ * The languages that Robotran speaks with a pupil. The words of Robolang and Java are the same in all of them, and
+ * nothing about a run depends on it.
  *
  * @property tag as in BCP 47 and in the names of resource folders.
  * @property ownName what its speakers call it.
@@ -13,7 +14,10 @@ enum class Language(val tag: String, val ownName: String) {
     ;
 
     companion object {
-        /** The language that a locale such as `de`, `de-AT`, `es_MX.UTF-8` or `ES` asks for; null if there is none, or another one. */
+        /**
+         * The language that a locale such as `de`, `de-AT`, `es_MX.UTF-8` or `ES` asks for; null if there is none, or
+         * another one.
+         */
         fun of(locale: String): Language? {
             val asked = locale.takeWhile { it.isLetter() }.lowercase()
             return entries.firstOrNull { it.tag == asked }

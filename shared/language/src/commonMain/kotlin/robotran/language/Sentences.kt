@@ -7,5 +7,7 @@ fun quoted(text: String): String = if ('"' in text) text else "\"$text\""
 fun listed(things: List<String>, word: String): String =
     if (things.size < 2) things.joinToString() else "${things.dropLast(1).joinToString()} $word ${things.last()}"
 
-/** A measured [number] such as `1.5`, to be read by people who write `1,5`. Not for code, which has a point everywhere. */
+/**
+ * A measured [number] such as `1.5`, to be read by people who write `1,5`. Not for code, which has a point everywhere.
+ */
 fun withComma(number: String): String = number.replace('.', ',')

@@ -3,22 +3,28 @@ package robotran.learning
 import robotran.language.Language
 
 /**
- * The help on [word], a class such as `Motor` or a member such as `Motor.forward`: as somebody has written it, or else from the comments of
- * the library.
+ * The help on [word], a class such as `Motor` or a member such as `Motor.forward`: as somebody has written it, or else
+ * from the comments of the library.
  */
-internal fun lejosHelp(word: String, language: Language): WordHelp? =
-    lejosWords.help(word, language) ?: commentOf(word)?.let { WordHelp(word, it.sentence, Language.ENGLISH, listOf(it.form), null) }
+internal fun lejosHelp(word: String, language: Language): WordHelp? = lejosWords.help(word, language)
+    ?: commentOf(word)?.let { WordHelp(word, it.sentence, Language.ENGLISH, listOf(it.form), null) }
 
 private fun commentOf(word: String): LejosMember? {
     val owner = word.substringBefore('.')
     return if ('.' in word) lejosClass(owner)?.members?.get(word.substringAfter('.')) else lejosClass(owner)?.about
 }
 
-/** The help on the word at [place] of the Java program [text], which may stand behind a class or a variable and points. */
+/**
+ * The help on the word at [place] of the Java program [text], which may stand behind a class or a variable and points.
+ */
 internal fun helpInJava(language: Language, text: String, place: IntRange): WordHelp? {
     val chain = chainUpTo(text, place)
     val word = chain.last()
-    if (chain.size == 1) return lejosHelp(word, language) ?: lonelyMember(text, word)?.let { lejosHelp("$it.$word", language) }
+    if (chain.size ==
+        1
+    ) {
+        return lejosHelp(word, language) ?: lonelyMember(text, word)?.let { lejosHelp("$it.$word", language) }
+    }
     val owner = chain.dropLast(1).fold(null as String?) { type, name -> typeOf(text, type, name) } ?: return null
     return lejosMember(owner, word)?.let { (declaring, _) -> lejosHelp("$declaring.$word", language) }
 }
@@ -38,11 +44,18 @@ private fun typeOfVariable(text: String, name: String): String? {
 
 /** A class that the program extends and that has a member [word], which then needs no point before it. */
 private fun lonelyMember(text: String, word: String): String? =
-    words(text).zipWithNext().filter { it.first == "extends" }.firstNotNullOfOrNull { (_, parent) -> lejosMember(parent, word)?.first }
+    words(text).zipWithNext().filter { it.first == "extends" }.firstNotNullOfOrNull { (_, parent) ->
+        lejosMember(parent, word)?.first
+    }
 
-private fun words(text: String): List<String> = text.split(' ', '\n', '\t', '(', ')', ';', ',', '{', '}', '=').filter { it.isNotEmpty() }
+private fun words(text: String): List<String> = text.split(' ', '\n', '\t', '(', ')', ';', ',', '{', '}', '=').filter {
+    it.isNotEmpty()
+}
 
-/** The names that are joined by points up to the word at [place], that word the last; brackets of calls between them are skipped. */
+/**
+ * The names that are joined by points up to the word at [place], that word the last; brackets of calls between them are
+ * skipped.
+ */
 private fun chainUpTo(text: String, place: IntRange): List<String> {
     val chain = ArrayDeque(listOf(text.substring(place.first, place.last + 1)))
     var first = place.first

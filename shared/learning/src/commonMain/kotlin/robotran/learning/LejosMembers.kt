@@ -19,9 +19,13 @@ internal class LejosMember(val sentence: String, val form: String, val type: Str
 internal class LejosClass(val about: LejosMember, val superclass: String?, val members: Map<String, LejosMember>)
 
 /** The class of the brick's library with that simple name; null if there is none. */
-internal fun lejosClass(simpleName: String): LejosClass? = classes.getOrPut(simpleName) { Found(readClass(simpleName)) }.lejosClass
+internal fun lejosClass(simpleName: String): LejosClass? =
+    classes.getOrPut(simpleName) { Found(readClass(simpleName)) }.lejosClass
 
-/** The member [name] of the class [simpleName] or of one it extends, with the class it is declared in; null if there is none. */
+/**
+ * The member [name] of the class [simpleName] or of one it extends, with the class it is declared in; null if there is
+ * none.
+ */
 internal fun lejosMember(simpleName: String, name: String): Pair<String, LejosMember>? {
     var owner: String? = simpleName
     while (owner != null) {
@@ -39,7 +43,9 @@ private val classes = mutableMapOf<String, Found>()
 private fun readClass(simpleName: String): LejosClass? {
     val qualified = LejosLibrary.classNames.firstOrNull { it.substringAfterLast('/') == simpleName } ?: return null
     val declarations = documented(LejosLibrary.source(qualified) ?: return null)
-    val head = declarations.firstOrNull { simpleName in it.words && (CLASS in it.words || INTERFACE in it.words) } ?: return null
+    val head =
+        declarations.firstOrNull { simpleName in it.words && (CLASS in it.words || INTERFACE in it.words) }
+            ?: return null
     val members = mutableMapOf<String, LejosMember>()
     for (declaration in declarations) {
         if (declaration === head || PRIVATE in declaration.words || declaration.name in members) continue
@@ -51,12 +57,18 @@ private fun readClass(simpleName: String): LejosClass? {
 
 /** A declaration with the comment above it. */
 private class Declaration(val sentence: String, code: String) {
-    private val signature = code.trim().substringBefore('{').substringBefore(" throws ").substringBefore(" = ").substringBefore(';').trim()
+    private val signature = code.trim().substringBefore(
+        '{',
+    ).substringBefore(" throws ").substringBefore(" = ").substringBefore(';').trim()
     private val beforeBrackets = signature.substringBefore('(').trim()
 
     val words: List<String> = beforeBrackets.split(' ')
     val name: String get() = words.last()
-    val member: LejosMember get() = LejosMember(sentence, signature.substring(signature.lastIndexOf(name, beforeBrackets.length)), type)
+    val member: LejosMember get() = LejosMember(
+        sentence,
+        signature.substring(signature.lastIndexOf(name, beforeBrackets.length)),
+        type,
+    )
     private val type: String get() = words.dropLast(1).lastOrNull().orEmpty().removeSuffix("[]")
 }
 
@@ -78,7 +90,8 @@ private fun documented(source: String): List<Declaration> {
 }
 
 /** A line of a comment without what makes it one. */
-private fun withoutSigns(line: String): String = line.trim().removePrefix(OPENING).removePrefix("*").removeSuffix(CLOSING).trim()
+private fun withoutSigns(line: String): String =
+    line.trim().removePrefix(OPENING).removePrefix("*").removeSuffix(CLOSING).trim()
 
 /** The first sentence of a comment: up to a full stop before a space or the end. */
 private fun firstSentence(comment: String): String {

@@ -8,8 +8,8 @@ import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
 
 /**
- * The tutorial: the folders of `learning/tutorial` in the order of their names. A folder has a text in each language, `text.en.md` and so
- * on, the world `world.world.json`, the program to try, and `solution` with the same ending.
+ * The tutorial: the folders of `learning/tutorial` in the order of their names. A folder has a text in each language,
+ * `text.en.md` and so on, the world `world.world.json`, the program to try, and `solution` with the same ending.
  */
 object Tutorial {
     /** The steps in their order. */

@@ -20,7 +20,10 @@ data class WordHelp(
     val example: String?,
 ) {
     companion object {
-        /** The help on a [word] of [code], such as `forward` or `Motor.forward`, for speakers of [language]; null if there is none. */
+        /**
+         * The help on a [word] of [code], such as `forward` or `Motor.forward`, for speakers of [language]; null if
+         * there is none.
+         */
         fun of(language: Language, code: ProgramLanguage, word: String): WordHelp? = when (code) {
             ProgramLanguage.ROBOLANG -> robolangWords.help(lowercaseWord(word), language)
             ProgramLanguage.JAVA -> lejosHelp(word, language)
@@ -35,8 +38,8 @@ data class WordHelp(
 }
 
 /**
- * The help on the word at [offset] of the program [text], or on the one that ends there; null where there is no word or no help on it, and
- * in comments.
+ * The help on the word at [offset] of the program [text], or on the one that ends there; null where there is no word or
+ * no help on it, and in comments.
  *
  * @param language what the reader speaks.
  * @param code what the program is written in.

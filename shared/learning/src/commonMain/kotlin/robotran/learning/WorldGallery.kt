@@ -31,7 +31,10 @@ object WorldGallery {
         }
     }
 
-    /** The one of [worlds] that [world] is, in whatever language, and whatever was changed about its chance; null if it is none of them. */
+    /**
+     * The one of [worlds] that [world] is, in whatever language, and whatever was changed about its chance; null if it
+     * is none of them.
+     */
     fun find(world: World): GalleryWorld? = worlds.firstOrNull { it.plainWorld.isSamePlaceAs(world) }
 
     /** The one of [worlds] called [name]. */
@@ -51,10 +54,9 @@ object WorldGallery {
 }
 
 /** Whether [other] is the same but for its words and what it leaves to chance. */
-internal fun World.isSamePlaceAs(other: World): Boolean =
-    paper == other.paper &&
-        goals == other.goals &&
-        copy(title = other.title, task = other.task, seed = other.seed, realism = other.realism) == other
+internal fun World.isSamePlaceAs(other: World): Boolean = paper == other.paper &&
+    goals == other.goals &&
+    copy(title = other.title, task = other.task, seed = other.seed, realism = other.realism) == other
 
 internal class WorldTitle(val title: String, val task: String)
 

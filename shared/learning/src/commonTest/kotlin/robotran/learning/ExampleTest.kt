@@ -37,8 +37,9 @@ class ExampleTest {
         }
     }
 
-    private fun examples(code: ProgramLanguage): List<WordHelp> =
-        WordHelp.words(code).mapNotNull { WordHelp.of(Language.ENGLISH, code, it) }.filter { it.example != null }.distinctBy { it.example }
+    private fun examples(code: ProgramLanguage): List<WordHelp> = WordHelp.words(code).mapNotNull {
+        WordHelp.of(Language.ENGLISH, code, it)
+    }.filter { it.example != null }.distinctBy { it.example }
 
     private suspend fun runs(word: String, source: ProgramSource) {
         val result = reader.read(source)

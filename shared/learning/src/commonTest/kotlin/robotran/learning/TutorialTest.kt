@@ -45,14 +45,21 @@ class TutorialTest {
             assertTrue(said.all { it.paragraphs.size in 2..4 }, step.name)
             assertTrue(said.all { it.title.isNotBlank() && it.task.isNotBlank() && it.hint.isNotBlank() }, step.name)
             assertEquals(said.size, said.map { it.task }.toSet().size, step.name)
-            assertTrue(said.none { '!' in it.task + it.hint + it.paragraphs.joinToString("").replace("!=", "") }, step.name)
+            assertTrue(
+                said.none {
+                    '!' in it.task + it.hint + it.paragraphs.joinToString("").replace("!=", "")
+                },
+                step.name,
+            )
         }
     }
 
     @Test
     fun `program text in the steps is the same in every language`() {
         for (step in Tutorial.steps) {
-            val quoted = Language.entries.map { language -> step.text(language).run { paragraphs + task + hint }.map(::quoted) }
+            val quoted = Language.entries.map { language ->
+                step.text(language).run { paragraphs + task + hint }.map(::quoted)
+            }
             assertEquals(1, quoted.toSet().size, "${step.name}: $quoted")
         }
     }
@@ -89,7 +96,8 @@ class TutorialTest {
 
     private suspend fun grade(project: Project): Grade {
         val loads = readRobotLoads(project, reader)
-        val session = Session(project.worldToRun, assertIs<RobotLoads.Ready>(loads, "$loads").loads, loadPhysicsEngine())
+        val session =
+            Session(project.worldToRun, assertIs<RobotLoads.Ready>(loads, "$loads").loads, loadPhysicsEngine())
         return session.runForGoals().also { session.close() }
     }
 

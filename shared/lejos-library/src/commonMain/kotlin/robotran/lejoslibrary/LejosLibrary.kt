@@ -10,7 +10,10 @@ object LejosLibrary {
     /** The class file, of version 45.3, of the class [name], with slashes; null if the library has none. */
     fun classFile(name: String): ByteArray? = libraryClasses[name + CLASS]?.let(Base64::decode)
 
-    /** The Java of the class [name], with slashes, whose comments are its help; null if the library has none. Inner classes are in their outer class's. */
+    /**
+     * The Java of the class [name], with slashes, whose comments are its help; null if the library has none. Inner
+     * classes are in their outer class's.
+     */
     fun source(name: String): String? = librarySources["${name.substringBefore('$')}.java"]
 
     private const val CLASS = ".class"

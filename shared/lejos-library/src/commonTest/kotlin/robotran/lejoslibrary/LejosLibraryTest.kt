@@ -18,7 +18,10 @@ class LejosLibraryTest {
     @Test
     fun `inner classes share the source of their outer class`() {
         assertContains(LejosLibrary.classNames, "josx/robotics/Arbitrator\$Actor")
-        assertEquals(LejosLibrary.source("josx/robotics/Arbitrator"), LejosLibrary.source("josx/robotics/Arbitrator\$Actor"))
+        assertEquals(
+            LejosLibrary.source("josx/robotics/Arbitrator"),
+            LejosLibrary.source("josx/robotics/Arbitrator\$Actor"),
+        )
     }
 
     @Test

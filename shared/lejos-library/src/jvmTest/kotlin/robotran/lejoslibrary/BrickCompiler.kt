@@ -23,7 +23,9 @@ internal object BrickCompiler {
     private fun compile(programs: Map<String, String>, folder: File): Compilation {
         val library = folder.resolve("library")
         for (name in LejosLibrary.classNames) {
-            library.resolve("$name.class").apply { parentFile.mkdirs() }.writeBytes(checkNotNull(LejosLibrary.classFile(name)))
+            library.resolve("$name.class").apply {
+                parentFile.mkdirs()
+            }.writeBytes(checkNotNull(LejosLibrary.classFile(name)))
         }
         val sources = programs.map { (path, text) ->
             folder.resolve("sources").resolve(path).apply { parentFile.mkdirs() }.also { it.writeText(text) }
@@ -37,7 +39,9 @@ internal object BrickCompiler {
                     it.path
                 }
             ).toTypedArray(),
-            PrintWriter(problems), PrintWriter(problems), null,
+            PrintWriter(problems),
+            PrintWriter(problems),
+            null,
         )
         return Compilation(classesIn(output), diagnostics(problems.toString(), folder.resolve("sources")))
     }
@@ -47,11 +51,10 @@ internal object BrickCompiler {
             file.relativeTo(output).invariantSeparatorsPath.removeSuffix(".class") to file.readBytes()
         }
 
-    private fun diagnostics(problems: String, sources: File): Map<String, Set<Int>> =
-        MISTAKE.findAll(problems).groupBy(
-            { File(it.groupValues[1]).relativeTo(sources).invariantSeparatorsPath },
-            { it.groupValues[2].toInt() },
-        ).mapValues { it.value.toSet() }
+    private fun diagnostics(problems: String, sources: File): Map<String, Set<Int>> = MISTAKE.findAll(problems).groupBy(
+        { File(it.groupValues[1]).relativeTo(sources).invariantSeparatorsPath },
+        { it.groupValues[2].toInt() },
+    ).mapValues { it.value.toSet() }
 
     private val MISTAKE = Regex("""ERROR in (.+\.java) \(at line (\d+)\)""")
     private val DIALECT = listOf("-source", "1.3", "-target", "1.1", "-proc:none", "-encoding", "UTF-8")

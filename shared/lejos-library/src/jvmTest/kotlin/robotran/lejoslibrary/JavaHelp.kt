@@ -21,7 +21,8 @@ internal class JavaHelp(private val source: String) {
             sourceLevel = ClassFileConstants.JDK1_3
             docCommentSupport = true
         }
-        val reporter = ProblemReporter(DefaultErrorHandlingPolicies.proceedWithAllProblems(), options, DefaultProblemFactory())
+        val reporter =
+            ProblemReporter(DefaultErrorHandlingPolicies.proceedWithAllProblems(), options, DefaultProblemFactory())
         val unit = CompilationUnit(source.toCharArray(), "Help.java", "UTF-8")
         type = Parser(reporter, true).parse(unit, CompilationResult(unit, 0, 1, 1)).types.first()
     }
@@ -41,7 +42,10 @@ internal class JavaHelp(private val source: String) {
         get() = visibleFields.map { String(it.name) to firstSentence(it.javadoc) } +
             visibleMethods.map { written(it) to firstSentence(it.javadoc) }
 
-    /** How a program uses each public field, constructor and method, such as `Motor.A`, `new Timer(int, TimerListener)` or `stop()`. */
+    /**
+     * How a program uses each public field, constructor and method, such as `Motor.A`, `new Timer(int, TimerListener)`
+     * or `stop()`.
+     */
     val uses: List<String>
         get() = visibleFields.filter { isForAll(it.modifiers) }.map { "$className.${String(it.name)}" } +
             visibleMethods.filter { isForAll(it.modifiers) }.map(::written)
@@ -56,7 +60,8 @@ internal class JavaHelp(private val source: String) {
             method.isStatic -> "$className."
             else -> ""
         }
-        return before + String(method.selector) + method.arguments.orEmpty().joinToString(", ", "(", ")") { it.type.toString() }
+        return before + String(method.selector) +
+            method.arguments.orEmpty().joinToString(", ", "(", ")") { it.type.toString() }
     }
 
     private fun firstSentence(comment: Javadoc?): String {

@@ -6,9 +6,14 @@ import kotlin.test.assertTrue
 
 /** Holds the tables of classes and the programs in docs/lejos.md against the library. */
 class LejosDocumentTest {
-    private val rows = lejosDocument.getValue("lejos.md").substringAfter("\n## The classes\n").substringBefore("\n## ").lines()
+    private val rows = lejosDocument.getValue(
+        "lejos.md",
+    ).substringAfter("\n## The classes\n").substringBefore("\n## ").lines()
         .filter { it.startsWith("| `") }
-    private val superclasses = libraryClassFiles.associate { it.className.replace('.', '/') to it.superclassName.replace('.', '/') }
+    private val superclasses = libraryClassFiles.associate {
+        it.className.replace('.', '/') to
+            it.superclassName.replace('.', '/')
+    }
 
     @Test
     fun `the tables have every class with its help and its methods, and no other`() {
@@ -28,12 +33,14 @@ class LejosDocumentTest {
     private fun isThrowable(name: String): Boolean =
         name == "java/lang/Throwable" || (name != "java/lang/Object" && isThrowable(superclasses.getValue(name)))
 
-    private fun rowOfException(name: String) = "| `${name.substringAfterLast('/')}` | ${libraryHelp.getValue(name).ofClass} |"
+    private fun rowOfException(name: String) =
+        "| `${name.substringAfterLast('/')}` | ${libraryHelp.getValue(name).ofClass} |"
 
     private fun rowOfClass(name: String): String {
         val help = libraryHelp.getValue(name)
         val uses = if (help.uses.size > MAX_USES) listOf(help.uses.first(), "...", help.uses.last()) else help.uses
-        return "| `${name.substringAfterLast('/')}` | ${help.ofClass} | ${uses.joinToString { if (it == "...") it else "`$it`" }} |"
+        return "| `${name.substringAfterLast('/')}` | ${help.ofClass} | " +
+            "${uses.joinToString { if (it == "...") it else "`$it`" }} |"
     }
 
     /** Each program in a folder of its own, since the document has one after the other. */

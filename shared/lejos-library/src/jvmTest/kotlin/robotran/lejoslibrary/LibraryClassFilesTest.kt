@@ -8,7 +8,12 @@ class LibraryClassFilesTest {
 
     @Test
     fun `the library keeps to what a TinyVM accepts`() {
-        assertEquals(emptyList(), classes.flatMap { javaClass -> refusedInstructions(javaClass).map { "${javaClass.className}: $it" } })
+        assertEquals(
+            emptyList(),
+            classes.flatMap { javaClass ->
+                refusedInstructions(javaClass).map { "${javaClass.className}: $it" }
+            },
+        )
     }
 
     @Test

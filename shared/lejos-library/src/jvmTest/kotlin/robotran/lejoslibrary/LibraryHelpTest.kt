@@ -17,7 +17,12 @@ class LibraryHelpTest {
 
     @Test
     fun `no sentence of help is longer than two lines of a tablet`() {
-        val long = help.flatMap { (name, help) -> (help.ofMembers + (name to help.ofClass)).filter { it.second.length > LONGEST } }
+        val long = help.flatMap { (name, help) ->
+            (help.ofMembers + (name to help.ofClass)).filter {
+                it.second.length >
+                    LONGEST
+            }
+        }
         assertEquals(emptyList(), long)
     }
 

@@ -13,7 +13,10 @@ internal class LibraryUse(programs: Map<String, ByteArray>) {
     private val classes = (ownClasses + libraryClassFiles).associateBy { it.className }
 
     /** Each method and constructor as `josx.robotics.Arbitrator.start()V`. */
-    val members: Set<String> = (ownClasses.flatMap(::calls) + ownClasses.flatMap(::implemented) + ownClasses.flatMap(::runs)).toSet()
+    val members: Set<String> = (
+        ownClasses.flatMap(::calls) + ownClasses.flatMap(::implemented) +
+            ownClasses.flatMap(::runs)
+    ).toSet()
 
     private fun calls(caller: JavaClass): List<String> {
         val constants = caller.constantPool
@@ -40,8 +43,14 @@ internal class LibraryUse(programs: Map<String, ByteArray>) {
     }
 
     /** The brick itself calls `run` of a thread. */
-    private fun runs(programClass: JavaClass): List<String> =
-        if (typesOf(programClass.className).any { it.className == THREAD }) declarationsOf(programClass.className, RUN) else emptyList()
+    private fun runs(programClass: JavaClass): List<String> = if (typesOf(programClass.className).any {
+            it.className == THREAD
+        }
+    ) {
+        declarationsOf(programClass.className, RUN)
+    } else {
+        emptyList()
+    }
 
     /** The class [name], all that it extends, and all that these implement. */
     private fun typesOf(name: String): List<JavaClass> {
@@ -53,7 +62,9 @@ internal class LibraryUse(programs: Map<String, ByteArray>) {
     private fun isAbstract(type: JavaClass, member: String): Boolean =
         type.methods.any { it.isAbstract && it.name + it.signature == member }
 
-    private fun declares(type: JavaClass, member: String): Boolean = type.methods.any { it.name + it.signature == member }
+    private fun declares(type: JavaClass, member: String): Boolean = type.methods.any {
+        it.name + it.signature == member
+    }
 
     private companion object {
         const val OBJECT = "java.lang.Object"

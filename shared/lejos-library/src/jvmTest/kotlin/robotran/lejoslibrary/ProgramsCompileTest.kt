@@ -17,7 +17,9 @@ class ProgramsCompileTest {
     @Test
     fun `a TinyVM refuses the lines that the programs name and no others`() {
         val refused = compilation.classes.filterKeys { !it.contains('/') }.flatMap { (name, bytes) ->
-            refusedInstructions(ClassParser(bytes.inputStream(), name).parse()).map { (line, instruction) -> "$name $line $instruction" }
+            refusedInstructions(ClassParser(bytes.inputStream(), name).parse()).map { (line, instruction) ->
+                "$name $line $instruction"
+            }
         }
         val expected = programs.values.flatMap { text ->
             text.lines().mapIndexedNotNull { index, line ->

@@ -9,7 +9,9 @@ import org.apache.bcel.generic.INSTANCEOF
 import org.apache.bcel.generic.Instruction
 import org.apache.bcel.generic.InstructionList
 
-/** The instructions of [javaClass] that the linker of leJOS refuses, each as its line in the source, or 0, and its name. */
+/**
+ * The instructions of [javaClass] that the linker of leJOS refuses, each as its line in the source, or 0, and its name.
+ */
 internal fun refusedInstructions(javaClass: JavaClass): List<Pair<Int, String>> = javaClass.methods.flatMap { method ->
     val code = method.code ?: return@flatMap emptyList()
     val constants = ConstantPoolGen(javaClass.constantPool)
@@ -35,7 +37,25 @@ private const val BYTE = 0xFF
 
 /** Source: `CodeUtilities` of `js.tinyvm` in leJOS 3.0. */
 private val REFUSED: Set<Short> = setOf(
-    Const.LOOKUPSWITCH, Const.TABLESWITCH, Const.GOTO_W, Const.JSR_W, Const.LDC_W, Const.FREM, Const.DREM,
-    Const.LADD, Const.LSUB, Const.LMUL, Const.LDIV, Const.LREM, Const.LNEG, Const.LCMP,
-    Const.LSHL, Const.LSHR, Const.LUSHR, Const.LAND, Const.LOR, Const.LXOR, Const.INVOKEDYNAMIC,
+    Const.LOOKUPSWITCH,
+    Const.TABLESWITCH,
+    Const.GOTO_W,
+    Const.JSR_W,
+    Const.LDC_W,
+    Const.FREM,
+    Const.DREM,
+    Const.LADD,
+    Const.LSUB,
+    Const.LMUL,
+    Const.LDIV,
+    Const.LREM,
+    Const.LNEG,
+    Const.LCMP,
+    Const.LSHL,
+    Const.LSHR,
+    Const.LUSHR,
+    Const.LAND,
+    Const.LOR,
+    Const.LXOR,
+    Const.INVOKEDYNAMIC,
 )

@@ -21,11 +21,12 @@ import org.dyn4j.world.World;
 import org.dyn4j.world.result.RaycastResult;
 
 /**
- * A dyn4j world seen from above, so without gravity. Bodies and their fixtures are known by numbers, and only numbers and arrays of
- * them go in and out, so that the same calls can be made from Kotlin on the JVM and, through WebAssembly, in the browser.
+ * A dyn4j world seen from above, so without gravity. Bodies and their fixtures are known by numbers, and only numbers
+ * and arrays of them go in and out, so that the same calls can be made from Kotlin on the JVM and, through WebAssembly,
+ * in the browser.
  *
- * <p>Lengths are in the caller's unit, angles in radians counter-clockwise, masses in kilograms, times in seconds. Two worlds
- * that are told the same in the same order stay equal to the last bit.
+ * <p>Lengths are in the caller's unit, angles in radians counter-clockwise, masses in kilograms, times in seconds. Two
+ * worlds that are told the same in the same order stay equal to the last bit.
  */
 public final class RigidWorld {
     /** {@link #contacts} has so many bits for a body's fixtures; those with higher numbers are not told apart there. */
@@ -41,12 +42,14 @@ public final class RigidWorld {
 
     /**
      * @param stepSeconds the fixed time of one {@link #step}
-     * @param stepParts how many equal parts a step is solved in; the more, the less deep a body gets into another before it is noticed
+     * @param stepParts how many equal parts a step is solved in; the more, the less deep a body gets into another
+     * before it is noticed
      * @param lengthTolerance how deep two fixtures may overlap before they are pushed apart
      * @param velocityIterations how often the solver goes over the contacts' velocities in a step
      * @param positionIterations how often it goes over their positions
      */
-    public RigidWorld(double stepSeconds, int stepParts, double lengthTolerance, int velocityIterations, int positionIterations) {
+    public RigidWorld(
+            double stepSeconds, int stepParts, double lengthTolerance, int velocityIterations, int positionIterations) {
         this.stepParts = stepParts;
         world.setGravity(0, 0);
         Settings settings = world.getSettings();
@@ -55,7 +58,8 @@ public final class RigidWorld {
         settings.setMaximumWarmStartDistance(2 * lengthTolerance);
         settings.setVelocityConstraintSolverIterations(velocityIterations);
         settings.setPositionConstraintSolverIterations(positionIterations);
-        // It would leave a body that meets another flush exactly at its surface, to be noticed a step later and deeper inside.
+        // It would leave a body that meets another flush exactly at its surface, to be noticed a step later and deeper
+        // inside.
         settings.setContinuousDetectionMode(ContinuousDetectionMode.NONE);
         settings.setAtRestDetectionEnabled(false);
         floor.setMass(MassType.INFINITE);
@@ -64,8 +68,8 @@ public final class RigidWorld {
     }
 
     /**
-     * Adds a body without fixtures that nothing can move, until {@link #setMass} or {@link #spreadMass} makes it movable. Returns its
-     * number, from 0.
+     * Adds a body without fixtures that nothing can move, until {@link #setMass} or {@link #spreadMass} makes it
+     * movable. Returns its number, from 0.
      *
      * @param kind what {@link #contacts} of others tells it apart by, 0 to {@link #KIND_BITS} - 1
      */
@@ -85,10 +89,11 @@ public final class RigidWorld {
     }
 
     /**
-     * Adds a polygon to a body, as one fixture if it is convex and otherwise as several. Returns the number of its first fixture on the body,
-     * from 0.
+     * Adds a polygon to a body, as one fixture if it is convex and otherwise as several. Returns the number of its
+     * first fixture on the body, from 0.
      *
-     * @param corners x and y of each corner, counter-clockwise, seen from the body's origin; no two edges meet but in corners
+     * @param corners x and y of each corner, counter-clockwise, seen from the body's origin; no two edges meet but in
+     * corners
      * @param friction Coulomb coefficient against other fixtures
      */
     public int addPolygon(int body, double[] corners, double friction) {
@@ -118,7 +123,10 @@ public final class RigidWorld {
         return true;
     }
 
-    /** Adds a circle to a body and returns its number on the body, from 0. {@code x} and {@code y} are its centre, seen from the body's origin. */
+    /**
+     * Adds a circle to a body and returns its number on the body, from 0. {@code x} and {@code y} are its centre, seen
+     * from the body's origin.
+     */
     public int addCircle(int body, double x, double y, double radius, double friction) {
         Circle circle = new Circle(radius);
         circle.translate(x, y);
@@ -136,7 +144,10 @@ public final class RigidWorld {
         return number;
     }
 
-    /** Makes a body movable. {@code x} and {@code y} are its centre of mass, seen from its origin; {@code inertia} is about that centre. */
+    /**
+     * Makes a body movable. {@code x} and {@code y} are its centre of mass, seen from its origin; {@code inertia} is
+     * about that centre.
+     */
     public void setMass(int body, double x, double y, double mass, double inertia) {
         bodies.get(body).setMass(new Mass(new Vector2(x, y), mass, inertia));
     }
@@ -179,7 +190,10 @@ public final class RigidWorld {
         world.setUpdateRequired(true);
     }
 
-    /** Changes the velocity of a body at once, as a knock with this impulse at the point {@code x}, {@code y} of the world does. */
+    /**
+     * Changes the velocity of a body at once, as a knock with this impulse at the point {@code x}, {@code y} of the
+     * world does.
+     */
     public void applyImpulse(int body, double impulseX, double impulseY, double x, double y) {
         bodies.get(body).applyImpulse(new Vector2(impulseX, impulseY), new Vector2(x, y));
     }
@@ -225,7 +239,8 @@ public final class RigidWorld {
     }
 
     /**
-     * What the body touches after the last step: bit n stands for its fixture n, bit {@link #FIXTURE_BITS} + k for another body of the kind k.
+     * What the body touches after the last step: bit n stands for its fixture n, bit {@link #FIXTURE_BITS} + k for
+     * another body of the kind k.
      */
     public int contacts(int body) {
         Body touched = bodies.get(body);
@@ -243,8 +258,8 @@ public final class RigidWorld {
     }
 
     /**
-     * How far it is from one point towards another until something is in the way; the whole distance if nothing is. A body that the first
-     * point is in does not count, nor does {@code body}, unless it is negative.
+     * How far it is from one point towards another until something is in the way; the whole distance if nothing is. A
+     * body that the first point is in does not count, nor does {@code body}, unless it is negative.
      */
     public double freeWay(int body, double fromX, double fromY, double toX, double toY) {
         Vector2 from = new Vector2(fromX, fromY);

@@ -3,8 +3,8 @@ package robotran.physics;
 import org.apache.commons.math3.util.FastMath;
 
 /**
- * The one implementation of trigonometry for everything that can reach a pose. {@link Math} may differ in the last bit between
- * platforms; this is plain arithmetic and does not. Angles are in radians.
+ * The one implementation of trigonometry for everything that can reach a pose. {@link Math} may differ in the last bit
+ * between platforms; this is plain arithmetic and does not. Angles are in radians.
  */
 public final class Trigonometry {
     private Trigonometry() {}

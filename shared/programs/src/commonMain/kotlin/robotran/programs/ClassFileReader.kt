@@ -7,20 +7,25 @@ import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.TinyVmMessages
 
 /** Links class files, from our own compiler or from another. */
-internal class ClassFileReader(
-    private val settings: JavaSettings,
-    private val messages: TinyVmMessages,
-) {
-    fun read(
-        source: ProgramSource.CompiledClasses,
-    ): ProgramResult = link(source.name, source.classFiles, source.mainClass) { it.sourceFile }
+internal class ClassFileReader(private val settings: JavaSettings, private val messages: TinyVmMessages) {
+    fun read(source: ProgramSource.CompiledClasses): ProgramResult =
+        link(source.name, source.classFiles, source.mainClass) { it.sourceFile }
 
     /** @param fileOf the source that a refused class is in, null if that is not known. */
-    fun link(name: String, classFiles: Map<String, ByteArray>, mainClass: String?, fileOf: (LinkError) -> String?): ProgramResult {
-        val result = linkTinyVm(name, classFiles, BrickLibrary.classFiles, mainClass, settings.mode, messages, settings.speed)
+    fun link(
+        name: String,
+        classFiles: Map<String, ByteArray>,
+        mainClass: String?,
+        fileOf: (LinkError) -> String?,
+    ): ProgramResult {
+        val result =
+            linkTinyVm(name, classFiles, BrickLibrary.classFiles, mainClass, settings.mode, messages, settings.speed)
         return when (result) {
             is TinyVmResult.Ready -> ProgramResult.Ready(result.program)
-            is TinyVmResult.Rejected -> ProgramResult.HasErrors(listOf(mistakeOf(result.refusal, fileOf(result.refusal))))
+
+            is TinyVmResult.Rejected -> ProgramResult.HasErrors(
+                listOf(mistakeOf(result.refusal, fileOf(result.refusal))),
+            )
         }
     }
 

@@ -10,10 +10,7 @@ import robotran.robolang.diagnostic.SourceRange
 import robotran.tinyvm.diagnostic.LinkError
 
 /** Compiles and links leJOS programs. */
-internal class JavaReader(
-    private val compiler: JavaCompiler,
-    private val classFiles: ClassFileReader,
-) {
+internal class JavaReader(private val compiler: JavaCompiler, private val classFiles: ClassFileReader) {
     fun read(source: ProgramSource.Java): ProgramResult {
         val files = source.files.map { JavaSource(it.name, it.text) }
         return when (val result = compiler.compile(files, BrickLibrary.classFiles)) {
@@ -27,7 +24,9 @@ internal class JavaReader(
         val mainClass =
             mainClassOf(first, compiled.mainClasses)
                 ?: return ProgramResult.HasErrors(listOfNotNull(compiled.missingMain?.let(::mistakeOf)))
-        val linked = classFiles.link(source.name, compiled.classes, mainClass) { refusal -> fileOf(source.files, refusal) }
+        val linked = classFiles.link(source.name, compiled.classes, mainClass) { refusal ->
+            fileOf(source.files, refusal)
+        }
         return when (linked) {
             is ProgramResult.Ready -> linked.copy(warnings = compiled.warnings.map(::mistakeOf), mainClass = mainClass)
             is ProgramResult.HasErrors -> linked

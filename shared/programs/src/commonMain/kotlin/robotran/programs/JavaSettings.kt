@@ -9,7 +9,4 @@ import robotran.tinyvm.config.TinyVmSpeed
  * @property mode with all the peculiarities of a brick, or as the Java language says.
  * @property speed that of a brick, or much more.
  */
-data class JavaSettings(
-    val mode: TinyVmMode = TinyVmMode.BRICK,
-    val speed: TinyVmSpeed = TinyVmSpeed.BRICK,
-)
+data class JavaSettings(val mode: TinyVmMode = TinyVmMode.BRICK, val speed: TinyVmSpeed = TinyVmSpeed.BRICK)

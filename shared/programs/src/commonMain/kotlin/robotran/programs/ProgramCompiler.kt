@@ -10,8 +10,8 @@ import robotran.tinyvm.messages.TinyVmMessages
 import kotlin.coroutines.cancellation.CancellationException
 
 /**
- * Makes what a brick can run of what a pupil has written, in either language. The compiler for Java is loaded when it is first needed, which takes
- * a while in a browser.
+ * Makes what a brick can run of what a pupil has written, in either language. The compiler for Java is loaded when it
+ * is first needed, which takes a while in a browser.
  *
  * @param calibration the figures of the robot that Robolang programs run on.
  * @param java how Java programs are to run.
@@ -52,7 +52,14 @@ class ProgramCompiler(
     /** Reads [source], whatever it holds, which it must be ready for. Not to be used from two threads at once. */
     fun readNow(source: ProgramSource): ProgramResult = when (source) {
         is ProgramSource.Robolang -> robolang.read(source)
-        is ProgramSource.Java -> JavaReader(checkNotNull(compiler) { "The compiler for Java is not loaded." }, classFiles).read(source)
+
+        is ProgramSource.Java -> JavaReader(
+            checkNotNull(compiler) {
+                "The compiler for Java is not loaded."
+            },
+            classFiles,
+        ).read(source)
+
         is ProgramSource.CompiledClasses -> classFiles.read(source)
     }
 

@@ -11,8 +11,8 @@ sealed interface ProgramSource {
     /**
      * A leJOS program in Java.
      *
-     * @property files its sources, one or more; the class to begin with is that of the first file, if it has a main method, otherwise the first
-     * that has one.
+     * @property files its sources, one or more; the class to begin with is that of the first file, if it has a main
+     * method, otherwise the first that has one.
      */
     data class Java(override val name: String, val files: List<SourceFile>) : ProgramSource
 
@@ -35,7 +35,4 @@ sealed interface ProgramSource {
  * @property name its name, with or without folders, such as `Square.java`; a public class in it must be called like it.
  * @property text what is written in it, with any line ends.
  */
-data class SourceFile(
-    val name: String,
-    val text: String,
-)
+data class SourceFile(val name: String, val text: String)

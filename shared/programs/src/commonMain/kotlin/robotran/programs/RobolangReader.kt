@@ -7,14 +7,21 @@ import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.Calibration
 
 /** Reads programs in Robolang. */
-internal class RobolangReader(
-    private val calibration: Calibration,
-    private val messages: RobolangMessages,
-) {
+internal class RobolangReader(private val calibration: Calibration, private val messages: RobolangMessages) {
     fun read(source: ProgramSource.Robolang): ProgramResult =
         when (val result = compileRobolang(source.name, source.text, calibration, messages)) {
-            is RobolangResult.Ready -> ProgramResult.Ready(result.program, result.warnings.map { mistakeOf(source.name, it) })
-            is RobolangResult.HasErrors -> ProgramResult.HasErrors(result.diagnostics.map { mistakeOf(source.name, it) })
+            is RobolangResult.Ready -> ProgramResult.Ready(
+                result.program,
+                result.warnings.map {
+                    mistakeOf(source.name, it)
+                },
+            )
+
+            is RobolangResult.HasErrors -> ProgramResult.HasErrors(
+                result.diagnostics.map {
+                    mistakeOf(source.name, it)
+                },
+            )
         }
 
     private fun mistakeOf(file: String, diagnostic: Diagnostic) = ProgramDiagnostic(

@@ -9,8 +9,9 @@ import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
 
 /**
- * A ROM that remembers what is called, with a clock that stands still while a program computes, so that programs of different speed can be
- * compared. Its sensors measure what [sensors] say at the time; no button is pressed, and the battery is full.
+ * A ROM that remembers what is called, with a clock that stands still while a program computes, so that programs of
+ * different speed can be compared. Its sensors measure what [sensors] say at the time; no button is pressed, and the
+ * battery is full.
  */
 internal class StandingClockRom(private val sensors: List<SensorEvent>) : Rom {
     private val modes = IntArray(SensorCode.PORTS) { SensorCode.MODE_PERCENT }
@@ -29,12 +30,21 @@ internal class StandingClockRom(private val sensors: List<SensorEvent>) : Rom {
     }
 
     override fun readSensor(port: Int, request: SensorRequest): Int {
-        val raw = sensors.lastOrNull { it.port == port + 1 && it.milliseconds <= milliseconds }?.raw ?: SensorCode.OPEN_RAW
+        val raw =
+            sensors.lastOrNull { it.port == port + 1 && it.milliseconds <= milliseconds }?.raw ?: SensorCode.OPEN_RAW
         val boolean = if (raw < TRUE_BELOW) 1 else 0
         return when (request) {
             SensorRequest.RAW -> raw
+
             SensorRequest.BOOLEAN -> boolean
-            SensorRequest.CANONICAL -> if (modes[port] == SensorCode.MODE_BOOLEAN) boolean else (SensorCode.OPEN_RAW - raw) * 25 / 156
+
+            SensorRequest.CANONICAL -> if (modes[port] ==
+                SensorCode.MODE_BOOLEAN
+            ) {
+                boolean
+            } else {
+                (SensorCode.OPEN_RAW - raw) * 25 / 156
+            }
         }
     }
 
@@ -57,7 +67,8 @@ internal data class SensorEvent(val port: Int, val milliseconds: Long, val raw: 
 
 /** A call and when it was made. */
 internal data class TimedCall(val milliseconds: Long, val call: RomCall) {
-    override fun toString(): String = "$milliseconds ${call.address.toString(radix = 16)} ${call.arguments.map { it.toShort() }}"
+    override fun toString(): String =
+        "$milliseconds ${call.address.toString(radix = 16)} ${call.arguments.map { it.toShort() }}"
 }
 
 /** The lines of a test program that say what sensors measure. */

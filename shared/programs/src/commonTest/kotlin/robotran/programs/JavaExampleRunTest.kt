@@ -17,15 +17,18 @@ import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
 /**
- * The Java examples, compiled and run as `robotran run` does, leave the reports recorded in `resources/runs`, whose trace hash counts every tick's pose
- * and every ROM call: the tests run on each target, so all targets make the same calls at the same times. Short ROM logs are there too, to
- * be read when a hash differs. The command line and the web page are held against the same records; `record-runs.sh` makes them anew.
+ * The Java examples, compiled and run as `robotran run` does, leave the reports recorded in `resources/runs`, whose
+ * trace hash counts every tick's pose and every ROM call: the tests run on each target, so all targets make the same
+ * calls at the same times. Short ROM logs are there too, to be read when a hash differs. The command line and the web
+ * page are held against the same records; `record-runs.sh` makes them anew.
  */
 class JavaExampleRunTest {
-    private val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    private val reader =
+        ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
 
     private suspend fun run(name: String, text: String, physics: PhysicsEngine): Session {
-        val result = assertIs<ProgramResult.Ready>(reader.read(ProgramSource.Java(name, listOf(SourceFile(name, text)))), name)
+        val result =
+            assertIs<ProgramResult.Ready>(reader.read(ProgramSource.Java(name, listOf(SourceFile(name, text)))), name)
         return Session(BuiltInWorlds.plain, listOf(result.program), physics).apply {
             runUnattended(60_000)
             close()
@@ -47,7 +50,12 @@ class JavaExampleRunTest {
 
     @Test
     fun `every recorded run is that of an example`() {
-        assertEquals(lejosExamples.keys.map { it.removeSuffix(".java") }.toSet(), expectedRuns.keys.map { it.substringBefore('.') }.toSet())
+        assertEquals(
+            lejosExamples.keys.map {
+                it.removeSuffix(".java")
+            }.toSet(),
+            expectedRuns.keys.map { it.substringBefore('.') }.toSet(),
+        )
     }
 
     private companion object {

@@ -9,7 +9,10 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.time.Duration.Companion.minutes
 
-/** The compiler makes the same class files of all examples, to the last byte, on every platform: this test runs on each with the same hash. */
+/**
+ * The compiler makes the same class files of all examples, to the last byte, on every platform: this test runs on each
+ * with the same hash.
+ */
 class SameClassFilesTest {
     @Test
     fun `the class files of all examples have the recorded hash`() = runTest(timeout = 5.minutes) {
@@ -18,7 +21,10 @@ class SameClassFilesTest {
         val hashes = mutableListOf<String>()
         for ((name, text) in lejosExamples) {
             val result =
-                assertIs<CompilationResult.Compiled>(compiler.compile(listOf(JavaSource(name, text)), BrickLibrary.classFiles), name)
+                assertIs<CompilationResult.Compiled>(
+                    compiler.compile(listOf(JavaSource(name, text)), BrickLibrary.classFiles),
+                    name,
+                )
             val own = Hash()
             for ((className, bytes) in result.classes.entries.sortedBy { it.key }) {
                 listOf(all, own).forEach {
@@ -32,7 +38,10 @@ class SameClassFilesTest {
         assertEquals(RECORDED, all.text, hashes.joinToString("\n"))
     }
 
-    /** FNV-1a of 64 bits. Source: G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake: The FNV Non-Cryptographic Hash Algorithm. */
+    /**
+     * FNV-1a of 64 bits. Source: G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake: The FNV Non-Cryptographic Hash
+     * Algorithm.
+     */
     private class Hash {
         private var value = OFFSET
 

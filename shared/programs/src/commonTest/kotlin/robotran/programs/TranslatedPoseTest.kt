@@ -18,8 +18,9 @@ import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
 /**
- * When a Robolang program has come to its end, and when its translation has, the robot stands at the same place. The brick is one for which computing
- * takes hardly any time: a real one starts its wheels about a millisecond one after the other.
+ * When a Robolang program has come to its end, and when its translation has, the robot stands at the same place. The
+ * brick is one for which computing takes hardly any time: a real one starts its wheels about a millisecond one after
+ * the other.
  */
 class TranslatedPoseTest {
     private val reader = ProgramCompiler(testCalibration, JavaSettings(speed = TinyVmSpeed.UNLIMITED))

@@ -21,23 +21,41 @@ class TranslationDifferenceTest {
             val translated = StandingClockRom(program.sensors)
             if (run(program.robolang, interpreted, MAX_CALLS, LAST_MILLISECOND) != Outcome.Done) return@compareAll null
             val outcome = run(java, translated, MAX_CALLS, LAST_MILLISECOND)
-            if (outcome != Outcome.Done) "ends with $outcome" else differenceOf(callsOf(interpreted), callsOf(translated))
+            if (outcome !=
+                Outcome.Done
+            ) {
+                "ends with $outcome"
+            } else {
+                differenceOf(callsOf(interpreted), callsOf(translated))
+            }
         }
     }
 
-    /** Behaviours need a brick whose time goes on while it computes; threads take turns there, so a call may come a little later. */
+    /**
+     * Behaviours need a brick whose time goes on while it computes; threads take turns there, so a call may come a
+     * little later.
+     */
     @Test
     fun everyProgramWithBehavioursAndItsTranslationMakeTheSameCallsOneAfterTheOther() = runTest(timeout = 10.minutes) {
         compareAll(robolangs.filter { it.hasBehaviours && it.path !in UNCERTAIN }, MIN_REACTING) { program, java ->
             val interpreted = runOnBrick(program.robolang, program.sensors, BEHAVIOUR_MILLISECONDS)
             val translated = runOnBrick(java, program.sensors, BEHAVIOUR_MILLISECONDS)
             // One that never ends is a little further on after so many milliseconds than the other.
-            val max = if (interpreted.isOver || translated.isOver) Int.MAX_VALUE else minOf(interpreted.calls.size, translated.calls.size)
+            val max = if (interpreted.isOver ||
+                translated.isOver
+            ) {
+                Int.MAX_VALUE
+            } else {
+                minOf(interpreted.calls.size, translated.calls.size)
+            }
             differenceOf(ordered(interpreted.calls).take(max), ordered(translated.calls).take(max))
         }
     }
 
-    /** @param difference what is different about a translation, an empty text for nothing, null if there is nothing to compare with. */
+    /**
+     * @param difference what is different about a translation, an empty text for nothing, null if there is nothing to
+     * compare with.
+     */
     private suspend fun compareAll(programs: List<Robolang>, min: Int, difference: (Robolang, RcxProgram) -> String?) {
         val differences = mutableListOf<String>()
         var compared = 0
@@ -54,7 +72,9 @@ class TranslationDifferenceTest {
         assertTrue(compared >= min, "only $compared programs were compared")
     }
 
-    private fun callsOf(rom: StandingClockRom) = rom.calls.filter { it.milliseconds <= LAST_MILLISECOND }.take(MAX_CALLS)
+    private fun callsOf(rom: StandingClockRom) = rom.calls.filter {
+        it.milliseconds <= LAST_MILLISECOND
+    }.take(MAX_CALLS)
 
     private fun ordered(calls: List<TimedCall>) = calls.map { TimedCall(0, it.call.withoutPlaces()) }
 
@@ -80,8 +100,8 @@ class TranslationDifferenceTest {
         val LARGE_DIVISORS = setOf("warnings/divisor-too-large.robo", "warnings/divisor-of-no-lower-bits.robo")
 
         /**
-         * Two have conditions that hold for no time at all: whether a brick notices is a matter of luck. In the others two begin to hold at
-         * once: a brick looks at one after the other, and may see either first.
+         * Two have conditions that hold for no time at all: whether a brick notices is a matter of luck. In the others
+         * two begin to hold at once: a brick looks at one after the other, and may see either first.
          */
         val UNCERTAIN = setOf(
             "behaviours/interrupts-between-statements.robo",

@@ -4,7 +4,8 @@ import robotran.language.listed
 
 /** The messages in English. */
 internal object EnglishProjectMessages : ProjectMessages {
-    override fun notAProject(format: String) = "This is not a Robotran project: a project file says \"format\": \"$format\"."
+    override fun notAProject(format: String) =
+        "This is not a Robotran project: a project file says \"format\": \"$format\"."
 
     override fun newerProject(version: Int, known: Int) =
         "This project was made by a newer Robotran (it has version $version, this Robotran reads up to $known)."
@@ -38,7 +39,13 @@ internal object EnglishProjectMessages : ProjectMessages {
     override fun projectTooLong(characters: Int, limit: Int) = tooLong("project", characters, limit)
 
     override fun unknownRobot(name: String, robots: List<String>): String {
-        val known = if (robots.size == 1) "There is only one, called ${robots.single()}." else "There are ${listed(robots, "and")}."
+        val known = if (robots.size ==
+            1
+        ) {
+            "There is only one, called ${robots.single()}."
+        } else {
+            "There are ${listed(robots, "and")}."
+        }
         return "No robot in this world is called $name. $known"
     }
 
@@ -46,5 +53,6 @@ internal object EnglishProjectMessages : ProjectMessages {
         "The robot $robot has been given $count programs, but a brick has room for $limit."
 
     private fun tooLong(what: String, characters: Int, limit: Int) =
-        "This $what is too long for a link: it would take $characters characters, and $limit are the most. Share its file instead."
+        "This $what is too long for a link: it would take $characters characters, and $limit are the most. Share its " +
+            "file instead."
 }

@@ -4,10 +4,12 @@ import robotran.language.listed
 
 /** The messages in German. */
 internal object GermanProjectMessages : ProjectMessages {
-    override fun notAProject(format: String) = "Das ist kein Projekt von Robotran: In einer Projektdatei steht \"format\": \"$format\"."
+    override fun notAProject(format: String) =
+        "Das ist kein Projekt von Robotran: In einer Projektdatei steht \"format\": \"$format\"."
 
     override fun newerProject(version: Int, known: Int) =
-        "Dieses Projekt wurde mit einem neueren Robotran gemacht (es hat Version $version, dieses Robotran liest bis $known)."
+        "Dieses Projekt wurde mit einem neueren Robotran gemacht (es hat Version $version, dieses Robotran liest bis " +
+            "$known)."
 
     override fun robotTwice(name: String) = "handelt von \"$name\", und das tut schon einer davor"
 
@@ -38,7 +40,13 @@ internal object GermanProjectMessages : ProjectMessages {
     override fun projectTooLong(characters: Int, limit: Int) = tooLong("Dieses Projekt", "Es", characters, limit)
 
     override fun unknownRobot(name: String, robots: List<String>): String {
-        val known = if (robots.size == 1) "Es gibt nur einen, der heißt ${robots.single()}." else "Es gibt ${listed(robots, "und")}."
+        val known = if (robots.size ==
+            1
+        ) {
+            "Es gibt nur einen, der heißt ${robots.single()}."
+        } else {
+            "Es gibt ${listed(robots, "und")}."
+        }
         return "Kein Roboter in dieser Welt heißt $name. $known"
     }
 
@@ -46,5 +54,6 @@ internal object GermanProjectMessages : ProjectMessages {
         "Der Roboter $robot hat $count Programme bekommen, aber in einen Stein passen nur $limit."
 
     private fun tooLong(what: String, pronoun: String, characters: Int, limit: Int) =
-        "$what ist zu lang für einen Link: $pronoun würde $characters Zeichen brauchen, und höchstens $limit gehen. Teil stattdessen die Datei."
+        "$what ist zu lang für einen Link: $pronoun würde $characters Zeichen brauchen, und höchstens $limit gehen. " +
+            "Teil stattdessen die Datei."
 }

@@ -12,7 +12,9 @@ import robotran.world.geometry.Pose
 internal class InputReader(private val world: World) {
     fun read(place: JsonCursor): List<RecordedInput> {
         val places = place.items(0..ProjectLimits.MAXIMUM_INPUTS)
-        val inputs = places.map { RecordedInput(it.member("at").longNumber(0..ProjectLimits.MAXIMUM_MILLISECONDS), inputIn(it)) }
+        val inputs = places.map {
+            RecordedInput(it.member("at").longNumber(0..ProjectLimits.MAXIMUM_MILLISECONDS), inputIn(it))
+        }
         inputs.indices.drop(1).firstOrNull { inputs[it].milliseconds < inputs[it - 1].milliseconds }?.let {
             places[it].member("at").refuse(told { beforeInputAbove() })
         }
@@ -22,8 +24,12 @@ internal class InputReader(private val world: World) {
     private fun inputIn(place: JsonCursor): SessionInput {
         // An input is what was done, and nothing can be added to that.
         val kind = place.member("kind").textOrNull()
-        val fields = InputKind.FIELDS[kind] ?: place.member("kind").refuse { JsonMessages.of(it).mustBeOneOf(InputKind.FIELDS.keys) }
-        (place.names - fields - InputKind.COMMON).firstOrNull()?.let { field -> place.refuse(told { mustNotHave(field) }) }
+        val fields =
+            InputKind.FIELDS[kind]
+                ?: place.member("kind").refuse { JsonMessages.of(it).mustBeOneOf(InputKind.FIELDS.keys) }
+        (place.names - fields - InputKind.COMMON).firstOrNull()?.let { field ->
+            place.refuse(told { mustNotHave(field) })
+        }
         return when (kind) {
             InputKind.PRESS -> SessionInput.Press(place.member("button").choice(BUTTONS), robot(place))
             InputKind.RELEASE -> SessionInput.Release(place.member("button").choice(BUTTONS), robot(place))

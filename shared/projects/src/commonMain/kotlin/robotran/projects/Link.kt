@@ -30,8 +30,8 @@ sealed interface LinkResult {
 }
 
 /**
- * The link to [world]: its file, deflated, in letters that every program takes for part of an address. Nothing of it is ever sent to a server, since a
- * browser keeps to itself what is behind the `#`.
+ * The link to [world]: its file, deflated, in letters that every program takes for part of an address. Nothing of it is
+ * ever sent to a server, since a browser keeps to itself what is behind the `#`.
  *
  * @param language what is told in if it is too long.
  */
@@ -45,8 +45,8 @@ suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): Lin
 /**
  * Opens a link that [linkOf] has made.
  *
- * @param link a whole address with a fragment, or the fragment alone, with blanks around it or none. Whatever it is, this ends quickly and with a
- * result.
+ * @param link a whole address with a fragment, or the fragment alone, with blanks around it or none. Whatever it is,
+ * this ends quickly and with a result.
  * @param language what a refusal is told in.
  */
 suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkResult {
@@ -102,6 +102,9 @@ private fun resultOf(result: ProjectFileResult, messages: LinkMessages): LinkRes
     is ProjectFileResult.Rejected -> LinkResult.Rejected(messages.linkUnusable(result.message))
 }
 
-/** Says how a link is packed: the file's shortest JSON, raw deflate, Base64 with `-` and `_` and without `=`. Another way will have another letter. */
+/**
+ * Says how a link is packed: the file's shortest JSON, raw deflate, Base64 with `-` and `_` and without `=`. Another
+ * way will have another letter.
+ */
 private const val SCHEME = "a"
 private val LETTERS = Base64.UrlSafe.withPadding(Base64.PaddingOption.ABSENT)

@@ -11,8 +11,8 @@ import robotran.world.UnknownFields
 import robotran.world.World
 
 /**
- * What a pupil keeps and shares: programs for the robots of a world, the world itself, and how they run. `docs/worlds.md` describes the file
- * it is kept in.
+ * What a pupil keeps and shares: programs for the robots of a world, the world itself, and how they run.
+ * `docs/worlds.md` describes the file it is kept in.
  *
  * @property world as the teacher made it; see [settings] for what the pupil has changed about it.
  * @property robots those of the world's robots that have been given something, each once.
@@ -27,10 +27,17 @@ data class Project(
     val unknown: UnknownFields = UnknownFields.NONE,
 ) {
     /** The world as sessions of this project have it. */
-    val worldToRun: World get() = world.copy(seed = settings.seed ?: world.seed, realism = settings.realism ?: world.realism)
+    val worldToRun: World get() = world.copy(
+        seed = settings.seed ?: world.seed,
+        realism =
+            settings.realism ?: world.realism,
+    )
 
     /** The programs by the names of the robots, as [readRobotLoads] takes them. */
-    val programs: Map<String, List<ProgramSource>> get() = robots.associate { robot -> robot.name to robot.programs.map { it.source } }
+    val programs: Map<String, List<ProgramSource>> get() = robots.associate { robot ->
+        robot.name to
+            robot.programs.map { it.source }
+    }
 }
 
 /**
@@ -70,8 +77,14 @@ data class ProjectProgram(
     companion object {
         /** Null for class files, which nobody could go on writing. */
         fun of(source: ProgramSource): ProjectProgram? = when (source) {
-            is ProgramSource.Robolang -> ProjectProgram(source.name, ProgramLanguage.ROBOLANG, listOf(SourceFile(source.name, source.text)))
+            is ProgramSource.Robolang -> ProjectProgram(
+                source.name,
+                ProgramLanguage.ROBOLANG,
+                listOf(SourceFile(source.name, source.text)),
+            )
+
             is ProgramSource.Java -> ProjectProgram(source.name, ProgramLanguage.JAVA, source.files)
+
             is ProgramSource.CompiledClasses -> null
         }
     }

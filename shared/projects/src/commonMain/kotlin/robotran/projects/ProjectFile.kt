@@ -21,7 +21,8 @@ sealed interface ProjectFileResult {
 }
 
 /**
- * Reads a project file, `.robotran`; `docs/worlds.md` describes the format. Whatever the text is, this ends quickly and with a result.
+ * Reads a project file, `.robotran`; `docs/worlds.md` describes the format. Whatever the text is, this ends quickly and
+ * with a result.
  *
  * @param language what a refusal is told in.
  */
@@ -33,8 +34,8 @@ fun readProject(bytes: ByteArray, language: Language = Language.ENGLISH): Projec
     resultOf(readJson(bytes, language, ::projectIn))
 
 /**
- * [project] as a file, for people to read and to merge. [readProject] makes the same project of it, if all its numbers have no more than fifteen
- * digits.
+ * [project] as a file, for people to read and to merge. [readProject] makes the same project of it, if all its numbers
+ * have no more than fifteen digits.
  */
 fun writeProject(project: Project): String = writeJson(elementOf(project), TALL_LISTS + TEXT)
 

@@ -8,8 +8,9 @@ object ProjectLimits {
     const val MAXIMUM_NAME_CHARACTERS = 200
 
     /**
-     * Of a program that is written or opened as a file, all its files together, in UTF-16 characters: as much as the compiler for Java takes, some
-     * fifty times what fits into a brick. A project may hold more; it can be read, but such a program cannot become longer.
+     * Of a program that is written or opened as a file, all its files together, in UTF-16 characters: as much as the
+     * compiler for Java takes, some fifty times what fits into a brick. A project may hold more; it can be read, but
+     * such a program cannot become longer.
      */
     const val MAXIMUM_PROGRAM_CHARACTERS = 200_000
 

@@ -17,8 +17,8 @@ interface ProjectMessages :
 }
 
 /**
- * What is said of project files, beyond what is said of the world in them. Most is what is wrong with a value, and is read behind its path, without a
- * full stop.
+ * What is said of project files, beyond what is said of the world in them. Most is what is wrong with a value, and is
+ * read behind its path, without a full stop.
  */
 interface ProjectFileMessages {
     /** A whole sentence. */

@@ -85,7 +85,10 @@ private fun settingsIn(place: JsonCursor) = ProjectSettings(
 
 private fun javaSettingsIn(place: JsonCursor): JavaSettings {
     val default = JavaSettings()
-    return JavaSettings(place.optional("mode")?.choice(MODES) ?: default.mode, place.optional("speed")?.choice(SPEEDS) ?: default.speed)
+    return JavaSettings(
+        place.optional("mode")?.choice(MODES) ?: default.mode,
+        place.optional("speed")?.choice(SPEEDS) ?: default.speed,
+    )
 }
 
 private val FILE_FIELDS = setOf("name", TEXT)

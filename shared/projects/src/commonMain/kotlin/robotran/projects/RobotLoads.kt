@@ -16,8 +16,10 @@ import robotran.world.World
 /** What came of reading the programs of all robots of a world. */
 sealed interface RobotLoads {
     /**
-     * @property loads one for each robot, in the world's order; with the light sensor turned as the first program's header says.
-     * @property warnings what is doubtful in the programs that were given; in a world's own there is nothing a pupil could mend.
+     * @property loads one for each robot, in the world's order; with the light sensor turned as the first program's
+     * header says.
+     * @property warnings what is doubtful in the programs that were given; in a world's own there is nothing a pupil
+     * could mend.
      */
     data class Ready(val loads: List<RobotLoad>, val warnings: List<ProgramDiagnostic>) : RobotLoads
 
@@ -31,8 +33,8 @@ sealed interface RobotLoads {
 }
 
 /**
- * Reads the programs of all robots of [world], each into slots of its brick in their order. A robot that nobody gives a program has the one that the
- * world gives it, if any.
+ * Reads the programs of all robots of [world], each into slots of its brick in their order. A robot that nobody gives a
+ * program has the one that the world gives it, if any.
  *
  * @param given programs by the names of robots; see [forFirstRobot] for those of which nobody said whose they are.
  * @throws Throwable as [ProgramCompiler.read] does.
@@ -61,7 +63,10 @@ suspend fun readRobotLoads(project: Project, reader: ProgramCompiler): RobotLoad
         is RobotLoads.Ready -> result.copy(loads = loadsWith(project.robots, project.world, result.loads))
     }
 
-/** [loads] of the robots of [world], with the first program and the light sensor as [robots] have them; of programs the loads' own count. */
+/**
+ * [loads] of the robots of [world], with the first program and the light sensor as [robots] have them; of programs the
+ * loads' own count.
+ */
 fun loadsWith(robots: List<ProjectRobot>, world: World, loads: List<RobotLoad>): List<RobotLoad> =
     world.robots.zip(loads) { place, load ->
         val robot = robots.firstOrNull { it.name == place.name }
@@ -78,9 +83,12 @@ fun lightFacingOf(program: RcxProgram): LightFacing? = when ((program as? Robola
 }
 
 /** These programs for the pupil's own robot, to be given to [readRobotLoads]. */
-fun World.forFirstRobot(programs: List<ProgramSource>): Map<String, List<ProgramSource>> = mapOf(robots.first().name to programs)
+fun World.forFirstRobot(programs: List<ProgramSource>): Map<String, List<ProgramSource>> =
+    mapOf(robots.first().name to programs)
 
-private fun ownProgram(robot: RobotPlacement): ProgramSource? = robot.program?.let { ProgramSource.Robolang("${robot.name}.robo", it) }
+private fun ownProgram(robot: RobotPlacement): ProgramSource? = robot.program?.let {
+    ProgramSource.Robolang("${robot.name}.robo", it)
+}
 
 private fun mistakeOfGiving(
     world: World,
@@ -92,6 +100,9 @@ private fun mistakeOfGiving(
         return RobotLoads.HasErrors(name, listOf(ProgramDiagnostic("", null, messages.unknownRobot(name, names))))
     }
     return given.entries.firstOrNull { it.value.size > Brick.MAX_PROGRAMS }?.let { (name, programs) ->
-        RobotLoads.HasErrors(name, listOf(ProgramDiagnostic("", null, messages.tooManyPrograms(name, programs.size, Brick.MAX_PROGRAMS))))
+        RobotLoads.HasErrors(
+            name,
+            listOf(ProgramDiagnostic("", null, messages.tooManyPrograms(name, programs.size, Brick.MAX_PROGRAMS))),
+        )
     }
 }

@@ -4,10 +4,12 @@ import robotran.language.listed
 
 /** The messages in Spanish. */
 internal object SpanishProjectMessages : ProjectMessages {
-    override fun notAProject(format: String) = "Esto no es un proyecto de Robotran: un archivo de proyecto dice \"format\": \"$format\"."
+    override fun notAProject(format: String) =
+        "Esto no es un proyecto de Robotran: un archivo de proyecto dice \"format\": \"$format\"."
 
     override fun newerProject(version: Int, known: Int) =
-        "Este proyecto se hizo con un Robotran más nuevo (tiene la versión $version, y este Robotran lee hasta la $known)."
+        "Este proyecto se hizo con un Robotran más nuevo (tiene la versión $version, y este Robotran lee hasta la " +
+            "$known)."
 
     override fun robotTwice(name: String) = "trata de \"$name\", y uno anterior ya lo hace"
 
@@ -38,7 +40,13 @@ internal object SpanishProjectMessages : ProjectMessages {
     override fun projectTooLong(characters: Int, limit: Int) = tooLong("proyecto", characters, limit)
 
     override fun unknownRobot(name: String, robots: List<String>): String {
-        val known = if (robots.size == 1) "Solo hay uno, que se llama ${robots.single()}." else "Están ${listed(robots, "y")}."
+        val known = if (robots.size ==
+            1
+        ) {
+            "Solo hay uno, que se llama ${robots.single()}."
+        } else {
+            "Están ${listed(robots, "y")}."
+        }
         return "Ningún robot de este mundo se llama $name. $known"
     }
 
@@ -46,5 +54,6 @@ internal object SpanishProjectMessages : ProjectMessages {
         "El robot $robot ha recibido $count programas, pero en un ladrillo caben $limit."
 
     private fun tooLong(what: String, characters: Int, limit: Int) =
-        "Este $what es demasiado largo para un enlace: ocuparía $characters letras y signos, y como mucho pueden ser $limit. Comparte mejor su archivo."
+        "Este $what es demasiado largo para un enlace: ocuparía $characters letras y signos, y como mucho pueden ser " +
+            "$limit. Comparte mejor su archivo."
 }

@@ -26,7 +26,8 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class LanguagesTest {
-    private val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    private val reader =
+        ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     private val world = BuiltInWorlds.plain.copy(
         paper = Paper(200.0, 80.0),
         walls = emptyList(),
@@ -52,8 +53,14 @@ class LanguagesTest {
             listOf(SourceFile("Robot.java", "class Robot { public static void main(String[] args) { spped = 3; } }")),
         )
         reader.prepareFor(java)
-        assertEquals("Después de \"forward\" va un número, como en \"forward 20\".", mistakeIn(Language.SPANISH, robolang))
-        assertEquals("Nach \"forward\" kommt eine Zahl, zum Beispiel \"forward 20\".", mistakeIn(Language.GERMAN, robolang))
+        assertEquals(
+            "Después de \"forward\" va un número, como en \"forward 20\".",
+            mistakeIn(Language.SPANISH, robolang),
+        )
+        assertEquals(
+            "Nach \"forward\" kommt eine Zahl, zum Beispiel \"forward 20\".",
+            mistakeIn(Language.GERMAN, robolang),
+        )
         assertEquals(
             listOf(
                 "There is no variable \"spped\". Declare it first, such as with \"int spped = 0;\".",
@@ -77,8 +84,10 @@ class LanguagesTest {
         assertEquals(
             listOf(
                 "The program cannot go on. Line 4: 1 cannot be divided by 0. Press On-Off to go back to the start.",
-                "El programa no puede seguir. Línea 4: 1 no se puede dividir entre 0. Pulsa On-Off para volver al principio.",
-                "Das Programm kann nicht weiter. Zeile 4: 1 kann man nicht durch 0 teilen. Drück auf On-Off, um zum Anfang zurückzukommen.",
+                "El programa no puede seguir. Línea 4: 1 no se puede dividir entre 0. Pulsa On-Off para volver al " +
+                    "principio.",
+                "Das Programm kann nicht weiter. Zeile 4: 1 kann man nicht durch 0 teilen. Drück auf On-Off, um zum " +
+                    "Anfang zurückzukommen.",
             ),
             sessions.map { it.state.brick.explanation },
         )
@@ -121,7 +130,9 @@ class LanguagesTest {
                 "Kein Roboter in dieser Welt heißt anna. Es gibt nur einen, der heißt yellow.",
             ),
             Language.entries.map {
-                assertIs<RobotLoads.HasErrors>(readRobotLoads(world, reader.telling(it), given)).diagnostics.single().message
+                assertIs<RobotLoads.HasErrors>(
+                    readRobotLoads(world, reader.telling(it), given),
+                ).diagnostics.single().message
             },
         )
     }

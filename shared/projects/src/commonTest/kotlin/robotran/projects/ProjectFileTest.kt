@@ -62,7 +62,14 @@ class ProjectFileTest {
             .replaceFirst("\"world\": {", "\"by\": \"me\", \"world\": { \"of\": \"me\", ")
         val written = writeProject(loaded(text))
         assertEquals(loaded(text), loaded(written))
-        listOf("\"luck\": 1.0", "\"heap\": 4", "\"hat\": null", "\"read\": true", "\"by\": \"me\"", "\"of\": \"me\"").forEach {
+        listOf(
+            "\"luck\": 1.0",
+            "\"heap\": 4",
+            "\"hat\": null",
+            "\"read\": true",
+            "\"by\": \"me\"",
+            "\"of\": \"me\"",
+        ).forEach {
             assertTrue(it in written, "$it is in\n$written")
         }
     }
@@ -70,7 +77,10 @@ class ProjectFileTest {
     @Test
     fun `what is no project is refused`() {
         val refusal = { text: String -> assertIs<ProjectFileResult.Rejected>(readProject(text)).message }
-        assertEquals("This is not a Robotran project: a project file says \"format\": \"robotran-project\".", refusal("{}"))
+        assertEquals(
+            "This is not a Robotran project: a project file says \"format\": \"robotran-project\".",
+            refusal("{}"),
+        )
         assertEquals("Line 1: version is missing.", refusal("{\"format\": \"robotran-project\"}"))
         assertEquals(
             "This project was made by a newer Robotran (it has version 2, this Robotran reads up to 1).",
@@ -93,7 +103,11 @@ class ProjectFileTest {
         val text = writeProject(FULL_PROJECT).replaceFirst("\"thickness\": 1 ", "\"thickness\": 0 ")
         val line = text.substringBefore("\"thickness\": 0").count { it == '\n' } + 1
         assertEquals(
-            ProjectFileResult.Rejected("Line $line: world.walls[0].thickness must be from 0.1 to 100.", line, "world.walls[0].thickness"),
+            ProjectFileResult.Rejected(
+                "Line $line: world.walls[0].thickness must be from 0.1 to 100.",
+                line,
+                "world.walls[0].thickness",
+            ),
             readProject(text),
         )
     }
@@ -106,7 +120,10 @@ class ProjectFileTest {
             "robots[0].firstProgram must be a whole number from 1 to 2.",
             refusalWith("\"firstProgram\": 2", "\"firstProgram\": 3"),
         )
-        assertEquals("robots[0].programs[1].language must be \"robolang\" or \"java\".", refusalWith("\"java\"", "\"basic\""))
+        assertEquals(
+            "robots[0].programs[1].language must be \"robolang\" or \"java\".",
+            refusalWith("\"java\"", "\"basic\""),
+        )
         assertEquals(
             "robots[0].programs[1].files[1] must not have \"size\".",
             refusalWith("\"name\": \"C.java\"", "\"size\": 5, \"name\": \"C.java\""),
@@ -118,7 +135,10 @@ class ProjectFileTest {
         assertEquals("settings.realism must be from 0 to 1.", refusalWith("\"realism\": 0.25", "\"realism\": 2"))
         assertEquals("settings.java.mode must be \"brick\" or \"forgiving\".", refusalWith("\"forgiving\"", "\"kind\""))
         assertEquals("inputs[1].at must not be before the input above it.", refusalWith("\"at\": 0,", "\"at\": 11,"))
-        assertEquals("inputs[0].button must be \"on-off\", \"view\", \"prgm\" or \"run\".", refusalWith("\"on-off\"", "\"off\""))
+        assertEquals(
+            "inputs[0].button must be \"on-off\", \"view\", \"prgm\" or \"run\".",
+            refusalWith("\"on-off\"", "\"off\""),
+        )
         assertEquals(
             "inputs[3].robot must be the name of a robot of the world.",
             refusalWith("\"placeRobot\", \"robot\": \"bob\"", "\"placeRobot\", \"robot\": 1"),
@@ -138,7 +158,11 @@ class ProjectFileTest {
             val changed = file.copyOf()
             repeat(random.nextInt(1, 4)) { changed[random.nextInt(changed.size)] = random.nextInt(256).toByte() }
             when (val result = readProject(changed)) {
-                is ProjectFileResult.Loaded -> assertEquals<ProjectFileResult>(result, readProject(writeProject(result.project)))
+                is ProjectFileResult.Loaded -> assertEquals<ProjectFileResult>(
+                    result,
+                    readProject(writeProject(result.project)),
+                )
+
                 is ProjectFileResult.Rejected -> assertTrue(result.message.endsWith("."), result.message)
             }
         }

@@ -23,23 +23,41 @@ import kotlin.test.assertTrue
 /** A project with something of everything that a file can hold. */
 internal val FULL_PROJECT = Project(
     world = BuiltInWorlds.plain.copy(
-        robots = listOf(RobotPlacement(Pose(20.0, 20.0, 0.0), "ann"), RobotPlacement(Pose(60.0, 20.0, 0.0), "bob", RobotColour.BLUE)),
-        blocks = listOf(Block(Shape.Circle(Point(50.0, 50.0), 3.0)), Block(Shape.Rectangle(Point(70.0, 50.0), 4.0, 6.0))),
+        robots = listOf(
+            RobotPlacement(Pose(20.0, 20.0, 0.0), "ann"),
+            RobotPlacement(Pose(60.0, 20.0, 0.0), "bob", RobotColour.BLUE),
+        ),
+        blocks = listOf(
+            Block(Shape.Circle(Point(50.0, 50.0), 3.0)),
+            Block(Shape.Rectangle(Point(70.0, 50.0), 4.0, 6.0)),
+        ),
         lamps = listOf(Lamp(Point(1.0, 2.0)), Lamp(Point(3.0, 4.0))),
     ),
     robots = listOf(
         ProjectRobot(
             "bob",
             listOf(
-                ProjectProgram("a.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("a.robo", "beep\r\n\tbuzz // ñ🤖\u0000\n"))),
-                ProjectProgram("B", ProgramLanguage.JAVA, listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", ""))),
+                ProjectProgram(
+                    "a.robo",
+                    ProgramLanguage.ROBOLANG,
+                    listOf(SourceFile("a.robo", "beep\r\n\tbuzz // ñ🤖\u0000\n")),
+                ),
+                ProjectProgram(
+                    "B",
+                    ProgramLanguage.JAVA,
+                    listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", "")),
+                ),
             ),
             firstProgram = 1,
             lightFacing = LightFacing.FORWARD,
         ),
         ProjectRobot("ann"),
     ),
-    settings = ProjectSettings(seed = 5, realism = 0.25, java = JavaSettings(TinyVmMode.FORGIVING, TinyVmSpeed.UNLIMITED)),
+    settings = ProjectSettings(
+        seed = 5,
+        realism = 0.25,
+        java = JavaSettings(TinyVmMode.FORGIVING, TinyVmSpeed.UNLIMITED),
+    ),
     inputs = listOf(
         RecordedInput(0, SessionInput.Press(BrickButton.ON_OFF)),
         RecordedInput(10, SessionInput.Release(BrickButton.ON_OFF, 1)),

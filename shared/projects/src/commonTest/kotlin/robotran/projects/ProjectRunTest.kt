@@ -13,9 +13,10 @@ import kotlin.test.assertIs
 import kotlin.time.Duration.Companion.minutes
 
 /**
- * Ten worlds full of things - 40 barriers, 10 blocks, marks, lamps, three robots that draw, noise - and what was done in them from outside leave the reports
- * recorded in `resources/runs`, whose trace hash counts where everything is after each step and every ROM call: on every target, on the command line and in the
- * page in a browser, which are held against the same records. `record-runs.sh` makes them anew.
+ * Ten worlds full of things - 40 barriers, 10 blocks, marks, lamps, three robots that draw, noise - and what was done
+ * in them from outside leave the reports recorded in `resources/runs`, whose trace hash counts where everything is
+ * after each step and every ROM call: on every target, on the command line and in the page in a browser, which are held
+ * against the same records. `record-runs.sh` makes them anew.
  */
 class ProjectRunTest {
     private val projects = recordedProjects.filterKeys { it.endsWith(".robotran") }
@@ -26,12 +27,19 @@ class ProjectRunTest {
         for ((name, text) in projects) {
             val project = assertIs<ProjectFileResult.Loaded>(readProject(text)).project
             val reader =
-                ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE), project.settings.java)
+                ProgramCompiler(
+                    Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
+                    project.settings.java,
+                )
             val loads = assertIs<RobotLoads.Ready>(readRobotLoads(project, reader)).loads
             val session = Session.replay(project.worldToRun, loads, loadPhysicsEngine(), project.inputs, MILLISECONDS)
             session.finish()
             session.close()
-            assertEquals(recordedProjects.getValue(name.replace(".robotran", ".report.json")), session.report().toJson() + "\n", name)
+            assertEquals(
+                recordedProjects.getValue(name.replace(".robotran", ".report.json")),
+                session.report().toJson() + "\n",
+                name,
+            )
         }
     }
 

@@ -14,7 +14,8 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class RobotLoadsTest {
-    private val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    private val reader =
+        ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     private val world = BuiltInWorlds.plain.copy(
         robots = listOf(
             RobotPlacement(Pose(20.0, 20.0, 0.0), "ann"),
@@ -26,20 +27,30 @@ class RobotLoadsTest {
     private fun program(name: String, text: String) = ProgramSource.Robolang(name, text)
 
     private suspend fun names(given: Map<String, List<ProgramSource>>): List<List<String?>> =
-        assertIs<RobotLoads.Ready>(readRobotLoads(world, reader, given)).loads.map { load -> load.programs.map { it?.name } }
+        assertIs<RobotLoads.Ready>(readRobotLoads(world, reader, given)).loads.map { load ->
+            load.programs.map { it?.name }
+        }
 
     @Test
     fun `each robot gets the programs it is given and otherwise its own`() = runTest {
         val first = world.forFirstRobot(listOf(program("a.robo", "beep"), program("b.robo", "buzz")))
         assertEquals(listOf(listOf("a.robo", "b.robo"), listOf("bob.robo"), emptyList()), names(first))
-        assertEquals(listOf(emptyList(), listOf("b.robo"), emptyList()), names(mapOf("bob" to listOf(program("b.robo", "beep")))))
+        assertEquals(
+            listOf(emptyList(), listOf("b.robo"), emptyList()),
+            names(mapOf("bob" to listOf(program("b.robo", "beep")))),
+        )
     }
 
     @Test
     fun `warnings are about what was given only`() = runTest {
         val warned = world.copy(robots = world.robots.map { it.copy(program = "var unused = 1") })
         val given = warned.forFirstRobot(listOf(program("a.robo", "var unused = 1")))
-        assertEquals(listOf("a.robo"), assertIs<RobotLoads.Ready>(readRobotLoads(warned, reader, given)).warnings.map { it.file })
+        assertEquals(
+            listOf("a.robo"),
+            assertIs<RobotLoads.Ready>(readRobotLoads(warned, reader, given)).warnings.map {
+                it.file
+            },
+        )
     }
 
     @Test
@@ -50,7 +61,10 @@ class RobotLoadsTest {
         assertEquals(listOf(LightFacing.FORWARD, null, null), loads.map { it.lightFacing })
         val written = listOf(checkNotNull(ProjectProgram.of(forward)))
         val turned = Project(world, listOf(ProjectRobot("ann", written, lightFacing = LightFacing.DOWN)))
-        assertEquals(LightFacing.DOWN, assertIs<RobotLoads.Ready>(readRobotLoads(turned, reader)).loads.first().lightFacing)
+        assertEquals(
+            LightFacing.DOWN,
+            assertIs<RobotLoads.Ready>(readRobotLoads(turned, reader)).loads.first().lightFacing,
+        )
     }
 
     @Test
@@ -64,7 +78,10 @@ class RobotLoadsTest {
     @Test
     fun `a program for a robot that is not there is a mistake`() = runTest {
         val mistaken = assertIs<RobotLoads.HasErrors>(readRobotLoads(world, reader, mapOf("dora" to emptyList())))
-        assertEquals("No robot in this world is called dora. There are ann, bob and carl.", mistaken.diagnostics.single().message)
+        assertEquals(
+            "No robot in this world is called dora. There are ann, bob and carl.",
+            mistaken.diagnostics.single().message,
+        )
     }
 
     @Test
@@ -84,6 +101,9 @@ class RobotLoadsTest {
     fun `a brick has room for five programs`() = runTest {
         val given = world.forFirstRobot(List(6) { program("$it.robo", "beep") })
         val mistaken = assertIs<RobotLoads.HasErrors>(readRobotLoads(world, reader, given))
-        assertEquals("The robot ann has been given 6 programs, but a brick has room for 5.", mistaken.diagnostics.single().message)
+        assertEquals(
+            "The robot ann has been given 6 programs, but a brick has room for 5.",
+            mistaken.diagnostics.single().message,
+        )
     }
 }

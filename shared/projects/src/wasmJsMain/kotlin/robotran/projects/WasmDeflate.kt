@@ -6,19 +6,23 @@ import kotlinx.coroutines.await
 import kotlin.io.encoding.Base64
 import kotlin.js.Promise
 
-internal actual suspend fun deflate(bytes: ByteArray): ByteArray =
-    Base64.decode(checkNotNull(throughStream(compression(), Base64.encode(bytes), Int.MAX_VALUE).await<JsString?>()).toString())
+internal actual suspend fun deflate(bytes: ByteArray): ByteArray = Base64.decode(
+    checkNotNull(throughStream(compression(), Base64.encode(bytes), Int.MAX_VALUE).await<JsString?>()).toString(),
+)
 
 internal actual suspend fun inflate(compressed: ByteArray, max: Int): ByteArray? =
-    throughStream(decompression(), Base64.encode(compressed), max).await<JsString?>()?.let { Base64.decode(it.toString()) }
+    throughStream(decompression(), Base64.encode(compressed), max).await<JsString?>()?.let {
+        Base64.decode(it.toString())
+    }
 
 private fun compression(): JsAny = js("new CompressionStream('deflate-raw')")
 
 private fun decompression(): JsAny = js("new DecompressionStream('deflate-raw')")
 
 /**
- * What comes out of [stream] when [input] is put in, both in Base64, which is how bytes come over to JavaScript in one piece; null if the stream
- * refuses it or more than [max] bytes come out. Reads while it writes, so that no more than that is ever held.
+ * What comes out of [stream] when [input] is put in, both in Base64, which is how bytes come over to JavaScript in one
+ * piece; null if the stream refuses it or more than [max] bytes come out. Reads while it writes, so that no more than
+ * that is ever held.
  */
 private fun throughStream(stream: JsAny, input: String, max: Int): Promise<JsString?> = js(
     """(async () => {

@@ -13,7 +13,10 @@ class QrCode internal constructor(val size: Int, private val dark: BooleanArray)
         /** Light modules that there must be on all sides. */
         const val MARGIN = 4
 
-        /** The most bytes of UTF-8 that [of] makes a code of: more would make modules too small for a camera in front of a screen. */
+        /**
+         * The most bytes of UTF-8 that [of] makes a code of: more would make modules too small for a camera in front of
+         * a screen.
+         */
         val MAX_BYTES: Int get() = QrVersion(QrVersion.LARGEST).room
 
         /** The code that says [text]; null if that is longer than [MAX_BYTES]. */

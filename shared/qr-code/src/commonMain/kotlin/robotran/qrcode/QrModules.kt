@@ -61,7 +61,8 @@ internal class QrModules private constructor(
         val squares = (0..<size - 1).sumOf { row ->
             (0..<size - 1).count { column ->
                 val first = isDark(column, row)
-                first == isDark(column + 1, row) && first == isDark(column, row + 1) && first == isDark(column + 1, row + 1)
+                first == isDark(column + 1, row) && first == isDark(column, row + 1) &&
+                    first == isDark(column + 1, row + 1)
             }
         }
         val balance = abs(dark.count { it } * 20 - dark.size * 10) / dark.size
@@ -77,7 +78,9 @@ internal class QrModules private constructor(
             if (run > LONG_RUN) sum++
         }
         val text = line.joinToString("") { if (it) "1" else "0" }
-        return sum + FINDERS.sumOf { finder -> (0..text.length - finder.length).count { text.startsWith(finder, it) } } * FINDER_PENALTY
+        return sum +
+            FINDERS.sumOf { finder -> (0..text.length - finder.length).count { text.startsWith(finder, it) } } *
+            FINDER_PENALTY
     }
 
     private fun isDark(column: Int, row: Int) = dark[row * size + column]

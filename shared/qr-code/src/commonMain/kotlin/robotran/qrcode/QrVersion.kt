@@ -1,6 +1,9 @@
 package robotran.qrcode
 
-/** How large a code is, 1..[LARGEST], at the lowest level of error correction: a screen is clean, and small modules are worse than few spare ones. */
+/**
+ * How large a code is, 1..[LARGEST], at the lowest level of error correction: a screen is clean, and small modules are
+ * worse than few spare ones.
+ */
 internal class QrVersion(val number: Int) {
     /** Modules along a side. */
     val size = 17 + 4 * number
@@ -18,7 +21,10 @@ internal class QrVersion(val number: Int) {
     /** The most bytes of a text. */
     val room = (dataCodewords * BITS - MODE_BITS - lengthBits) / BITS
 
-    /** Where alignment patterns have their middle, along both sides; the three in the corners of finder patterns are left out when they are drawn. */
+    /**
+     * Where alignment patterns have their middle, along both sides; the three in the corners of finder patterns are
+     * left out when they are drawn.
+     */
     val alignments: List<Int>
         get() {
             if (number == 1) return emptyList()
@@ -27,7 +33,10 @@ internal class QrVersion(val number: Int) {
             return listOf(FIRST_ALIGNMENT) + (count - 2 downTo 0).map { size - 7 - it * step }
         }
 
-    /** All codewords in the order in which they are drawn: [text] with its header and padding, in blocks, each with its error correction. */
+    /**
+     * All codewords in the order in which they are drawn: [text] with its header and padding, in blocks, each with its
+     * error correction.
+     */
     fun codewordsOf(text: ByteArray): List<Int> {
         val data = BitList().apply {
             add(BYTE_MODE, MODE_BITS)

@@ -1,8 +1,13 @@
 package robotran.qrcode
 
-/** Error correction with [checks] bytes for each block, over the field of 256 elements with the polynomial of QR codes. */
+/**
+ * Error correction with [checks] bytes for each block, over the field of 256 elements with the polynomial of QR codes.
+ */
 internal class ReedSolomon(private val checks: Int) {
-    /** The factors of the polynomial that all code words are multiples of, the highest power first and without that power's own 1. */
+    /**
+     * The factors of the polynomial that all code words are multiples of, the highest power first and without that
+     * power's own 1.
+     */
     private val generator = IntArray(checks).also { factors ->
         factors[checks - 1] = 1
         var root = 1

@@ -19,7 +19,9 @@ class QrCodeTest {
 
     @Test
     fun `codes grow with the text up to the longest that they take`() {
-        val sizes = listOf(17, 18, 500, QrCode.MAX_BYTES).map { length -> assertNotNull(QrCode.of("a".repeat(length))).size }
+        val sizes = listOf(17, 18, 500, QrCode.MAX_BYTES).map { length ->
+            assertNotNull(QrCode.of("a".repeat(length))).size
+        }
         assertEquals(listOf(21, 25, 77, 117), sizes)
         assertNull(QrCode.of("a".repeat(QrCode.MAX_BYTES + 1)))
     }

@@ -20,18 +20,20 @@ import robotran.rcxrom.state.BrickState
 import robotran.rcxrom.state.InfraredState
 
 /**
- * A virtual RCX with its firmware. It begins switched on, just as if somebody had let go of On-Off at its millisecond 0, so that pressing
- * and releasing [BrickButton.RUN] is all that is needed to start the first program. Time passes only in [tick].
+ * A virtual RCX with its firmware. It begins switched on, just as if somebody had let go of On-Off at its millisecond
+ * 0, so that pressing and releasing [BrickButton.RUN] is all that is needed to start the first program. Time passes
+ * only in [tick].
  *
- * While no program runs, the buttons do what they do in the leJOS shell: Prgm chooses the next program, Run starts it when let go,
- * On-Off switches the brick off when let go, and on again; after eight minutes in which nobody does anything, it switches itself off.
- * While a program runs, View, Prgm and Run belong to the program;
- * On-Off switches the brick off, or ends the program if Run is held down with it. When a program ends, its motors are braked.
- * The firmware does all this through ROM calls, too, so it can be read in the [log].
+ * While no program runs, the buttons do what they do in the leJOS shell: Prgm chooses the next program, Run starts it
+ * when let go, On-Off switches the brick off when let go, and on again; after eight minutes in which nobody does
+ * anything, it switches itself off. While a program runs, View, Prgm and Run belong to the program; On-Off switches the
+ * brick off, or ends the program if Run is held down with it. When a program ends, its motors are braked. The firmware
+ * does all this through ROM calls, too, so it can be read in the [log].
  *
  * A program that fails is shown as leJOS shows an exception that nobody catches, until On-Off is pressed and let go.
  *
- * @param programs the program slots, [MAX_PROGRAMS] at most; may be empty. A slot with null has no program that could run.
+ * @param programs the program slots, [MAX_PROGRAMS] at most; may be empty. A slot with null has no program that could
+ * run.
  * @param firstSlot the program that Run starts as long as Prgm was not pressed, from 0.
  * @param air where its infrared light goes and comes from; in one of its own a brick is alone.
  * @param messages the language of the log and of [BrickState.explanation].
@@ -43,7 +45,9 @@ class Brick(
     firstSlot: Int = 0,
 ) {
     init {
-        require(programs.size <= MAX_PROGRAMS && firstSlot in 0 until maxOf(1, programs.size)) { "There is no slot for each program." }
+        require(programs.size <= MAX_PROGRAMS && firstSlot in 0 until maxOf(1, programs.size)) {
+            "There is no slot for each program."
+        }
     }
 
     /** The parts themselves, for tests that call the ROM as a program does. */
@@ -84,8 +88,9 @@ class Brick(
     fun motor(port: MotorPort): MotorState = hardware.motors.states[port.ordinal]
 
     /**
-     * What [port] really does in this millisecond: what it was told before the millisecond began, and [MotorMode.FLOAT] in the milliseconds
-     * in which its pulsed power switches it off. A motor driven for N milliseconds by a program is driven for N calls of [tick].
+     * What [port] really does in this millisecond: what it was told before the millisecond began, and [MotorMode.FLOAT]
+     * in the milliseconds in which its pulsed power switches it off. A motor driven for N milliseconds by a program is
+     * driven for N calls of [tick].
      */
     fun motorOutput(port: MotorPort): MotorMode = hardware.motors.output(port)
 
@@ -100,7 +105,8 @@ class Brick(
     }
 
     /**
-     * What the input [port] measures from now on, until it is told otherwise; the firmware reads it every three milliseconds.
+     * What the input [port] measures from now on, until it is told otherwise; the firmware reads it every three
+     * milliseconds.
      *
      * @param port 0..2 for the ports 1..3.
      * @param raw 0..1023; what is beyond counts as the nearest of these. An open port measures [SensorCode.OPEN_RAW].
@@ -113,17 +119,22 @@ class Brick(
     /**
      * What the batteries give from now on.
      *
-     * @param millivolts as measured on a real brick, about 9000 when fresh; what the converter cannot tell counts as the nearest it can.
+     * @param millivolts as measured on a real brick, about 9000 when fresh; what the converter cannot tell counts as
+     * the nearest it can.
      */
     fun setBattery(millivolts: Int) = hardware.measureBattery(Battery.rawOf(millivolts))
 
-    /** Ends the running program, if there is one, as no single button of a real brick does; ends the showing of a failure, too. */
+    /**
+     * Ends the running program, if there is one, as no single button of a real brick does; ends the showing of a
+     * failure, too.
+     */
     fun stopProgram() = shell.stopProgram()
 
     /**
-     * Lets one millisecond pass: first the firmware's work, then the program's, until it waits or its [STEPS_PER_MILLISECOND] are used up.
-     * The clock goes on while the brick is switched off. If a [StatementWatch] stops the program, the millisecond is not over yet:
-     * [isPaused] is true, and the next call goes on with the same one.
+     * Lets one millisecond pass: first the firmware's work, then the program's, until it waits or its
+     * [STEPS_PER_MILLISECOND] are used up. The clock goes on while the brick is switched off. If a [StatementWatch]
+     * stops the program, the millisecond is not over yet: [isPaused] is true, and the next call goes on with the same
+     * one.
      */
     fun tick() {
         if (!isPaused) {
@@ -144,8 +155,8 @@ class Brick(
 
     companion object {
         /**
-         * How many steps of a program fit into a millisecond: an RCX does ten to twenty thousand bytecodes a second (an estimate of its
-         * users, nobody has published a measurement), and a statement of Robolang becomes about ten.
+         * How many steps of a program fit into a millisecond: an RCX does ten to twenty thousand bytecodes a second (an
+         * estimate of its users, nobody has published a measurement), and a statement of Robolang becomes about ten.
          */
         const val STEPS_PER_MILLISECOND = 2
 

@@ -12,7 +12,10 @@ import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sound.SoundEvent
 import robotran.rcxrom.state.RunState
 
-/** Does what a script of `resources/scripts` says, as its README describes; [differences] tells where the brick did something else. */
+/**
+ * Does what a script of `resources/scripts` says, as its README describes; [differences] tells where the brick did
+ * something else.
+ */
 internal class BrickScript(private val path: String, private val text: String) {
     private val found = mutableListOf<String>()
     private val air = InfraredAir()
@@ -77,7 +80,16 @@ internal class BrickScript(private val path: String, private val text: String) {
 
             "stop" -> brick.stopProgram()
 
-            "call" -> brick.hardware.rom.call(RomCall(numberOf(words.first()), words.drop(1).map { numberOf(it) and 0xFFFF }), TEST_LINE)
+            "call" -> brick.hardware.rom.call(
+                RomCall(
+                    numberOf(words.first()),
+                    words.drop(1).map {
+                        numberOf(it) and
+                            0xFFFF
+                    },
+                ),
+                TEST_LINE,
+            )
 
             "write" -> rest.substringAfter("= ").split(' ').forEachIndexed { place, byte ->
                 brick.hardware.memory.writeByte(numberOf(words.first()) + place, byte.toInt(radix = 16))
@@ -91,27 +103,51 @@ internal class BrickScript(private val path: String, private val text: String) {
 
             "value" -> brick.hardware.rom.setSensorValue(words[0].toInt() - 1, words[1].toInt(), SensorField.VALUE)
 
-            "tower-sends" -> check(tower.send(words.map { it.toInt(radix = 16) })) { "$path:$line the tower still sends" }
+            "tower-sends" -> check(
+                tower.send(
+                    words.map {
+                        it.toInt(radix = 16)
+                    },
+                ),
+            ) { "$path:$line the tower still sends" }
         }
     }
 
     private fun seen(word: String, rest: String): String = when (word) {
         "lcd" -> "\"${brick.state.glass.text}\""
+
         "icons" -> brick.state.glass.iconsBesideText.joinToString { it.words }.ifEmpty { "none" }
+
         "power" -> if (brick.state.poweredOn) "on" else "off"
+
         "program" -> wordFor(brick.state.run)
+
         "slot" -> brick.state.selectedSlot.toString()
+
         "sounds" -> newSounds().joinToString(transform = ::wordsFor).ifEmpty { "none" }
+
         "says" -> brick.state.explanation ?: "nothing"
+
         "motors" -> brick.state.motors.joinToString { "${it.mode.name.lowercase()} ${it.power}" }
+
         "outputs" -> MotorPort.entries.joinToString { brick.motorOutput(it).name.lowercase() }
+
         "active" -> brick.state.sensors.filter { it.active }.joinToString { it.port.toString() }.ifEmpty { "none" }
+
         "log" -> brick.log.entries.last().meaning
+
         "outcome" -> brick.log.entries.last().outcome.name.lowercase().replace('_', ' ')
+
         "memory" -> memoryLike(rest)
+
         "sensor" -> brick.state.sensors[rest.first() - '1'].run { "$port = $raw $value ${if (boolean) 1 else 0}" }
+
         "infrared" -> brick.state.infrared.run { "${range.name.lowercase()} ${if (sending) "sending" else "idle"}" }
-        "tower-heard" -> tower.heard.lastOrNull().orEmpty().joinToString(" ", transform = ::byteText).ifEmpty { "nothing" }
+
+        "tower-heard" -> tower.heard.lastOrNull().orEmpty().joinToString(" ", transform = ::byteText).ifEmpty {
+            "nothing"
+        }
+
         else -> error("$path:$line says \"$word\", which is no word of scripts")
     }
 
@@ -119,17 +155,32 @@ internal class BrickScript(private val path: String, private val text: String) {
         if (seen != wanted) found += "$path:$line should be: $statement\n    but is: $seen"
     }
 
-    private fun newSounds(): List<SoundEvent> = brick.sounds.since(soundsHeard).also { soundsHeard = brick.sounds.total }
+    private fun newSounds(): List<SoundEvent> = brick.sounds.since(soundsHeard).also {
+        soundsHeard = brick.sounds.total
+    }
 
     private fun memoryLike(rest: String): String {
         val (address, bytes) = rest.split(" = ")
         val snapshot = brick.memory()
-        return "$address = " + bytes.split(' ').indices.joinToString(" ") { byteText(snapshot.byte(numberOf(address) + it)) }
+        return "$address = " +
+            bytes.split(' ').indices.joinToString(" ") { byteText(snapshot.byte(numberOf(address) + it)) }
     }
 
     private companion object {
         val ACTIONS =
-            setOf("press", "release", "push", "stop", "call", "write", "measure", "battery", "mode", "value", "tower-sends")
+            setOf(
+                "press",
+                "release",
+                "push",
+                "stop",
+                "call",
+                "write",
+                "measure",
+                "battery",
+                "mode",
+                "value",
+                "tower-sends",
+            )
 
         fun numberOf(word: String): Int = if (word.startsWith("0x")) word.drop(2).toInt(radix = 16) else word.toInt()
 
@@ -154,10 +205,20 @@ internal class BrickScript(private val path: String, private val text: String) {
 /** The programs that a script can load, by their names in it. */
 private fun scriptedProgram(name: String): RcxProgram = when (name) {
     "endless" -> endlessProgram()
+
     "short" -> ScriptedProgram(listOf(waiting(100)))
-    "driving" -> ScriptedProgram(listOf(calling(RomAddress.CONTROL_MOTOR, 0x2000, 1, 7)), statusAtEnd = ProgramStatus.Running)
+
+    "driving" -> ScriptedProgram(
+        listOf(calling(RomAddress.CONTROL_MOTOR, 0x2000, 1, 7)),
+        statusAtEnd = ProgramStatus.Running,
+    )
+
     "failing" -> failing(ProgramFailure("There is nothing to divide by.", sourceLine = 7))
-    "throwing" -> failing(ProgramFailure("The list has no place 5.", sourceLine = 12, methodNumber = 300, exceptionNumber = 24))
+
+    "throwing" -> failing(
+        ProgramFailure("The list has no place 5.", sourceLine = 12, methodNumber = 300, exceptionNumber = 24),
+    )
+
     else -> error("There is no program $name for scripts.")
 }
 

@@ -12,7 +12,12 @@ class BrickScriptTest {
     @Test
     fun `the brick does what every script says`() {
         assertTrue(brickScripts.size >= 20, "only ${brickScripts.size} scripts were found")
-        assertEquals("", brickScripts.flatMap { (path, text) -> BrickScript(path, text).differences() }.joinToString("\n"))
+        assertEquals(
+            "",
+            brickScripts.flatMap { (path, text) ->
+                BrickScript(path, text).differences()
+            }.joinToString("\n"),
+        )
     }
 
     @Test

@@ -32,7 +32,10 @@ class ButtonRoutineTest {
 
     @Test
     fun `the log names the buttons that are held down`() {
-        assertEquals("0 0x1fb6 0x3000 0x9000 ; buttons held down: none ; 7", hardware.call(RomAddress.READ_BUTTONS, 0x3000, RESULT).text)
+        assertEquals(
+            "0 0x1fb6 0x3000 0x9000 ; buttons held down: none ; 7",
+            hardware.call(RomAddress.READ_BUTTONS, 0x3000, RESULT).text,
+        )
         hardware.buttons.hold(BrickButton.RUN, down = true)
         hardware.buttons.hold(BrickButton.VIEW, down = true)
         assertEquals("buttons held down: Run, View", hardware.call(RomAddress.READ_BUTTONS, 0x3000, RESULT).meaning)
@@ -40,10 +43,16 @@ class ButtonRoutineTest {
 
     @Test
     fun `the On-Off key reads 0 while it is held down`() {
-        assertEquals("the On-Off key is up", hardware.call(RomAddress.READ_POWER_STATUS, RomCode.ON_OFF_KEY, RESULT).meaning)
+        assertEquals(
+            "the On-Off key is up",
+            hardware.call(RomAddress.READ_POWER_STATUS, RomCode.ON_OFF_KEY, RESULT).meaning,
+        )
         assertEquals(2, hardware.memory.readShort(RESULT))
         hardware.buttons.hold(BrickButton.ON_OFF, down = true)
-        assertEquals("the On-Off key is held down", hardware.call(RomAddress.READ_POWER_STATUS, RomCode.ON_OFF_KEY, RESULT).meaning)
+        assertEquals(
+            "the On-Off key is held down",
+            hardware.call(RomAddress.READ_POWER_STATUS, RomCode.ON_OFF_KEY, RESULT).meaning,
+        )
         assertEquals(0, hardware.memory.readShort(RESULT))
     }
 

@@ -13,13 +13,19 @@ class DocumentTest {
     private val rows = documents.getValue("rcx.md").lines().filter { it.startsWith("| ") }
         .map { row -> row.trim('|').split('|').map { it.trim().trim('`') } }
 
-    private fun tableOf(columns: Int, isRow: (List<String>) -> Boolean) = rows.filter { it.size == columns && isRow(it) }
+    private fun tableOf(columns: Int, isRow: (List<String>) -> Boolean) = rows.filter {
+        it.size == columns && isRow(it)
+    }
 
     @Test
     fun `its table has every routine by its name and whether it is there`() {
         val written = tableOf(columns = 5) { it[0].startsWith("0x") }.map { Triple(it[0], it[1], it[3]) }
         val known = RomTable.signatures.map {
-            Triple(RomCallText.hexadecimal(it.address), it.name, it.gap?.let { gap -> "not modelled: ${gap.reason}" } ?: "modelled")
+            Triple(
+                RomCallText.hexadecimal(it.address),
+                it.name,
+                it.gap?.let { gap -> "not modelled: ${gap.reason}" } ?: "modelled",
+            )
         }
         assertEquals(known.sortedBy { it.first }, written)
     }

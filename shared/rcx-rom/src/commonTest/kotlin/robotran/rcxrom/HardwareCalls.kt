@@ -26,6 +26,16 @@ internal fun Hardware.tones(): List<SoundEvent.Tone> = speaker.track.since(0).fi
 
 internal fun Brick.tones(): List<SoundEvent.Tone> = sounds.since(0).filterIsInstance<SoundEvent.Tone>()
 
-/** The frequency that the tone routine really gives for [hertz]; null for those out of the timer's range, which are silent. */
-internal fun realHertz(hertz: Int): Double? =
-    ToneTimer.sound(hertz, duration = 1).let { if (it.kind == Sound.PAUSE) null else ToneTimer.hertz(it.kind, it.control) }
+/**
+ * The frequency that the tone routine really gives for [hertz]; null for those out of the timer's range, which are
+ * silent.
+ */
+internal fun realHertz(hertz: Int): Double? = ToneTimer.sound(hertz, duration = 1).let {
+    if (it.kind ==
+        Sound.PAUSE
+    ) {
+        null
+    } else {
+        ToneTimer.hertz(it.kind, it.control)
+    }
+}

@@ -39,8 +39,10 @@ class LcdGlassTest {
 
     @Test
     fun `no bit of the display is two things and only two are nothing`() {
-        val segments = LcdLayout.digitSegments.flatten() + LcdIcon.entries.filter { it != LcdIcon.WALKING_MAN }.flatMap { it.segments } +
-            (LcdIcon.WALKING_MAN.segments - LcdIcon.STANDING_MAN.segments.toSet())
+        val segments =
+            LcdLayout.digitSegments.flatten() +
+                LcdIcon.entries.filter { it != LcdIcon.WALKING_MAN }.flatMap { it.segments } +
+                (LcdIcon.WALKING_MAN.segments - LcdIcon.STANDING_MAN.segments.toSet())
         assertEquals(segments.size, segments.toSet().size)
         assertEquals(70, segments.size)
     }

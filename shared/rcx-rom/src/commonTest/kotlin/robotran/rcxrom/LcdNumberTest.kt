@@ -30,7 +30,15 @@ class LcdNumberTest {
 
     @Test
     fun `unsigned numbers have four digits and count negative ones as large`() {
-        val shown = mapOf(0 to "0000", 7 to "0007", 1234 to "1234", 9999 to "9999", 10_000 to "9999", -1 to "9999", 40_000 to "9999")
+        val shown = mapOf(
+            0 to "0000",
+            7 to "0007",
+            1234 to "1234",
+            9999 to "9999",
+            10_000 to "9999",
+            -1 to "9999",
+            40_000 to "9999",
+        )
         shown.forEach { (number, text) -> assertEquals(text, hardware.show(RomCode.LCD_UNSIGNED, number)) }
     }
 
@@ -46,7 +54,9 @@ class LcdNumberTest {
             -1234 to listOf("-1234", "-123.4", "-12.34", "-1.234"),
         )
         for ((number, texts) in shown) {
-            points.zip(texts).forEach { (point, text) -> assertEquals(text, hardware.show(RomCode.LCD_SIGNED, number, point)) }
+            points.zip(texts).forEach { (point, text) ->
+                assertEquals(text, hardware.show(RomCode.LCD_SIGNED, number, point))
+            }
         }
         assertEquals("000.5", hardware.show(RomCode.LCD_UNSIGNED, 5, RomCode.LCD_POINT_1))
     }
@@ -84,7 +94,10 @@ class LcdNumberTest {
         for (number in listOf(10, -1, 999)) {
             hardware.show(RomCode.LCD_PROGRAM, number)
             assertEquals("3", hardware.lcd.glass.programDigit)
-            assertEquals("LCD program digit stays, for $number is none", hardware.number(RomCode.LCD_PROGRAM, number).meaning)
+            assertEquals(
+                "LCD program digit stays, for $number is none",
+                hardware.number(RomCode.LCD_PROGRAM, number).meaning,
+            )
         }
     }
 
@@ -101,9 +114,15 @@ class LcdNumberTest {
     fun `the log tells what is shown and why it is not what was asked for`() {
         assertEquals("0 0x1ff2 0x3001 42 0x3002 ; LCD number 42 ; 7", hardware.number(RomCode.LCD_SIGNED, 42).text)
         assertEquals("LCD number -0.5", hardware.number(RomCode.LCD_SIGNED, -5, RomCode.LCD_POINT_1).meaning)
-        assertEquals("0 0x1ff2 0x301f 5000 0x3002 ; LCD number 5000 ; 7", hardware.number(RomCode.LCD_UNSIGNED, 5000).text)
+        assertEquals(
+            "0 0x1ff2 0x301f 5000 0x3002 ; LCD number 5000 ; 7",
+            hardware.number(RomCode.LCD_UNSIGNED, 5000).text,
+        )
         assertEquals("LCD number 9999, for 12000 is too long", hardware.number(RomCode.LCD_SIGNED, 12_000).meaning)
-        assertEquals("LCD number 3, without a point, for there is no code 0x3006", hardware.number(RomCode.LCD_SIGNED, 3, 0x3006).meaning)
+        assertEquals(
+            "LCD number 3, without a point, for there is no code 0x3006",
+            hardware.number(RomCode.LCD_SIGNED, 3, 0x3006).meaning,
+        )
     }
 
     @Test

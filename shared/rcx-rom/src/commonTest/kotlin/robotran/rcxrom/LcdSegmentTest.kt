@@ -16,10 +16,22 @@ class LcdSegmentTest {
 
     /** Code, byte and bit of the icons that are one segment, as on a real brick. */
     private val singleSegments = listOf(
-        Triple(0x3008, 0xEF49, 0), Triple(0x3009, 0xEF49, 1), Triple(0x300A, 0xEF48, 4), Triple(0x300B, 0xEF48, 0),
-        Triple(0x300C, 0xEF47, 4), Triple(0x300D, 0xEF45, 4), Triple(0x300E, 0xEF4A, 2), Triple(0x300F, 0xEF46, 6),
-        Triple(0x3010, 0xEF46, 2), Triple(0x3011, 0xEF43, 6), Triple(0x3012, 0xEF44, 2), Triple(0x3013, 0xEF47, 2),
-        Triple(0x3014, 0xEF44, 6), Triple(0x3015, 0xEF47, 6), Triple(0x3016, 0xEF45, 6), Triple(0x301B, 0xEF47, 0),
+        Triple(0x3008, 0xEF49, 0),
+        Triple(0x3009, 0xEF49, 1),
+        Triple(0x300A, 0xEF48, 4),
+        Triple(0x300B, 0xEF48, 0),
+        Triple(0x300C, 0xEF47, 4),
+        Triple(0x300D, 0xEF45, 4),
+        Triple(0x300E, 0xEF4A, 2),
+        Triple(0x300F, 0xEF46, 6),
+        Triple(0x3010, 0xEF46, 2),
+        Triple(0x3011, 0xEF43, 6),
+        Triple(0x3012, 0xEF44, 2),
+        Triple(0x3013, 0xEF47, 2),
+        Triple(0x3014, 0xEF44, 6),
+        Triple(0x3015, 0xEF47, 6),
+        Triple(0x3016, 0xEF45, 6),
+        Triple(0x301B, 0xEF47, 0),
     )
 
     @Test
@@ -129,8 +141,12 @@ class LcdSegmentTest {
     @Test
     fun `an icon on the glass is the one of its code`() {
         val icons = mapOf(
-            0x3006 to LcdIcon.STANDING_MAN, 0x3007 to LcdIcon.WALKING_MAN, 0x300D to LcdIcon.SENSOR_3_ACTIVE,
-            0x300F to LcdIcon.MOTOR_A_BACKWARD, 0x3016 to LcdIcon.MOTOR_C_FORWARD, 0x301B to LcdIcon.LOW_BATTERY,
+            0x3006 to LcdIcon.STANDING_MAN,
+            0x3007 to LcdIcon.WALKING_MAN,
+            0x300D to LcdIcon.SENSOR_3_ACTIVE,
+            0x300F to LcdIcon.MOTOR_A_BACKWARD,
+            0x3016 to LcdIcon.MOTOR_C_FORWARD,
+            0x301B to LcdIcon.LOW_BATTERY,
         )
         for ((code, icon) in icons) {
             assertFalse(LcdGlass.of(hardware.memory).isLit(icon))
@@ -150,6 +166,14 @@ class LcdSegmentTest {
     private fun dotsAfter(code: Int): String {
         show(code)
         val places = listOf(0xEF4A to 4, 0xEF4A to 0, 0xEF4B to 4, 0xEF4B to 0, 0xEF49 to 4)
-        return places.joinToString("") { (address, bit) -> if (hardware.memory.readByte(address) shr bit and 1 == 1) "*" else "." }
+        return places.joinToString("") { (address, bit) ->
+            if (hardware.memory.readByte(address) shr bit and 1 ==
+                1
+            ) {
+                "*"
+            } else {
+                "."
+            }
+        }
     }
 }

@@ -52,7 +52,9 @@ class MemoryTest {
     fun `the named regions are the whole memory, side by side`() {
         assertEquals(0, MemoryRegion.entries.first().addresses.first)
         assertEquals(0xFFFF, MemoryRegion.entries.last().addresses.last)
-        MemoryRegion.entries.zipWithNext().forEach { (one, next) -> assertEquals(one.addresses.last + 1, next.addresses.first) }
+        MemoryRegion.entries.zipWithNext().forEach { (one, next) ->
+            assertEquals(one.addresses.last + 1, next.addresses.first)
+        }
         assertEquals(MemoryRegion.DISPLAY, MemoryRegion.of(0xEF43))
         assertEquals(MemoryRegion.MOTOR_LATCH, MemoryRegion.of(0xF000))
         assertEquals(MemoryRegion.ROM, MemoryRegion.of(0x10000))
@@ -65,6 +67,11 @@ class MemoryTest {
         assertEquals(0x06, before.byte(0xEF43) and 0x0F)
         brick.push(BrickButton.RUN)
         assertEquals(0x0B, brick.memory().byte(0xEF43) and 0x0F)
-        assertEquals(listOf(0xEF43), brick.memory().changesSince(before).filter { it in MemoryRegion.DISPLAY.addresses })
+        assertEquals(
+            listOf(0xEF43),
+            brick.memory().changesSince(before).filter {
+                it in MemoryRegion.DISPLAY.addresses
+            },
+        )
     }
 }

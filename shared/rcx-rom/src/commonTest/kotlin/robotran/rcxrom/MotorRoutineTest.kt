@@ -14,7 +14,12 @@ class MotorRoutineTest {
 
     @Test
     fun `each mode sets the two direction bits of its motor and of no other`() {
-        val directionBits = mapOf(MotorMode.FORWARD to 2, MotorMode.BACKWARD to 1, MotorMode.BRAKE to 3, MotorMode.FLOAT to 0)
+        val directionBits = mapOf(
+            MotorMode.FORWARD to 2,
+            MotorMode.BACKWARD to 1,
+            MotorMode.BRAKE to 3,
+            MotorMode.FLOAT to 0,
+        )
         val shifts = mapOf(MotorPort.A to 6, MotorPort.B to 2, MotorPort.C to 0)
         for ((port, shift) in shifts) {
             for ((mode, bits) in directionBits) {
@@ -66,7 +71,8 @@ class MotorRoutineTest {
 
     @Test
     fun `a power of n switches the port on in n plus 1 of 8 milliseconds and lets it coast in the others`() {
-        val patterns = listOf("10000000", "10001000", "10010010", "10101010", "10110110", "11101110", "11111110", "11111111")
+        val patterns =
+            listOf("10000000", "10001000", "10010010", "10101010", "10110110", "11101110", "11111110", "11111111")
         patterns.forEachIndexed { power, pattern ->
             val fresh = Hardware()
             fresh.control(MotorPort.B, MotorMode.FORWARD.code, power)
@@ -93,11 +99,11 @@ class MotorRoutineTest {
         assertEquals(400, driven)
     }
 
-    private fun Hardware.control(port: MotorPort, mode: Int, power: Int) = call(RomAddress.CONTROL_MOTOR, port.code, mode, power)
+    private fun Hardware.control(port: MotorPort, mode: Int, power: Int) =
+        call(RomAddress.CONTROL_MOTOR, port.code, mode, power)
 
-    private fun Hardware.slots(port: MotorPort, milliseconds: Int): String =
-        (1..milliseconds).joinToString("") {
-            tick()
-            if (motors.output(port) == MotorMode.FLOAT) "0" else "1"
-        }
+    private fun Hardware.slots(port: MotorPort, milliseconds: Int): String = (1..milliseconds).joinToString("") {
+        tick()
+        if (motors.output(port) == MotorMode.FLOAT) "0" else "1"
+    }
 }

@@ -93,7 +93,10 @@ class ProgramOnBrickTest {
 
     @Test
     fun `a program that ends while it drives is told why the robot stops, until the next one begins`() {
-        val brick = started(listOf(calling(RomAddress.CONTROL_MOTOR, MotorPort.A.code, MotorMode.FORWARD.code, 3), waiting(100)))
+        val brick =
+            started(
+                listOf(calling(RomAddress.CONTROL_MOTOR, MotorPort.A.code, MotorMode.FORWARD.code, 3), waiting(100)),
+            )
         assertEquals(null, brick.state.explanation)
         brick.tick(200)
         assertEquals(EnglishBrickMessages.motorsBrakedAtEnd(), brick.state.explanation)
@@ -120,7 +123,8 @@ class ProgramOnBrickTest {
         assertEquals(RunState.Failed(failure), brick.state.run)
         assertEquals(MotorMode.FORWARD, brick.state.motors.first().mode)
         assertEquals(
-            "A thread of the program cannot go on. Robot.java, line 3: The number is too big. Press On-Off to let the others go on.",
+            "A thread of the program cannot go on. Robot.java, line 3: The number is too big. Press On-Off to let " +
+                "the others go on.",
             brick.state.explanation,
         )
         assertEquals(1, brick.log.entries.count { it.sourceLine == TEST_LINE })
@@ -239,7 +243,8 @@ class ProgramOnBrickTest {
     @Test
     fun `the same presses at the same moments give the same log`() {
         val logs = List(2) {
-            val brick = started(listOf(calling(RomAddress.PLAY_TONE, RomCode.TONE, 440, 5), waiting(50), calling(0x1234, 5)))
+            val brick =
+                started(listOf(calling(RomAddress.PLAY_TONE, RomCode.TONE, 440, 5), waiting(50), calling(0x1234, 5)))
             brick.tick(200)
             brick.push(BrickButton.PRGM)
             brick.log.entries.map { it.text }
@@ -247,6 +252,8 @@ class ProgramOnBrickTest {
         assertEquals(logs[0], logs[1])
     }
 
-    private fun started(actions: List<(Rom) -> ProgramStatus>, statusAtEnd: ProgramStatus = ProgramStatus.Ended): Brick =
-        Brick(listOf(ScriptedProgram(actions, statusAtEnd))).apply { push(BrickButton.RUN) }
+    private fun started(
+        actions: List<(Rom) -> ProgramStatus>,
+        statusAtEnd: ProgramStatus = ProgramStatus.Ended,
+    ): Brick = Brick(listOf(ScriptedProgram(actions, statusAtEnd))).apply { push(BrickButton.RUN) }
 }

@@ -26,7 +26,9 @@ class RomLogFilterTest {
         hardware.rom.call(RomCall(RomAddress.PLAY_TONE, listOf(RomCode.TONE, 440, 10)), sourceLine = 0)
     }
 
-    private fun chosen(filter: RomLogFilter) = hardware.log.entries.filter(filter::accepts).map { RomCallText.hexadecimal(it.call.address) }
+    private fun chosen(filter: RomLogFilter) = hardware.log.entries.filter(filter::accepts).map {
+        RomCallText.hexadecimal(it.call.address)
+    }
 
     @Test
     fun `without conditions everything is chosen`() {
@@ -99,7 +101,15 @@ class RomLogFilterTest {
 
     @Test
     fun `the line of a program with several files has its file before it`() {
-        val entry = RomLogEntry(5, RomCall(RomAddress.REFRESH_LCD, emptyList()), "refresh the LCD", 7, RomOutcome.DONE, "Robot.java")
+        val entry =
+            RomLogEntry(
+                5,
+                RomCall(RomAddress.REFRESH_LCD, emptyList()),
+                "refresh the LCD",
+                7,
+                RomOutcome.DONE,
+                "Robot.java",
+            )
         assertEquals("5 0x27c8 ; refresh the LCD ; Robot.java:7", entry.text)
         assertEquals("5,display,0x27c8,,refresh the LCD,Robot.java:7,done", listOf(entry).toCsv().lines()[1].trimEnd())
     }

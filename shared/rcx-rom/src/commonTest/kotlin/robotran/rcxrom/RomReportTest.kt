@@ -16,7 +16,10 @@ class RomReportTest {
 
     @Test
     fun `an unknown address is reported with its line and the run goes on`() {
-        assertEquals("0 0x1234 1 -2 0x2000 ; nothing happens, no routine is known here ; 7", hardware.call(0x1234, 1, -2, 0x2000).text)
+        assertEquals(
+            "0 0x1234 1 -2 0x2000 ; nothing happens, no routine is known here ; 7",
+            hardware.call(0x1234, 1, -2, 0x2000).text,
+        )
         assertEquals(RomOutcome.UNKNOWN_ROUTINE, hardware.log.entries.single().outcome)
         assertEquals("motor A forward 3", hardware.call(RomAddress.CONTROL_MOTOR, 0x2000, 1, 3).meaning)
     }
@@ -24,7 +27,10 @@ class RomReportTest {
     @Test
     fun `a code of the wrong group is reported and has no effect`() {
         val entry = hardware.call(RomAddress.CONTROL_MOTOR, 0x3000, 1, 3)
-        assertEquals("0 0x1a4e 0x3000 1 3 ; nothing happens, control motor wants a code that begins with 0x20 ; 7", entry.text)
+        assertEquals(
+            "0 0x1a4e 0x3000 1 3 ; nothing happens, control motor wants a code that begins with 0x20 ; 7",
+            entry.text,
+        )
         assertEquals(RomOutcome.WRONG_ARGUMENTS, entry.outcome)
         assertTrue(hardware.motors.states.all { it.mode == MotorMode.FLOAT })
     }
@@ -44,7 +50,10 @@ class RomReportTest {
     @Test
     fun `a routine that is not modelled is reported by its name and the reason`() {
         val entry = hardware.call(0x36BA)
-        assertEquals("nothing happens, handle timer tick is not modelled: the brick does this by itself every millisecond", entry.meaning)
+        assertEquals(
+            "nothing happens, handle timer tick is not modelled: the brick does this by itself every millisecond",
+            entry.meaning,
+        )
         assertEquals(RomOutcome.NOT_MODELLED, entry.outcome)
         assertEquals(listOf(0x36BA), RomTable.signatures.filter { it.gap != null }.map { it.address })
     }

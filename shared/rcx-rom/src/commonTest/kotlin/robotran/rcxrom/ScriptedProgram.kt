@@ -44,7 +44,9 @@ internal fun calling(address: Int, vararg arguments: Int): (Rom) -> ProgramStatu
 }
 
 /** An action that waits. */
-internal fun waiting(milliseconds: Int): (Rom) -> ProgramStatus = { rom -> ProgramStatus.Waiting(rom.milliseconds + milliseconds) }
+internal fun waiting(milliseconds: Int): (Rom) -> ProgramStatus = { rom ->
+    ProgramStatus.Waiting(rom.milliseconds + milliseconds)
+}
 
 /** A program that never ends and does nothing. */
 internal fun endlessProgram() = ScriptedProgram(emptyList(), statusAtEnd = ProgramStatus.Running)

@@ -29,7 +29,18 @@ class SensorTest {
 
     @Test
     fun `percent are the ROM's own with its quirk at 391`() {
-        val percent = mapOf(0 to 100, 390 to 100, 391 to 101, 392 to 101, 400 to 99, 500 to 83, 690 to 53, 800 to 35, 900 to 19, 1023 to 0)
+        val percent = mapOf(
+            0 to 100,
+            390 to 100,
+            391 to 101,
+            392 to 101,
+            400 to 99,
+            500 to 83,
+            690 to 53,
+            800 to 35,
+            900 to 19,
+            1023 to 0,
+        )
         for ((raw, value) in percent) assertEquals(value, measure(1, raw)[1], "raw $raw")
     }
 
@@ -106,14 +117,23 @@ class SensorTest {
         hardware.rom.setSensorValue(1, -7, SensorField.VALUE)
         hardware.rom.setSensorValue(1, 1, SensorField.BOOLEAN)
         assertEquals(listOf(4, 0x40), listOf(0x8018, 0x8019).map(hardware.memory::readByte))
-        assertEquals(SensorState(2, SensorMode.EDGE, 1023, -7, boolean = true, active = false), hardware.sensors.states[1])
+        assertEquals(
+            SensorState(2, SensorMode.EDGE, 1023, -7, boolean = true, active = false),
+            hardware.sensors.states[1],
+        )
     }
 
     @Test
     fun `the raw value is what the converter has in its register`() {
         hardware.sensors.measure(0, 300)
         hardware.sensors.measure(2, 5)
-        assertEquals(listOf(5, 1023, 300, 320), listOf(0xFFE0, 0xFFE2, 0xFFE4, 0xFFE6).map { hardware.memory.readWord(it) shr 6 })
+        assertEquals(
+            listOf(5, 1023, 300, 320),
+            listOf(0xFFE0, 0xFFE2, 0xFFE4, 0xFFE6).map {
+                hardware.memory.readWord(it) shr
+                    6
+            },
+        )
     }
 
     @Test

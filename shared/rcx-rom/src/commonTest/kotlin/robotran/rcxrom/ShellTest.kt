@@ -192,7 +192,8 @@ class ShellTest {
 
     @Test
     fun `the sounds of the firmware are told from those that a program asks for`() {
-        val beeping = ScriptedProgram(listOf(calling(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, SystemSounds.TWO_BEEPS)))
+        val beeping =
+            ScriptedProgram(listOf(calling(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, SystemSounds.TWO_BEEPS)))
         val brick = Brick(listOf(beeping))
         brick.push(BrickButton.RUN)
         brick.tick(2_000)
@@ -200,7 +201,11 @@ class ShellTest {
     }
 
     private fun brickThatDrives(): Brick {
-        val program = ScriptedProgram(listOf(calling(RomAddress.CONTROL_MOTOR, 0x2000, 1, 7)), statusAtEnd = ProgramStatus.Running)
+        val program =
+            ScriptedProgram(
+                listOf(calling(RomAddress.CONTROL_MOTOR, 0x2000, 1, 7)),
+                statusAtEnd = ProgramStatus.Running,
+            )
         return Brick(listOf(program)).apply {
             push(BrickButton.RUN)
             tick(2)

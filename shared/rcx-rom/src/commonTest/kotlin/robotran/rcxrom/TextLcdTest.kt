@@ -35,7 +35,8 @@ class TextLcdTest {
     }
 
     @Test
-    fun `what has no shape is an underscore`() = assertEquals("_____", shown("\u0001\u007f\u00e9\u4e16_").replace(' ', '_'))
+    fun `what has no shape is an underscore`() =
+        assertEquals("_____", shown("\u0001\u007f\u00e9\u4e16_").replace(' ', '_'))
 
     private fun showsText(shown: String, wanted: String): Boolean {
         TextLcd.print(shown, hardware.memory)
@@ -49,7 +50,14 @@ class TextLcdTest {
         for ((shown, wanted) in same) {
             assertTrue(showsText(shown, wanted), "$shown for $wanted")
         }
-        val other = listOf("HELLO" to "HELL", "HELL" to "HELLO", "HALLO" to "HELLO", "" to "HELLO", "12" to "120", "GO" to "")
+        val other = listOf(
+            "HELLO" to "HELL",
+            "HELL" to "HELLO",
+            "HALLO" to "HELLO",
+            "" to "HELLO",
+            "12" to "120",
+            "GO" to "",
+        )
         for ((shown, wanted) in other) {
             assertFalse(showsText(shown, wanted), "$shown for $wanted")
         }

@@ -29,7 +29,12 @@ fun compileRobolang(
     val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
         val start = SourceRange(line = 1, column = 1, endColumn = 1)
-        diagnostics.report(DiagnosticCode.SOURCE_TOO_LONG, start, "", messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS))
+        diagnostics.report(
+            DiagnosticCode.SOURCE_TOO_LONG,
+            start,
+            "",
+            messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS),
+        )
         return RobolangResult.HasErrors(diagnostics.mistakesInSourceOrder())
     }
     val parsed = Parser(scan(source, diagnostics), diagnostics).program()

@@ -10,7 +10,10 @@ import robotran.robolang.run.RobolangRun
 import robotran.robolang.run.lower
 import robotran.robolang.syntax.Facing
 
-/** A Robolang program without mistakes, ready to be loaded into a brick; [compileRobolang] makes it. Never changes, so it can be started from several threads. */
+/**
+ * A Robolang program without mistakes, ready to be loaded into a brick; [compileRobolang] makes it. Never changes, so
+ * it can be started from several threads.
+ */
 class RobolangProgram internal constructor(
     override val name: String,
     internal val checked: CheckedProgram,

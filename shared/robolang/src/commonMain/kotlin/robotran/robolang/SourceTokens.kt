@@ -14,18 +14,20 @@ import robotran.robolang.syntax.scan
  * @property start its first column, from 0.
  * @property end the column behind its last character.
  */
-data class SourceToken(
-    val kind: SourceTokenKind,
-    val start: Int,
-    val end: Int,
-)
+data class SourceToken(val kind: SourceTokenKind, val start: Int, val end: Int)
 
 enum class SourceTokenKind { KEYWORD, BUILT_IN, NAME, NUMBER, TEXT, SIGN, COMMENT }
 
 /** Takes one [line] apart as the scanner does; what it does not know is left out. Never throws. */
 fun robolangPieces(line: String): List<SourceToken> {
     val scanned = scan(line, DiagnosticSink(EnglishMessages)).first()
-    return (scanned.tokens + listOfNotNull(scanned.comment)).map { SourceToken(kindOf(it), it.range.column - 1, it.range.endColumn - 1) }
+    return (scanned.tokens + listOfNotNull(scanned.comment)).map {
+        SourceToken(
+            kindOf(it),
+            it.range.column - 1,
+            it.range.endColumn - 1,
+        )
+    }
 }
 
 private fun kindOf(token: Token): SourceTokenKind = when (token.kind) {

@@ -7,7 +7,10 @@ import robotran.robolang.syntax.Keyword
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** Holds the tables, the lists of words and the grammar of docs/robolang.md against the language; `ProgramsTest` runs its programs. */
+/**
+ * Holds the tables, the lists of words and the grammar of docs/robolang.md against the language; `ProgramsTest` runs
+ * its programs.
+ */
 class DocumentTest {
     private val document = documents.getValue("robolang.md")
 
@@ -32,11 +35,21 @@ class DocumentTest {
     @Test
     fun `only what fills pages has no program beside it`() {
         val limits = setOf(
-            DiagnosticCode.NESTED_TOO_DEEPLY, DiagnosticCode.SOURCE_TOO_LONG, DiagnosticCode.EXPRESSION_TOO_DEEP,
-            DiagnosticCode.LIST_TOO_LONG, DiagnosticCode.TOO_MANY_VARIABLES, DiagnosticCode.TOO_MANY_PARAMETERS,
-            DiagnosticCode.TOO_MANY_CONSTANTS, DiagnosticCode.TOO_MANY_ROUTINES,
+            DiagnosticCode.NESTED_TOO_DEEPLY,
+            DiagnosticCode.SOURCE_TOO_LONG,
+            DiagnosticCode.EXPRESSION_TOO_DEEP,
+            DiagnosticCode.LIST_TOO_LONG,
+            DiagnosticCode.TOO_MANY_VARIABLES,
+            DiagnosticCode.TOO_MANY_PARAMETERS,
+            DiagnosticCode.TOO_MANY_CONSTANTS,
+            DiagnosticCode.TOO_MANY_ROUTINES,
         )
-        assertEquals(limits.map { it.id }.toSet(), rows.filter { it.last() == "-" }.map { it.first().trim('`') }.toSet())
+        assertEquals(
+            limits.map {
+                it.id
+            }.toSet(),
+            rows.filter { it.last() == "-" }.map { it.first().trim('`') }.toSet(),
+        )
     }
 
     @Test
@@ -57,9 +70,16 @@ class DocumentTest {
     fun `what is said when a run fails is documented in the same words`() {
         val said = with(EnglishRunMessages) {
             listOf(
-                divisionByZero("7"), indexOutside(7, 5), tooManyCalls("f", RobotConstants.DEEPEST_CALLS),
-                listsTooLarge(RobotConstants.LIST_WORDS), negativeTime("-1"), negativeCount(-1), powerOutside(9), stepOfNothing(),
-                rootOfNegative("-4.0"), powerOfNegative("-8.0", "0.5"),
+                divisionByZero("7"),
+                indexOutside(7, 5),
+                tooManyCalls("f", RobotConstants.DEEPEST_CALLS),
+                listsTooLarge(RobotConstants.LIST_WORDS),
+                negativeTime("-1"),
+                negativeCount(-1),
+                powerOutside(9),
+                stepOfNothing(),
+                rootOfNegative("-4.0"),
+                powerOfNegative("-8.0", "0.5"),
             )
         }
         assertEquals(said, rowsUnder("### When a run fails").drop(1).map { it.first() })
@@ -71,7 +91,9 @@ class DocumentTest {
             .filter { it.startsWith("| ") }
             .map { row -> row.removeSurrounding("| ", " |").split(" | ") }
 
-    private fun spellings(keywords: List<Keyword>): Set<String> = keywords.flatMap { listOfNotNull(it.text, it.singular) }.toSet()
+    private fun spellings(keywords: List<Keyword>): Set<String> = keywords.flatMap {
+        listOfNotNull(it.text, it.singular)
+    }.toSet()
 
     private fun codesOf(source: String): List<String> = when (val result = read(source)) {
         is RobolangResult.HasErrors -> result.diagnostics

@@ -31,7 +31,8 @@ internal class Expectations(text: String) {
         private set
 
     val isEmpty: Boolean
-        get() = errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null && shown.isEmpty() && failure == null &&
+        get() = errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null && shown.isEmpty() &&
+            failure == null &&
             warnings.isEmpty()
 
     init {
@@ -74,4 +75,5 @@ private fun callOf(text: String): RomCall {
     return RomCall(words.first(), words.drop(1))
 }
 
-private fun wordOf(text: String): Int = (if (text.startsWith("0x")) text.drop(2).toInt(radix = 16) else text.toInt()) and 0xFFFF
+private fun wordOf(text: String): Int =
+    (if (text.startsWith("0x")) text.drop(2).toInt(radix = 16) else text.toInt()) and 0xFFFF

@@ -10,7 +10,9 @@ internal fun differences(program: TestProgram): List<String> {
     val expected = Expectations(program.text)
     val differences = when (val result = compileRobolang(program.path, program.text, testCalibration)) {
         is RobolangResult.HasErrors -> differencesOfMistakes(expected, result.diagnostics)
-        is RobolangResult.Ready -> differencesOfWarnings(expected, result.warnings) ?: differencesOfReady(expected, result.program)
+
+        is RobolangResult.Ready -> differencesOfWarnings(expected, result.warnings)
+            ?: differencesOfReady(expected, result.program)
     }
     return differences.map { "${program.path} $it" }
 }
@@ -29,7 +31,9 @@ private fun differencesOfWarnings(expected: Expectations, warnings: List<Diagnos
     if (expected.warnings.isEmpty()) return null
     val actual = warnings.map { "${it.range.line}:${it.range.column} ${it.message}" }
     if (actual == expected.warnings) return emptyList()
-    return listOf("should have the warnings\n${expected.warnings.joinToString("\n")}\nbut has\n${actual.joinToString("\n")}")
+    return listOf(
+        "should have the warnings\n${expected.warnings.joinToString("\n")}\nbut has\n${actual.joinToString("\n")}",
+    )
 }
 
 private fun differencesOfReady(expected: Expectations, program: RobolangProgram): List<String> =
@@ -37,7 +41,12 @@ private fun differencesOfReady(expected: Expectations, program: RobolangProgram)
         val rom = RecordingRom(expected.sensors)
         val failure = runOn(rom, program)?.let { "${it.sourceLine} ${it.message}" }
         differencesOfRun(expected, rom) +
-            listOfNotNull("should fail with ${expected.failure} but does with $failure".takeIf { failure != expected.failure })
+            listOfNotNull(
+                "should fail with ${expected.failure} but does with $failure".takeIf {
+                    failure !=
+                        expected.failure
+                },
+            )
     } else {
         listOf("has no mistakes, but should have ${expected.errors}")
     }
@@ -55,7 +64,11 @@ private fun differencesOfRun(expected: Expectations, rom: RecordingRom): List<St
         val shown = rom.calls.filter { it.sourceLine == line }.mapNotNull { shownBy(it.call) }
         if (texts != shown) add("line $line should show $texts but shows $shown")
     }
-    if (expected.log.isNotEmpty() && expected.log != rom.calls) add("should call ${expected.log} but calls ${rom.calls}")
+    if (expected.log.isNotEmpty() &&
+        expected.log != rom.calls
+    ) {
+        add("should call ${expected.log} but calls ${rom.calls}")
+    }
     val end = expected.end
     if (end != null && end != rom.milliseconds) add("should end at $end but ends at ${rom.milliseconds}")
 }

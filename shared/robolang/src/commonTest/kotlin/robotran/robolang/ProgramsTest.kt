@@ -29,7 +29,9 @@ class ProgramsTest {
         val problems = examplePrograms.flatMap { (path, text) ->
             when (val result = compileRobolang(path, text, testCalibration)) {
                 is RobolangResult.HasErrors -> result.diagnostics.map { "$path:${it.range.line} ${it.message}" }
-                is RobolangResult.Ready -> result.warnings.map { "$path:${it.range.line} ${it.message}" } + failureOf(result.program)
+
+                is RobolangResult.Ready -> result.warnings.map { "$path:${it.range.line} ${it.message}" } +
+                    failureOf(result.program)
             }
         }
         assertEquals(emptyList(), problems)
@@ -41,10 +43,16 @@ class ProgramsTest {
         while (rom.milliseconds < 60_000) {
             when (val status = run.resume(1)) {
                 ProgramStatus.Running, is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> Unit
+
                 is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
+
                 ProgramStatus.Ended -> return emptyList()
+
                 is ProgramStatus.ThreadFailed -> error("Robolang has no threads.")
-                is ProgramStatus.Failed -> return listOf("${program.name}:${status.failure.sourceLine} ${status.failure.message}")
+
+                is ProgramStatus.Failed -> return listOf(
+                    "${program.name}:${status.failure.sourceLine} ${status.failure.message}",
+                )
             }
         }
         return emptyList()
@@ -54,10 +62,9 @@ class ProgramsTest {
         programs.flatMap { (path, text) -> differencesOrFailure(TestProgram(path, text)) }.joinToString("\n")
 
     /** One program that does not come to its end must not keep the others from being looked at. */
-    private fun differencesOrFailure(program: TestProgram): List<String> =
-        try {
-            differences(program)
-        } catch (failure: AssertionError) {
-            listOf(failure.message.orEmpty())
-        }
+    private fun differencesOrFailure(program: TestProgram): List<String> = try {
+        differences(program)
+    } catch (failure: AssertionError) {
+        listOf(failure.message.orEmpty())
+    }
 }

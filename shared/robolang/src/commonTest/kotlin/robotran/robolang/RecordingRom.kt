@@ -9,8 +9,8 @@ import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
 
 /**
- * A ROM that does nothing but remember, with a clock that is set by hand. Its sensors measure what [sensors] says at the time,
- * as percent or boolean; no button is pressed, and the battery is full.
+ * A ROM that does nothing but remember, with a clock that is set by hand. Its sensors measure what [sensors] says at
+ * the time, as percent or boolean; no button is pressed, and the battery is full.
  */
 internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()) : Rom {
     private val modes = IntArray(3) { SensorCode.MODE_PERCENT }
@@ -27,12 +27,21 @@ internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()
     }
 
     override fun readSensor(port: Int, request: SensorRequest): Int {
-        val raw = sensors.lastOrNull { it.port == port + 1 && it.milliseconds <= milliseconds }?.raw ?: SensorCode.OPEN_RAW
+        val raw =
+            sensors.lastOrNull { it.port == port + 1 && it.milliseconds <= milliseconds }?.raw ?: SensorCode.OPEN_RAW
         val boolean = if (raw < TRUE_BELOW) 1 else 0
         return when (request) {
             SensorRequest.RAW -> raw
+
             SensorRequest.BOOLEAN -> boolean
-            SensorRequest.CANONICAL -> if (modes[port] == SensorCode.MODE_BOOLEAN) boolean else (SensorCode.OPEN_RAW - raw) * 25 / 156
+
+            SensorRequest.CANONICAL -> if (modes[port] ==
+                SensorCode.MODE_BOOLEAN
+            ) {
+                boolean
+            } else {
+                (SensorCode.OPEN_RAW - raw) * 25 / 156
+            }
         }
     }
 
@@ -40,7 +49,8 @@ internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()
         modes[port] = mode
     }
 
-    override fun setSensorValue(port: Int, value: Int, field: SensorField) = error("No program of Robolang sets a sensor's value.")
+    override fun setSensorValue(port: Int, value: Int, field: SensorField) =
+        error("No program of Robolang sets a sensor's value.")
 
     private companion object {
         const val FULL_BATTERY = 320
@@ -57,9 +67,11 @@ internal data class RecordedCall(val milliseconds: Long, val call: RomCall, val 
 }
 
 /** [call] as the programs write it: codes hexadecimal, numbers decimal and signed. */
-internal fun textOf(call: RomCall): String =
-    (listOf(hexadecimal(call.address)) + call.arguments.map { if (it in CODES) hexadecimal(it) else it.toShort().toString() })
-        .joinToString(" ")
+internal fun textOf(call: RomCall): String = (
+    listOf(hexadecimal(call.address)) +
+        call.arguments.map { if (it in CODES) hexadecimal(it) else it.toShort().toString() }
+)
+    .joinToString(" ")
 
 private fun hexadecimal(value: Int): String = "0x" + value.toString(radix = 16)
 

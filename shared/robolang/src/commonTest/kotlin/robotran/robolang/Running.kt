@@ -31,16 +31,26 @@ internal fun runToEnd(program: RcxProgram): RecordingRom {
     return rom
 }
 
-/** Runs [program] on [rom] to its end or its failure, which is returned, [steps] at a time, the clock jumping over every wait. */
+/**
+ * Runs [program] on [rom] to its end or its failure, which is returned, [steps] at a time, the clock jumping over every
+ * wait.
+ */
 internal fun runOn(rom: RecordingRom, program: RcxProgram, steps: Int = STEPS): ProgramFailure? {
     val run = program.start(rom)
     repeat(MAX_RESUMES) {
         when (val status = run.resume(steps)) {
             ProgramStatus.Running -> Unit
-            is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> throw AssertionError("A pause or a thread: $status")
+
+            is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> throw AssertionError(
+                "A pause or a thread: $status",
+            )
+
             ProgramStatus.Ended -> return null
+
             is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
+
             is ProgramStatus.ThreadFailed -> throw AssertionError("Robolang has no threads.")
+
             is ProgramStatus.Failed -> return status.failure
         }
     }

@@ -27,7 +27,10 @@ internal class FormsOfTrees {
 
     fun missing(): List<Any> {
         val sealed = listOf(Statement::class, Expression::class, Sense::class, MotorCommand::class, AssignTarget::class)
-        val forms: List<Any> = sealed.flatMap { it.java.declaredClasses.toList() }.filter { !it.isInterface && "Companion" !in it.name }
+        val forms: List<Any> = sealed.flatMap { it.java.declaredClasses.toList() }.filter {
+            !it.isInterface &&
+                "Companion" !in it.name
+        }
         return (forms + BinaryOperator.entries + BuiltIn.entries) - seen
     }
 

@@ -1,11 +1,7 @@
 package robotran.runcontrol
 
 /** What one [lane] of a chart shows of a robot, in pieces of [step] milliseconds each from the beginning of the run. */
-class ChartLine internal constructor(
-    private val track: ChartTrack,
-    private val robot: Int,
-    val lane: ChartLane,
-) {
+class ChartLine internal constructor(private val track: ChartTrack, private val robot: Int, val lane: ChartLane) {
     val step: Long = track.step
 
     /** How many pieces there are. */

@@ -11,7 +11,10 @@ enum class ChartLane {
     SENSOR_2,
     SENSOR_3,
 
-    /** The power and one more, 1..8 forwards and -1..-8 backwards; 0 if the motor is not driven, which is less than driven with power 0. */
+    /**
+     * The power and one more, 1..8 forwards and -1..-8 backwards; 0 if the motor is not driven, which is less than
+     * driven with power 0.
+     */
     MOTOR_A,
     MOTOR_B,
     MOTOR_C,
@@ -20,7 +23,10 @@ enum class ChartLane {
     val isMotor: Boolean get() = this >= MOTOR_A
 }
 
-/** The least and the greatest value of one [ChartLane] in each of many equal pieces of time, with as many pieces as there is room for. */
+/**
+ * The least and the greatest value of one [ChartLane] in each of many equal pieces of time, with as many pieces as
+ * there is room for.
+ */
 internal class ChartTrack(private val robots: Int) {
     private val min = IntArray(CAPACITY * robots * LANES)
     private val greatest = IntArray(CAPACITY * robots * LANES)
@@ -79,12 +85,11 @@ internal class ChartTrack(private val robots: Int) {
         private val LANES = ChartLane.entries.size
 
         /** What [lane] has to show of [robot]. */
-        fun valueOf(robot: RobotSnapshot, lane: ChartLane): Int =
-            if (lane.isMotor) {
-                signedPower(robot.brick.motors[lane.ordinal - ChartLane.MOTOR_A.ordinal])
-            } else {
-                robot.brick.sensors[lane.ordinal].value
-            }
+        fun valueOf(robot: RobotSnapshot, lane: ChartLane): Int = if (lane.isMotor) {
+            signedPower(robot.brick.motors[lane.ordinal - ChartLane.MOTOR_A.ordinal])
+        } else {
+            robot.brick.sensors[lane.ordinal].value
+        }
 
         private fun signedPower(motor: MotorState): Int = when (motor.mode) {
             MotorMode.FORWARD -> motor.power + 1

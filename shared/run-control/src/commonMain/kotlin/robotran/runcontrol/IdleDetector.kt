@@ -25,8 +25,8 @@ class IdleDetector {
     }
 
     /** Whether time has to go on after [now]. */
-    fun isAwake(now: SessionState): Boolean =
-        quietMilliseconds < SETTLING_MILLISECONDS || now.robots.any { it.brick.run is RunState.Running || it.brick.sounding }
+    fun isAwake(now: SessionState): Boolean = quietMilliseconds < SETTLING_MILLISECONDS ||
+        now.robots.any { it.brick.run is RunState.Running || it.brick.sounding }
 
     private companion object {
         /** How long nothing must happen; longer than the brick takes for its beeps and its display after a button. */

@@ -5,7 +5,10 @@ import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
 
-/** Finds what happens in a run by looking at one of its states after the other, and keeps it, thinned out where there is much of it. */
+/**
+ * Finds what happens in a run by looking at one of its states after the other, and keeps it, thinned out where there is
+ * much of it.
+ */
 internal class MarkTrack {
     private val kept = mutableListOf<TimelineMark>()
     private var before: SessionState? = null
@@ -37,11 +40,19 @@ internal class MarkTrack {
         val run = now.brick.run
         if (!wasRunning && run is RunState.Running) add(TimelineMark(time, MarkKind.START, robot))
         if (wasRunning && run is RunState.Ended) add(TimelineMark(time, MarkKind.END, robot))
-        if (run is RunState.Failed && last.brick.run != run) add(TimelineMark(time, MarkKind.FAILURE, robot, run.failure.message))
+        if (run is RunState.Failed &&
+            last.brick.run != run
+        ) {
+            add(TimelineMark(time, MarkKind.FAILURE, robot, run.failure.message))
+        }
         if (now.bumps > last.bumps) add(TimelineMark(time, MarkKind.BUMP, robot))
         if (now.brick.sounding && !last.brick.sounding) add(TimelineMark(time, MarkKind.BEEP, robot))
         if (now.brick.infrared.sending && !last.brick.infrared.sending) add(TimelineMark(time, MarkKind.MESSAGE, robot))
-        if (now.remarks.size > last.remarks.size) add(TimelineMark(time, MarkKind.REMARK, robot, now.remarks.last().message))
+        if (now.remarks.size >
+            last.remarks.size
+        ) {
+            add(TimelineMark(time, MarkKind.REMARK, robot, now.remarks.last().message))
+        }
     }
 
     private fun lookAtGoals(last: SessionState, state: SessionState) {

@@ -2,7 +2,10 @@ package robotran.runcontrol
 
 import robotran.simulation.state.SessionState
 
-/** How many ROM calls each robot had made at the end of each of many equal pieces of time, with as many pieces as there is room for. */
+/**
+ * How many ROM calls each robot had made at the end of each of many equal pieces of time, with as many pieces as there
+ * is room for.
+ */
 internal class RomCallTrack(private val robots: Int) {
     private val totals = IntArray(CAPACITY * robots)
 

@@ -5,10 +5,7 @@ import robotran.rcxrom.log.RomLogEntry
 import robotran.rcxrom.log.RomLogFilter
 
 /** The first [count] calls of [log]: those that were made up to a moment of a run whose log may be longer. */
-class RomCalls internal constructor(
-    internal val log: RomLog,
-    val count: Long,
-) {
+class RomCalls internal constructor(internal val log: RomLog, val count: Long) {
     /** Those that are kept, the oldest first. */
     val entries: List<RomLogEntry>
         get() {
@@ -19,8 +16,8 @@ class RomCalls internal constructor(
 }
 
 /**
- * The ROM calls of a run that [filter] lets through. A log of 200,000 calls is not gone through within a frame: each time it is asked it looks at [AT_ONCE]
- * calls at most, and goes on there the next time.
+ * The ROM calls of a run that [filter] lets through. A log of 200,000 calls is not gone through within a frame: each
+ * time it is asked it looks at [AT_ONCE] calls at most, and goes on there the next time.
  */
 class FilteredRomCalls(val filter: RomLogFilter) {
     private var log: RomLog? = null
@@ -84,7 +81,8 @@ class FilteredRomCalls(val filter: RomLogFilter) {
         size -= half
     }
 
-    private class Found(private val entries: Array<RomLogEntry?>, override val size: Int) : AbstractList<RomLogEntry>() {
+    private class Found(private val entries: Array<RomLogEntry?>, override val size: Int) :
+        AbstractList<RomLogEntry>() {
         override fun get(index: Int): RomLogEntry {
             if (index !in 0..<size) throw IndexOutOfBoundsException("entry $index of $size")
             return checkNotNull(entries[index])

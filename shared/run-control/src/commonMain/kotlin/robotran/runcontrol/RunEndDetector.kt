@@ -10,15 +10,16 @@ internal class RunEndDetector(private val world: World) {
     private var quiet = 0L
 
     /**
-     * Whether the first robot's program is over and nothing has moved or sounded for [QUIET_MILLISECONDS], or the time for the goals is up. A world
-     * without goals has nothing to decide.
+     * Whether the first robot's program is over and nothing has moved or sounded for [QUIET_MILLISECONDS], or the time
+     * for the goals is up. A world without goals has nothing to decide.
      */
     fun isOver(state: SessionState): Boolean {
         if (world.goals.isEmpty()) return false
         val last = before
         before = state
         val isQuiet = hasEnded(state) && state.robots.none { it.brick.sounding }
-        quiet = if (last != null && isQuiet && !moves(last, state)) quiet + state.milliseconds - last.milliseconds else 0
+        quiet =
+            if (last != null && isQuiet && !moves(last, state)) quiet + state.milliseconds - last.milliseconds else 0
         return quiet >= QUIET_MILLISECONDS || state.milliseconds >= world.timeLimit * MILLISECONDS_PER_SECOND
     }
 

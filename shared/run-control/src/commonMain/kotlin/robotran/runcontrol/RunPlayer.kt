@@ -12,17 +12,16 @@ import robotran.simulation.StopReason
 import robotran.simulation.state.SessionState
 
 /**
- * A run that is watched: played at any [speed], stopped, stepped through, and gone through back and forth. It is at one [time] of what is known of it, up
- * to [length]. Going back begins a new session and does to it what was done before, as far as the time wanted, which gives the same run to the last bit; while
- * that is being computed, [state] is what was kept of that time. Whatever is done to the run in the past begins a new future, and the old one is
- * gone. It has no clock and no thread: whoever draws the frames tells it of each, see [frame]. Not to be used from two threads at once.
+ * A run that is watched: played at any [speed], stopped, stepped through, and gone through back and forth. It is at one
+ * [time] of what is known of it, up to [length]. Going back begins a new session and does to it what was done before,
+ * as far as the time wanted, which gives the same run to the last bit; while that is being computed, [state] is what
+ * was kept of that time. Whatever is done to the run in the past begins a new future, and the old one is gone. It has
+ * no clock and no thread: whoever draws the frames tells it of each, see [frame]. Not to be used from two threads at
+ * once.
  *
  * @param recording what is done to the run from its beginning, as in a project that was saved with its inputs.
  */
-class RunPlayer(
-    private var setup: RunSetup,
-    recording: List<RecordedInput> = emptyList(),
-) {
+class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = emptyList()) {
     private val whole = recording.toMutableList()
     private var record = RunRecord(setup.world)
 
@@ -53,7 +52,10 @@ class RunPlayer(
     var branchCount = 0
         private set
 
-    /** The robot whose program is stopped and looked into, and whose ROM calls and sounds these are; its number in the world. */
+    /**
+     * The robot whose program is stopped and looked into, and whose ROM calls and sounds these are; its number in the
+     * world.
+     */
     var watched = 0
         set(number) {
             field = number
@@ -79,7 +81,16 @@ class RunPlayer(
 
     /** How far the way to another time has been gone, 0..1; 1 if it is not on one. */
     val progress: Double
-        get() = (playback as? PlaybackState.Seeking)?.let { if (it.target == 0L) 1.0 else take.milliseconds.toDouble() / it.target } ?: 1.0
+        get() = (playback as? PlaybackState.Seeking)?.let {
+            if (it.target ==
+                0L
+            ) {
+                1.0
+            } else {
+                take.milliseconds.toDouble() / it.target
+            }
+        }
+            ?: 1.0
 
     /** Whether the run had gone on from here before. */
     val isInPast: Boolean get() = time < length
@@ -154,8 +165,8 @@ class RunPlayer(
     }
 
     /**
-     * Tells the run in [language] from now on, also what has happened in it so far: it is made once more in the background, while what was known of it stays to be
-     * seen, and goes on where it was.
+     * Tells the run in [language] from now on, also what has happened in it so far: it is made once more in the
+     * background, while what was known of it stays to be seen, and goes on where it was.
      *
      * @param loads what the robots were given, telling in that language.
      */
@@ -239,7 +250,10 @@ class RunPlayer(
         come.forEach(::apply)
     }
 
-    /** Lets [milliseconds] pass in parts, each by [run], with nothing due within any of them, until one has a reason to stop. */
+    /**
+     * Lets [milliseconds] pass in parts, each by [run], with nothing due within any of them, until one has a reason to
+     * stop.
+     */
     private fun go(milliseconds: Int, run: (Int) -> StopReason?) {
         val end = take.milliseconds + milliseconds
         arrive()
@@ -260,7 +274,13 @@ class RunPlayer(
     /** When it has to be looked or something has to be done next, after now. */
     private fun nextEvent(): Long {
         val now = take.milliseconds
-        val look = if (now < record.end) record.end else now - now % RunRecord.LOOK_MILLISECONDS + RunRecord.LOOK_MILLISECONDS
+        val look = if (now <
+            record.end
+        ) {
+            record.end
+        } else {
+            now - now % RunRecord.LOOK_MILLISECONDS + RunRecord.LOOK_MILLISECONDS
+        }
         val input = whole.getOrNull(take.applied)?.milliseconds ?: Long.MAX_VALUE
         val finish = record.finished?.takeIf { it > now } ?: Long.MAX_VALUE
         val step = if (isSmooth) smooth.nextStep(now) else Long.MAX_VALUE
@@ -288,7 +308,8 @@ class RunPlayer(
     private fun chooseTake(target: Long) {
         val isBest = take.leadsTo(target)
         val next =
-            parked.take(target, after = if (isBest) take.milliseconds else -1) ?: if (isBest) return else SessionCursor(setup, watched)
+            parked.take(target, after = if (isBest) take.milliseconds else -1)
+                ?: if (isBest) return else SessionCursor(setup, watched)
         // One that was only on its way somewhere is of no use to come back to.
         if (playback is PlaybackState.Seeking && front !== take) take.close() else parked.park(take)
         take = next

@@ -8,22 +8,34 @@ internal class SessionCheckpoints {
     /** The one that has come furthest; null if there is none. */
     val furthest: SessionCursor? get() = takes.lastOrNull()
 
-    /** Gives back the one nearest to [target] that leads to it and has come further than [after] milliseconds; null if there is none. */
+    /**
+     * Gives back the one nearest to [target] that leads to it and has come further than [after] milliseconds; null if
+     * there is none.
+     */
     fun take(target: Long, after: Long): SessionCursor? =
         takes.lastOrNull { it.leadsTo(target) && it.milliseconds > after }?.also(takes::remove)
 
-    /** Keeps [take]. When there are too many, the one goes that another is nearest to; the one that has come furthest always stays. */
+    /**
+     * Keeps [take]. When there are too many, the one goes that another is nearest to; the one that has come furthest
+     * always stays.
+     */
     fun park(take: SessionCursor) {
         takes += take
         takes.sortBy { it.milliseconds }
         if (takes.size <= MAX) return
-        val spare = takes.indices.toList().dropLast(1).minBy { takes[it].milliseconds - (takes.getOrNull(it - 1)?.milliseconds ?: 0) }
+        val spare = takes.indices.toList().dropLast(1).minBy {
+            takes[it].milliseconds -
+                (takes.getOrNull(it - 1)?.milliseconds ?: 0)
+        }
         takes.removeAt(spare).close()
     }
 
     /** From [take] on the run goes on differently: what has come further is of no use any more. */
     fun closeAfter(take: SessionCursor) {
-        val late = takes.filter { it.milliseconds > take.milliseconds || it.applied > take.applied || it.session.isPaused }
+        val late = takes.filter {
+            it.milliseconds > take.milliseconds || it.applied > take.applied ||
+                it.session.isPaused
+        }
         late.forEach(SessionCursor::close)
         takes.removeAll(late)
     }

@@ -21,7 +21,11 @@ internal class SessionCursor(setup: RunSetup, watched: Int) {
 
     /** Does what the run's [inputs] and its end at [finish] have for this time. */
     fun doWhatIsDue(inputs: List<RecordedInput>, finish: Long?) {
-        while (applied < inputs.size && inputs[applied].milliseconds <= milliseconds) session.apply(inputs[applied++].input)
+        while (applied < inputs.size &&
+            inputs[applied].milliseconds <= milliseconds
+        ) {
+            session.apply(inputs[applied++].input)
+        }
         if (finish != null && finish <= milliseconds && !isFinished) {
             session.finish()
             isFinished = true

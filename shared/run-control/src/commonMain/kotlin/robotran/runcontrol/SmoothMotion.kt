@@ -5,7 +5,8 @@ import robotran.simulation.state.SessionState
 import robotran.world.geometry.Pose
 
 /**
- * Draws what moves between the steps of the physics, which are 5 ms apart and can be told one from another in slow motion. What is drawn is one step behind.
+ * Draws what moves between the steps of the physics, which are 5 ms apart and can be told one from another in slow
+ * motion. What is drawn is one step behind.
  */
 internal class SmoothMotion {
     private var before: SessionState? = null
@@ -31,7 +32,11 @@ internal class SmoothMotion {
     fun at(state: SessionState, fraction: Double): SessionState {
         val to = now ?: return state
         val from = before ?: return state
-        if (to.milliseconds != state.milliseconds - state.milliseconds % STEP || from.milliseconds != to.milliseconds - STEP) return state
+        if (to.milliseconds != state.milliseconds - state.milliseconds % STEP ||
+            from.milliseconds != to.milliseconds - STEP
+        ) {
+            return state
+        }
         val share = (state.milliseconds - to.milliseconds + fraction) / STEP
         return state.copy(
             robots = state.robots.mapIndexed { number, robot ->

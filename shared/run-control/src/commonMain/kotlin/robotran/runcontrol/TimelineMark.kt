@@ -4,14 +4,10 @@ package robotran.runcontrol
  * Something that has happened in a run, to be found again on its timeline.
  *
  * @property robot whose it is, its number in the world; 0 if it is nobody's.
- * @property text what there is to say of it that a screen cannot know, such as why a program has failed; otherwise empty.
+ * @property text what there is to say of it that a screen cannot know, such as why a program has failed; otherwise
+ * empty.
  */
-data class TimelineMark(
-    val milliseconds: Long,
-    val kind: MarkKind,
-    val robot: Int = 0,
-    val text: String = "",
-)
+data class TimelineMark(val milliseconds: Long, val kind: MarkKind, val robot: Int = 0, val text: String = "")
 
 /** What can happen. */
 enum class MarkKind {

@@ -44,7 +44,16 @@ class VariableWatch {
         val depth = lookedAt.callStack.size - frame
         return session.variablesOf(thread, frame).mapIndexed { scope, known ->
             val then = before[Place(thread, depth, scope, known.name)].orEmpty()
-            ShownScope(known.name, known.variables.map { ShownVariable(it.name, it.value, !isFirst && then[it.name] != it.value) })
+            ShownScope(
+                known.name,
+                known.variables.map {
+                    ShownVariable(
+                        it.name,
+                        it.value,
+                        !isFirst && then[it.name] != it.value,
+                    )
+                },
+            )
         }
     }
 

@@ -36,7 +36,9 @@ class RunRecordTest {
 
     @Test
     fun `goals are decided when the run is over, and again the same when it is gone through once more`() = runTest {
-        val world = BuiltInWorlds.plain.copy(goals = listOf(Goal(NeverTouch()), Goal(InkLength(atLeast = 5.0, atMost = null))))
+        val world = BuiltInWorlds.plain.copy(
+            goals = listOf(Goal(NeverTouch()), Goal(InkLength(atLeast = 5.0, atMost = null))),
+        )
         val source = "pen down\nforward 10\npen up"
         val player = started(source, world)
         player.pass(6_000)
@@ -58,7 +60,10 @@ class RunRecordTest {
         player.pass(1_000_000)
         assertTrue(player.marks.size <= MarkTrack.CAPACITY)
         val line = player.chart(ChartLane.SENSOR_1)
-        assertTrue(line.size <= ChartTrack.CAPACITY && line.size > ChartTrack.CAPACITY / 4, "${line.size} of ${line.step} ms")
+        assertTrue(
+            line.size <= ChartTrack.CAPACITY && line.size > ChartTrack.CAPACITY / 4,
+            "${line.size} of ${line.step} ms",
+        )
         player.seek(500_000)
         val state = player.state.milliseconds
         assertTrue(state in 498_000..500_000, "$state")
@@ -68,7 +73,12 @@ class RunRecordTest {
     fun `the chart keeps the shortest press, however coarse it becomes`() = runTest {
         val player = RunPlayer(setupOf("beep"))
         player.pass(1_000)
-        val quiet = player.chart(ChartLane.MOTOR_A).let { line -> (0..<line.size).all { line.min(it) == 0 && line.greatest(it) == 0 } }
+        val quiet = player.chart(ChartLane.MOTOR_A).let { line ->
+            (0..<line.size).all {
+                line.min(it) == 0 &&
+                    line.greatest(it) == 0
+            }
+        }
         assertTrue(quiet)
         val driven = started("forward 1")
         driven.pass(100_000)

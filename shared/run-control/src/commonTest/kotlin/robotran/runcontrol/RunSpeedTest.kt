@@ -39,7 +39,10 @@ class RunSpeedTest {
         assertTrue(late.all { it >= 100 }, "$late")
     }
 
-    /** What the last of 200 frames ask for in the middle, and how long they take, if a frame takes as many real milliseconds as [cost] says. */
+    /**
+     * What the last of 200 frames ask for in the middle, and how long they take, if a frame takes as many real
+     * milliseconds as [cost] says.
+     */
     private fun settled(cost: (Int) -> Int): Pair<Int, Int> {
         val pace = FramePace()
         var now = 0L

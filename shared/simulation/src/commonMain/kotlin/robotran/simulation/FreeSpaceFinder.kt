@@ -22,8 +22,8 @@ internal class FreeSpaceFinder(private val world: World, trigonometry: Trigonome
     }
 
     /**
-     * How far a block is to be moved so that it lies as near as can be to where [moved] would bring it, without lying in anything; [moved] itself if there
-     * is no room within [FARTHEST] centimetres.
+     * How far a block is to be moved so that it lies as near as can be to where [moved] would bring it, without lying
+     * in anything; [moved] itself if there is no room within [FARTHEST] centimetres.
      *
      * @param robots where the robots stand.
      * @param blocks how far the blocks have been moved.
@@ -58,8 +58,16 @@ private fun Wall.outline(): Outline {
     val reachY = if (along == 0.0) 0.0 else (to.y - from.y) / along * thickness / 2
     return Outline.Angular(
         listOf(
-            Point(from.x - reachX + reachY, from.y - reachY - reachX), Point(to.x + reachX + reachY, to.y + reachY - reachX),
-            Point(to.x + reachX - reachY, to.y + reachY + reachX), Point(from.x - reachX - reachY, from.y - reachY + reachX),
+            Point(from.x - reachX + reachY, from.y - reachY - reachX),
+            Point(
+                to.x + reachX + reachY,
+                to.y + reachY - reachX,
+            ),
+            Point(to.x + reachX - reachY, to.y + reachY + reachX),
+            Point(
+                from.x - reachX - reachY,
+                from.y - reachY + reachX,
+            ),
         ),
     )
 }

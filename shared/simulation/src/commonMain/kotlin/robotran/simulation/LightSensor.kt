@@ -5,8 +5,8 @@ import robotran.world.LightFacing
 import robotran.world.Penbot
 
 /**
- * The light sensor of a robot as a thing in the world. What it sees is worked out only when it is asked for, and not twice while nothing has
- * moved.
+ * The light sensor of a robot as a thing in the world. What it sees is worked out only when it is asked for, and not
+ * twice while nothing has moved.
  */
 internal class LightSensor(private val robot: Int, private val simulation: Simulation) {
     private var known = Double.NaN
@@ -21,7 +21,8 @@ internal class LightSensor(private val robot: Int, private val simulation: Simul
 
     /** What it measures, before noise and rounding. */
     fun raw(facing: LightFacing, active: Boolean): Double {
-        val isKnown = !known.isNaN() && facing == knownFacing && active == knownActive && simulation.light.version == knownLight
+        val isKnown =
+            !known.isNaN() && facing == knownFacing && active == knownActive && simulation.light.version == knownLight
         if (!isKnown) {
             knownFacing = facing
             knownActive = active
@@ -41,8 +42,17 @@ internal class LightSensor(private val robot: Int, private val simulation: Simul
     private fun ahead(active: Boolean): Double {
         val body = simulation.machines[robot].body
         val place = place()
-        val arriving = with(body.motion) { simulation.light.ahead(place, cosine, sine, body.body, simulation.beaconsBeside(robot)) }
-        return if (active) arriving + with(body.motion) { simulation.light.echo(place, cosine, sine, body.body) } else arriving
+        val arriving =
+            with(body.motion) {
+                simulation.light.ahead(place, cosine, sine, body.body, simulation.beaconsBeside(robot))
+            }
+        return if (active) {
+            arriving + with(body.motion) {
+                simulation.light.echo(place, cosine, sine, body.body)
+            }
+        } else {
+            arriving
+        }
     }
 
     private fun place() = simulation.machines[robot].body.pointAhead(Penbot.LIGHT_SENSOR_PLACE)

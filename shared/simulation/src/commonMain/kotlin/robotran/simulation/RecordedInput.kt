@@ -5,7 +5,4 @@ package robotran.simulation
  *
  * @property milliseconds the session's time then; the input takes effect in the tick that follows.
  */
-data class RecordedInput(
-    val milliseconds: Long,
-    val input: SessionInput,
-)
+data class RecordedInput(val milliseconds: Long, val input: SessionInput)

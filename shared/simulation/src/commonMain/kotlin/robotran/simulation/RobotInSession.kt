@@ -58,7 +58,8 @@ internal class RobotInSession(
     }
 
     /** The motors move on for the millisecond with the number [tick]. */
-    fun moveMotors(tick: Long) = machine.tick(brick.motor(MotorPort.A), brick.motor(MotorPort.B), brick.motor(MotorPort.C), tick)
+    fun moveMotors(tick: Long) =
+        machine.tick(brick.motor(MotorPort.A), brick.motor(MotorPort.B), brick.motor(MotorPort.C), tick)
 
     /** Adds the ROM calls made since this was done last. */
     fun addCallsTo(hash: TraceHash) {

@@ -10,8 +10,4 @@ import robotran.world.LightFacing
  * @property firstSlot the program that Run starts as long as Prgm was not pressed, from 0.
  * @property lightFacing where the pupil has turned its light sensor, if the world leaves that open; null for down.
  */
-data class RobotLoad(
-    val programs: List<RcxProgram?>,
-    val firstSlot: Int = 0,
-    val lightFacing: LightFacing? = null,
-)
+data class RobotLoad(val programs: List<RcxProgram?>, val firstSlot: Int = 0, val lightFacing: LightFacing? = null)

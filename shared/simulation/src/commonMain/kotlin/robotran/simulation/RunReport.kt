@@ -12,7 +12,8 @@ import robotran.world.Thousandths
 import robotran.world.roundToThousandths
 
 /**
- * What came of a run, for a person or another program to read. Lengths are in centimetres; numbers are rounded to thousandths.
+ * What came of a run, for a person or another program to read. Lengths are in centimetres; numbers are rounded to
+ * thousandths.
  *
  * @property seconds virtual time since the session began.
  * @property lcd what a reader would read off the display.
@@ -53,11 +54,7 @@ enum class RunStatus {
 
 /** A [Pose] in a report; [heading] in degrees counter-clockwise from the x axis. */
 @Serializable
-data class ReportedPose(
-    val x: Thousandths,
-    val y: Thousandths,
-    val heading: Thousandths,
-)
+data class ReportedPose(val x: Thousandths, val y: Thousandths, val heading: Thousandths)
 
 /**
  * What became of a goal of the world.
@@ -109,7 +106,9 @@ fun Session.report(): RunReport {
     return RunReport(
         status = statusOf(run),
         seconds = roundToThousandths(now.milliseconds / MILLISECONDS_PER_SECOND),
-        pose = with(now.robot.pose) { ReportedPose(roundToThousandths(x), roundToThousandths(y), roundToThousandths(heading)) },
+        pose = with(now.robot.pose) {
+            ReportedPose(roundToThousandths(x), roundToThousandths(y), roundToThousandths(heading))
+        },
         inkCentimetres = roundToThousandths(now.ink.lengthCentimetres),
         bumps = now.bumps,
         lcd = now.brick.glass.text,

@@ -4,8 +4,8 @@ import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.state.RunState
 
 /**
- * Presses Run on all bricks and lets time pass with nobody there, until the first robot's program is over and it stands still, or
- * [milliseconds] have passed. The same program in the same world gives the same [report] wherever it is done.
+ * Presses Run on all bricks and lets time pass with nobody there, until the first robot's program is over and it stands
+ * still, or [milliseconds] have passed. The same program in the same world gives the same [report] wherever it is done.
  */
 fun Session.runUnattended(milliseconds: Int) {
     pressRun()

@@ -18,7 +18,12 @@ import robotran.world.World
 import robotran.world.geometry.length
 
 /** All robots of a session with their bricks, in their world, moved on millisecond by millisecond. */
-internal class SessionEngine(private val world: World, loads: List<RobotLoad>, physics: PhysicsEngine, language: Language) {
+internal class SessionEngine(
+    private val world: World,
+    loads: List<RobotLoad>,
+    physics: PhysicsEngine,
+    language: Language,
+) {
     private val simulation = Simulation(world, physics)
     private val air = InfraredAir(::reaches)
     private val hash = TraceHash()
@@ -47,7 +52,11 @@ internal class SessionEngine(private val world: World, loads: List<RobotLoad>, p
     /** One millisecond, or what is left of one; it is not over if a program has been stopped in the middle of it. */
     fun tick() {
         latest = null
-        if (nextToTick == 0 && (milliseconds + 1) % SensorCode.READING_MILLISECONDS == 0L) robots.forEach(RobotInSession::sense)
+        if (nextToTick == 0 &&
+            (milliseconds + 1) % SensorCode.READING_MILLISECONDS == 0L
+        ) {
+            robots.forEach(RobotInSession::sense)
+        }
         while (nextToTick < robots.size) {
             val brick = robots[nextToTick].brick
             brick.tick()
@@ -66,14 +75,27 @@ internal class SessionEngine(private val world: World, loads: List<RobotLoad>, p
         latest = null
         when (input) {
             is SessionInput.Press -> robots.getOrNull(input.robot)?.brick?.press(input.button)
+
             is SessionInput.Release -> robots.getOrNull(input.robot)?.brick?.release(input.button)
+
             SessionInput.Stop -> robots.forEach { it.brick.stopProgram() }
+
             is SessionInput.PlaceRobot -> if (input.robot in robots.indices) simulation.place(input.robot, input.pose)
-            is SessionInput.PlaceBlock -> if (input.block in world.blocks.indices) simulation.placeBlock(input.block, input.pose)
+
+            is SessionInput.PlaceBlock -> if (input.block in
+                world.blocks.indices
+            ) {
+                simulation.placeBlock(input.block, input.pose)
+            }
+
             is SessionInput.MoveLamp -> changeLamp(input.lamp) { it.copy(place = input.place) }
+
             is SessionInput.SwitchLamp -> changeLamp(input.lamp) { it.copy(on = input.on) }
+
             is SessionInput.ChangeAmbientLight -> simulation.light.changeAmbient(maxOf(0.0, input.light))
+
             is SessionInput.ChangeTemperature -> simulation.temperature = input.celsius
+
             is SessionInput.TouchSensor -> robots.getOrNull(input.robot)?.ports?.touch(input.port, input.pressed)
         }
     }

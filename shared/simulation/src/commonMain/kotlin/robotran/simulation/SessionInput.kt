@@ -6,8 +6,8 @@ import robotran.world.geometry.Pose
 import robotran.world.roundToThousandths
 
 /**
- * What a person does to a running session from outside; recorded with its time, so that a run can be repeated. Robots, blocks and lamps are known by
- * their numbers in the world, from 0; an input for one that is not there does nothing.
+ * What a person does to a running session from outside; recorded with its time, so that a run can be repeated. Robots,
+ * blocks and lamps are known by their numbers in the world, from 0; an input for one that is not there does nothing.
  */
 sealed interface SessionInput {
     /** A finger goes down on a button of a brick. */
@@ -17,8 +17,8 @@ sealed interface SessionInput {
     data class Release(val button: BrickButton, val robot: Int = 0) : SessionInput
 
     /**
-     * The stop button beside the world: ends the programs of all robots, as no single button of a real brick does; ends the showing of a failure, as On-Off
-     * does.
+     * The stop button beside the world: ends the programs of all robots, as no single button of a real brick does; ends
+     * the showing of a failure, as On-Off does.
      */
     data object Stop : SessionInput
 
@@ -26,8 +26,9 @@ sealed interface SessionInput {
     data class PlaceRobot(val robot: Int, val pose: Pose) : SessionInput
 
     /**
-     * A block is picked up and put down elsewhere, at rest: its middle, see [Shape.centre], at the place of [pose], turned by the heading from how the
-     * world has it. Beside the paper counts as its nearest edge; where something is in the way, the block comes to lie beside it.
+     * A block is picked up and put down elsewhere, at rest: its middle, see [Shape.centre], at the place of [pose],
+     * turned by the heading from how the world has it. Beside the paper counts as its nearest edge; where something is
+     * in the way, the block comes to lie beside it.
      */
     data class PlaceBlock(val block: Int, val pose: Pose) : SessionInput
 
@@ -37,7 +38,9 @@ sealed interface SessionInput {
     /** A lamp is switched on or off. */
     data class SwitchLamp(val lamp: Int, val on: Boolean) : SessionInput
 
-    /** The light everywhere changes, as when a blind is pulled down; in the units of [Light], negative counts as none. */
+    /**
+     * The light everywhere changes, as when a blind is pulled down; in the units of [Light], negative counts as none.
+     */
     data class ChangeAmbientLight(val light: Double) : SessionInput
 
     /** It gets warmer or colder; in degrees Celsius. */
@@ -47,14 +50,27 @@ sealed interface SessionInput {
     data class TouchSensor(val robot: Int, val port: Int, val pressed: Boolean) : SessionInput
 }
 
-/** The input with its places, angles and amounts in thousandths, as a file can keep them, so that a run is the same after it was saved. */
+/**
+ * The input with its places, angles and amounts in thousandths, as a file can keep them, so that a run is the same
+ * after it was saved.
+ */
 internal fun SessionInput.inThousandths(): SessionInput = when (this) {
     is SessionInput.PlaceRobot -> copy(pose = pose.inThousandths())
+
     is SessionInput.PlaceBlock -> copy(pose = pose.inThousandths())
+
     is SessionInput.MoveLamp -> copy(place = Point(roundToThousandths(place.x), roundToThousandths(place.y)))
+
     is SessionInput.ChangeAmbientLight -> copy(light = roundToThousandths(light))
+
     is SessionInput.ChangeTemperature -> copy(celsius = roundToThousandths(celsius))
-    is SessionInput.Press, is SessionInput.Release, is SessionInput.SwitchLamp, is SessionInput.TouchSensor, SessionInput.Stop -> this
+
+    is SessionInput.Press,
+    is SessionInput.Release,
+    is SessionInput.SwitchLamp,
+    is SessionInput.TouchSensor,
+    SessionInput.Stop,
+    -> this
 }
 
 private fun Pose.inThousandths() = Pose(roundToThousandths(x), roundToThousandths(y), roundToThousandths(heading))

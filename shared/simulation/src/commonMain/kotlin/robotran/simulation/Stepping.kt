@@ -7,8 +7,8 @@ import robotran.rcxrom.program.StepKind
 import robotran.rcxrom.program.ThreadActivity
 
 /**
- * Stops [run] at breakpoints and, if a [step] is to be made, behind it. The statement that the run stands before when this is made
- * belongs to the step.
+ * Stops [run] at breakpoints and, if a [step] is to be made, behind it. The statement that the run stands before when
+ * this is made belongs to the step.
  *
  * @param isPaused whether the run was stopped before that statement, so that it does not ask about it again.
  */
@@ -51,7 +51,9 @@ internal class Stepping(
         null -> false
     }
 
-    /** Whether the thread of the step will not come to the step's end, or, for a step into whatever comes next, not now. */
+    /**
+     * Whether the thread of the step will not come to the step's end, or, for a step into whatever comes next, not now.
+     */
     private fun isStepGivenUp(): Boolean {
         if (step == null) return false
         val activity = thread?.let { run.activityOf(it.number) }

@@ -71,7 +71,8 @@ class BlockTest {
 
     @Test
     fun `a block is put down with its middle where it is put, turned and at rest`() = runTest {
-        val session = session(world(Block(Shape.Polygon(listOf(Point(60.0, 40.0), Point(66.0, 40.0), Point(60.0, 46.0))))))
+        val session =
+            session(world(Block(Shape.Polygon(listOf(Point(60.0, 40.0), Point(66.0, 40.0), Point(60.0, 46.0))))))
         session.apply(SessionInput.PlaceBlock(0, Pose(82.0, 22.0, -90.0)))
         val put = Pose(20.0, -20.0, -90.0)
         assertNear(put, session.state.blocks.single())
@@ -106,14 +107,21 @@ class BlockTest {
 
     @Test
     fun `a run in which blocks are put about is the same run on every target, and after it was saved`() = runTest {
-        val session = session(world(box(mass = 0.1)).copy(barriers = listOf(Barrier(Shape.Circle(Point(60.0, 44.0), 6.0)))))
+        val session =
+            session(world(box(mass = 0.1)).copy(barriers = listOf(Barrier(Shape.Circle(Point(60.0, 44.0), 6.0)))))
         for (place in 0..40) {
             session.apply(SessionInput.PlaceBlock(0, Pose(20.0 + place * 1.2345678, 38.0 + place / 7.0, place * 11.1)))
             session.advance(16)
         }
         session.advance(1_000)
         assertEquals("43f1a1a6c60087a6", session.traceHash)
-        val again = Session.replay(session.world, emptyList(), loadPhysicsEngine(), session.inputs, session.state.milliseconds)
+        val again = Session.replay(
+            session.world,
+            emptyList(),
+            loadPhysicsEngine(),
+            session.inputs,
+            session.state.milliseconds,
+        )
         assertEquals(session.traceHash, again.traceHash)
         assertEquals(session.state.blocks, again.state.blocks)
     }

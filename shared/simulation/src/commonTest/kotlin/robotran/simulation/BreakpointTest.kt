@@ -35,7 +35,8 @@ class BreakpointTest {
 
     @Test
     fun `a breakpoint inside a whenever stops there with a call stack of its own`() = runTest {
-        val session = startedForDebugging("var n = 0\nwhenever n == 2\n  n = 10\n  beep\nend\nrepeat forever\n  n = n + 1\nend")
+        val session =
+            startedForDebugging("var n = 0\nwhenever n == 2\n  n = 10\n  beep\nend\nrepeat forever\n  n = n + 1\nend")
         session.runTo(4)
         assertEquals(listOf("whenever" to 4, "test" to 6), session.callStack.map { it.name to it.sourceLine })
         assertEquals(listOf("10"), session.variables.last().variables.map { it.value })
@@ -51,7 +52,8 @@ class BreakpointTest {
 
     @Test
     fun `a breakpoint inside a function stops while it works out a condition`() = runTest {
-        val session = startedForDebugging("function f()\n  return false\nend\nwhenever f()\n  beep\nend\nwait 1 second\nhalt")
+        val session =
+            startedForDebugging("function f()\n  return false\nend\nwhenever f()\n  beep\nend\nwait 1 second\nhalt")
         session.runTo(2)
         assertEquals(listOf("f", "whenever", "test"), session.callStack.map { it.name })
     }

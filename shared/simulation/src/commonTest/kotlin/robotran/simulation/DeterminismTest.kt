@@ -9,11 +9,21 @@ import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
-/** The hashes are recorded: the tests of every target, and those on other versions of the JVM, are held against them. */
+/**
+ * The hashes are recorded: the tests of every target, and those on other versions of the JVM, are held against them.
+ */
 class DeterminismTest {
     private val recorded = listOf(
-        "4f28f72b2a69b7d1", "da5034055078e126", "3629ef8444b03da2", "1775da185aa63064", "6e09b2ebd6dd0713",
-        "6071fb56dcaeb42e", "379f44025a434e55", "ac3c9b0b26a9989f", "0c1570917c702356", "8945ae6c0da8fe7d",
+        "4f28f72b2a69b7d1",
+        "da5034055078e126",
+        "3629ef8444b03da2",
+        "1775da185aa63064",
+        "6e09b2ebd6dd0713",
+        "6071fb56dcaeb42e",
+        "379f44025a434e55",
+        "ac3c9b0b26a9989f",
+        "0c1570917c702356",
+        "8945ae6c0da8fe7d",
     )
 
     @Test
@@ -33,7 +43,12 @@ class DeterminismTest {
         val states = List(4) { HeavyWorlds.session(it).state }
         val robots = states.flatMap { it.robots }
         assertEquals(TouchKind.entries.toSet(), robots.flatMap { it.robot.touched }.toSet())
-        assertTrue(states.sumOf { state -> state.blocks.count { it.x != 0.0 } } > 8, states.map { it.blocks }.toString())
+        assertTrue(
+            states.sumOf { state ->
+                state.blocks.count { it.x != 0.0 }
+            } > 8,
+            states.map { it.blocks }.toString(),
+        )
         assertTrue(states.all { it.ink.lengthCentimetres > 500 })
         assertTrue(robots.all { it.bumps > 3 })
     }
@@ -42,7 +57,13 @@ class DeterminismTest {
     fun `going back to an earlier time is the same as having been there`() = runTest(timeout = 5.minutes) {
         val session = HeavyWorlds.session(3)
         for (milliseconds in listOf(0L, 13_337L, 30_021L, 45_000L)) {
-            val there = Session.replay(session.world, HeavyWorlds.loads(3), loadPhysicsEngine(), session.inputs, milliseconds)
+            val there = Session.replay(
+                session.world,
+                HeavyWorlds.loads(3),
+                loadPhysicsEngine(),
+                session.inputs,
+                milliseconds,
+            )
             val straight = Session(session.world, HeavyWorlds.loads(3), loadPhysicsEngine())
             for (input in session.inputs) {
                 if (input.milliseconds > milliseconds) break

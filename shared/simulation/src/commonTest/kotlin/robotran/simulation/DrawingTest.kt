@@ -46,7 +46,14 @@ class DrawingTest {
     @Test
     fun `the drawn line of a square is as long as the pen's way and has few points`() = runTest {
         val ink = runToEnd(ScriptedProgram.square).state.ink
-        val drawn = ink.strokes.sumOf { stroke -> stroke.points.zipWithNext { from, to -> length(to.x - from.x, to.y - from.y) }.sum() }
+        val drawn = ink.strokes.sumOf { stroke ->
+            stroke.points.zipWithNext { from, to ->
+                length(
+                    to.x - from.x,
+                    to.y - from.y,
+                )
+            }.sum()
+        }
         assertEquals(ink.lengthCentimetres, drawn, 0.1)
         assertTrue(ink.strokes.single().points.size < 60, "${ink.strokes.single().points.size} points")
     }

@@ -16,9 +16,10 @@ import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
 /**
- * The examples, run as `robotran run` runs them, leave the reports recorded in `resources/runs`, whose trace hash counts every tick's pose
- * and every ROM call: the tests run on each target, so all targets make the same calls at the same times. Short ROM logs are there too, to
- * be read when a hash differs. The command line and the web page are held against the same records; `record-runs.sh` makes them anew.
+ * The examples, run as `robotran run` runs them, leave the reports recorded in `resources/runs`, whose trace hash
+ * counts every tick's pose and every ROM call: the tests run on each target, so all targets make the same calls at the
+ * same times. Short ROM logs are there too, to be read when a hash differs. The command line and the web page are held
+ * against the same records; `record-runs.sh` makes them anew.
  */
 class ExampleRunTest {
     private suspend fun run(name: String): Session {
@@ -46,7 +47,12 @@ class ExampleRunTest {
 
     @Test
     fun `every recorded run is that of an example`() {
-        assertEquals(exampleTexts.keys.map { it.removeSuffix(".robo") }.toSet(), expectedRuns.keys.map { it.substringBefore('.') }.toSet())
+        assertEquals(
+            exampleTexts.keys.map {
+                it.removeSuffix(".robo")
+            }.toSet(),
+            expectedRuns.keys.map { it.substringBefore('.') }.toSet(),
+        )
     }
 
     @Test

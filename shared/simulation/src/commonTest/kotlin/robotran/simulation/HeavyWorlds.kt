@@ -22,7 +22,9 @@ import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import robotran.world.geometry.length
 
-/** Worlds full of things, made from numbers: 40 barriers of all shapes, 10 blocks, marks, lamps, three robots, noise on. */
+/**
+ * Worlds full of things, made from numbers: 40 barriers of all shapes, 10 blocks, marks, lamps, three robots, noise on.
+ */
 internal object HeavyWorlds {
     fun world(number: Int): World {
         val random = NoiseStream(number, "heavy world")
@@ -46,30 +48,46 @@ internal object HeavyWorlds {
 
             // Dented, and clockwise.
             else -> Shape.Polygon(
-                listOf(at, Point(at.x, at.y + size), Point(at.x + size * 0.4, at.y + size * 0.3), Point(at.x + size, at.y)),
+                listOf(
+                    at,
+                    Point(at.x, at.y + size),
+                    Point(at.x + size * 0.4, at.y + size * 0.3),
+                    Point(at.x + size, at.y),
+                ),
             )
         }
         return BuiltInWorlds.plain.copy(
             title = "Heavy $number",
             paper = Paper(200.0, 150.0),
             walls = listOf(
-                Wall(Point(0.0, 0.0), Point(200.0, 0.0), 1.0), Wall(Point(200.0, 0.0), Point(200.0, 150.0), 1.0),
-                Wall(Point(200.0, 150.0), Point(0.0, 150.0), 1.0), Wall(Point(0.0, 150.0), Point(0.0, 0.0), 1.0),
+                Wall(Point(0.0, 0.0), Point(200.0, 0.0), 1.0),
+                Wall(Point(200.0, 0.0), Point(200.0, 150.0), 1.0),
+                Wall(Point(200.0, 150.0), Point(0.0, 150.0), 1.0),
+                Wall(Point(0.0, 150.0), Point(0.0, 0.0), 1.0),
             ),
             robots = STARTS.mapIndexed { robot, start ->
                 RobotPlacement(
-                    start.copy(heading = from(-180.0, 180.0)), name = "robot $robot",
+                    start.copy(heading = from(-180.0, 180.0)),
+                    name = "robot $robot",
                     ports = listOf(
-                        listOf(PortSensor.LEFT_BUMPER, PortSensor.TEMPERATURE), listOf(PortSensor.LIGHT), listOf(PortSensor.RIGHT_ROTATION),
+                        listOf(PortSensor.LEFT_BUMPER, PortSensor.TEMPERATURE),
+                        listOf(PortSensor.LIGHT),
+                        listOf(PortSensor.RIGHT_ROTATION),
                     ),
-                    lightFacing = LightFacing.entries[robot % 2], beacon = from(0.0, 1.0),
+                    lightFacing = LightFacing.entries[robot % 2],
+                    beacon = from(0.0, 1.0),
                 )
             },
             barriers = List(40) { Barrier(shape(it, from(3.0, 9.0), place())) },
-            blocks = List(10) { Block(shape(it, from(3.0, 6.0), place()), mass = from(0.05, 0.4), friction = from(0.2, 0.8)) },
-            marks = List(12) { Mark(MarkFigure.Area(shape(it, from(10.0, 40.0), place())), Shade.Grey(from(0.0, 1.0))) } +
-                Mark(MarkFigure.Line(List(8) { place() }, width = 2.0, closed = true), Shade.Colour(20, 40, 160)),
-            lamps = List(3) { Lamp(place(), brightness = from(0.5, 3.0), direction = from(-180.0, 180.0), cone = from(40.0, 360.0)) },
+            blocks = List(10) {
+                Block(shape(it, from(3.0, 6.0), place()), mass = from(0.05, 0.4), friction = from(0.2, 0.8))
+            },
+            marks =
+                List(12) { Mark(MarkFigure.Area(shape(it, from(10.0, 40.0), place())), Shade.Grey(from(0.0, 1.0))) } +
+                    Mark(MarkFigure.Line(List(8) { place() }, width = 2.0, closed = true), Shade.Colour(20, 40, 160)),
+            lamps = List(3) {
+                Lamp(place(), brightness = from(0.5, 3.0), direction = from(-180.0, 180.0), cone = from(40.0, 360.0))
+            },
             realism = 0.2 + number * 0.08,
             seed = number,
         )

@@ -23,7 +23,10 @@ class InkWriterTest {
     fun `a corner is kept`() {
         val there = (0..100).map { Point(it / 10.0, 5.0) }
         val up = (1..100).map { Point(10.0, 5.0 + it / 10.0) }
-        assertEquals(listOf(Point(0.0, 5.0), Point(10.0, 5.0), Point(10.0, 15.0)), draw(there + up).strokes.single().points)
+        assertEquals(
+            listOf(Point(0.0, 5.0), Point(10.0, 5.0), Point(10.0, 15.0)),
+            draw(there + up).strokes.single().points,
+        )
     }
 
     @Test

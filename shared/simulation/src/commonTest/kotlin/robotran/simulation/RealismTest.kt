@@ -57,7 +57,10 @@ class RealismTest {
         assertEquals(0.0, numbers.average(), 0.03)
         assertEquals(1.0, sqrt(numbers.sumOf { it * it } / numbers.size), 0.03)
         assertTrue(numbers.all { abs(it) < 3.5 })
-        assertEquals(3, setOf(NoiseStream(1, "a").share(), NoiseStream(1, "b").share(), NoiseStream(2, "a").share()).size)
+        assertEquals(
+            3,
+            setOf(NoiseStream(1, "a").share(), NoiseStream(1, "b").share(), NoiseStream(2, "a").share()).size,
+        )
         assertEquals(NoiseStream(7, "motor").normal(), NoiseStream(7, "motor").normal())
     }
 
@@ -85,10 +88,14 @@ class RealismTest {
     fun `what has made a robot stray is told and adds up`() = runTest {
         val session = runToEnd(metre, world(1.0, 3))
         val told = session.explain().associateBy { it.cause }
-        assertTrue(Cause.START_HEADING in told && Cause.BATTERY in told && Cause.SLIP in told && Cause.LIGHT_BIAS in told, told.toString())
+        assertTrue(
+            Cause.START_HEADING in told && Cause.BATTERY in told && Cause.SLIP in told && Cause.LIGHT_BIAS in told,
+            told.toString(),
+        )
         assertTrue(told.values.all { it.robot == "yellow" && it.sentence.endsWith(".") })
         val turn =
-            told.getValue(Cause.RIGHT_STRENGTH).amount - told.getValue(Cause.LEFT_STRENGTH).amount - (told[Cause.FLUTTER]?.amount ?: 0.0)
+            told.getValue(Cause.RIGHT_STRENGTH).amount - told.getValue(Cause.LEFT_STRENGTH).amount -
+                (told[Cause.FLUTTER]?.amount ?: 0.0)
         val expected = told.getValue(Cause.START_HEADING).amount + turn / Penbot.WHEEL_TRACK / RADIANS_PER_DEGREE
         assertEquals(expected, session.state.robot.pose.heading, 4.0)
     }
@@ -101,7 +108,8 @@ class RealismTest {
                 "It looked 0.4 degrees too far to the left when it was put down.",
                 "The left motor is 0.8 % too weak: its wheel rolled 0.8 cm less than it should.",
                 "The right motor is 0.7 % too weak: its wheel rolled 0.6 cm less than it should.",
-                "The motors' speeds flutter: one wheel rolled 0.1 cm more by that, which turned the robot 0.5 degrees to the left.",
+                "The motors' speeds flutter: one wheel rolled 0.1 cm more by that, which turned the robot 0.5 " +
+                    "degrees to the left.",
                 "The wheels slipped a little on the floor and lost 1.5 cm together.",
                 "The batteries are down to 8.8 volts: each wheel rolled 2.4 cm less than with fresh ones.",
                 "The light sensor measures 2.3 raw units too much, so everything looks darker to it than it is.",
@@ -123,7 +131,10 @@ class RealismTest {
     @Test
     fun `batteries go down as the motors are driven, and the brick measures it`() = runTest {
         val session = runToEnd(metre, world(1.0, 3))
-        assertTrue(session.state.brick.batteryMillivolts in 8_000..8_990, session.state.brick.batteryMillivolts.toString())
+        assertTrue(
+            session.state.brick.batteryMillivolts in 8_000..8_990,
+            session.state.brick.batteryMillivolts.toString(),
+        )
         assertTrue(runToEnd(metre, world(0.0, 3)).state.brick.batteryMillivolts > 8_990)
     }
 }

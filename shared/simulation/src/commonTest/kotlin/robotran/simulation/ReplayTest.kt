@@ -67,7 +67,13 @@ class ReplayTest {
         session.advance(4_321)
 
         val loads = listOf(RobotLoad(listOf(hardProgram)))
-        val again = Session.replay(session.world, loads, loadPhysicsEngine(), session.inputs, session.state.milliseconds)
+        val again = Session.replay(
+            session.world,
+            loads,
+            loadPhysicsEngine(),
+            session.inputs,
+            session.state.milliseconds,
+        )
 
         assertEquals(session.traceHash, again.traceHash)
         assertEquals(session.state.robot, again.state.robot)
@@ -84,7 +90,16 @@ class ReplayTest {
     @Test
     fun `an input at another time makes another run`() = runTest {
         val session = startRun(ScriptedProgram.square).apply { advance(3_000) }
-        val later = session.inputs.map { if (it.input is SessionInput.Release) it.copy(milliseconds = it.milliseconds + 1) else it }
+        val later = session.inputs.map {
+            if (it.input is SessionInput.Release) {
+                it.copy(
+                    milliseconds =
+                        it.milliseconds + 1,
+                )
+            } else {
+                it
+            }
+        }
         val loads = listOf(RobotLoad(listOf(ScriptedProgram.square)))
         val other = Session.replay(session.world, loads, loadPhysicsEngine(), later, session.state.milliseconds)
         assertNotEquals(session.traceHash, other.traceHash)

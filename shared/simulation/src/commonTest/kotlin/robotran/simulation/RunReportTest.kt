@@ -34,7 +34,18 @@ class RunReportTest {
         val report = runToEnd(ScriptedProgram.square).report()
         val fields = Json.parseToJsonElement(report.toJson()).jsonObject
         assertEquals(
-            listOf("status", "seconds", "pose", "inkCentimetres", "bumps", "lcd", "romCalls", "traceHash", "error", "goals"),
+            listOf(
+                "status",
+                "seconds",
+                "pose",
+                "inkCentimetres",
+                "bumps",
+                "lcd",
+                "romCalls",
+                "traceHash",
+                "error",
+                "goals",
+            ),
             fields.keys.toList(),
         )
         assertEquals(listOf("x", "y", "heading"), fields.getValue("pose").jsonObject.keys.toList())
@@ -63,7 +74,14 @@ class RunReportTest {
 
     @Test
     fun `goals are told with their parts`() = runTest {
-        val goals = listOf(Goal(All(listOf(Goal(InkLength(2.0, null), says = "Draw."), Goal(NeverTouch(), says = "Touch nothing.")))))
+        val goals =
+            listOf(
+                Goal(
+                    All(
+                        listOf(Goal(InkLength(2.0, null), says = "Draw."), Goal(NeverTouch(), says = "Touch nothing.")),
+                    ),
+                ),
+            )
         val session = runToEnd(
             ScriptedProgram {
                 penDown()
@@ -73,7 +91,9 @@ class RunReportTest {
         )
         val expected = listOf("met" to "pending", "met" to "met")
         for ((draws, touches) in expected) {
-            val all = Json.parseToJsonElement(session.report().toJson()).jsonObject.getValue("goals").jsonArray.single().jsonObject
+            val all = Json.parseToJsonElement(
+                session.report().toJson(),
+            ).jsonObject.getValue("goals").jsonArray.single().jsonObject
             assertEquals(listOf("goal", "met", "status", "progress", "parts"), all.keys.toList())
             assertEquals("\"$touches\"", all["status"].toString())
             val parts = all.getValue("parts").jsonArray.map { it.jsonObject }

@@ -45,7 +45,8 @@ class ScriptedProgram(build: ScriptedProgram.() -> Unit) : RcxProgram {
     override fun start(rom: Rom): ProgramRun = Run(rom, steps)
 
     private fun drive(left: Int, right: Int, milliseconds: Double) {
-        steps += Step(listOf(motor(A, left, DEFAULT_POWER), motor(C, right, DEFAULT_POWER)), (milliseconds + 0.5).toLong())
+        steps +=
+            Step(listOf(motor(A, left, DEFAULT_POWER), motor(C, right, DEFAULT_POWER)), (milliseconds + 0.5).toLong())
         motors(BRAKE, FULL_POWER)
     }
 

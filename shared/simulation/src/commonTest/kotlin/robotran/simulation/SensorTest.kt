@@ -85,7 +85,11 @@ class SensorTest {
 
     @Test
     fun `at an edge the spot is averaged`() = runTest {
-        val half = Mark(MarkFigure.Area(Shape.Rectangle(Point(50.0 + Penbot.LIGHT_SENSOR_PLACE + 1.5, 40.0), 3.0, 3.0)), Shade.Grey(0.0))
+        val half =
+            Mark(
+                MarkFigure.Area(Shape.Rectangle(Point(50.0 + Penbot.LIGHT_SENSOR_PLACE + 1.5, 40.0), 3.0, 3.0)),
+                Shade.Grey(0.0),
+            )
         val white = light(sheet)
         val black = light(sheet.copy(marks = listOf(spot(3.0, Shade.Grey(0.0)))))
         val between = light(sheet.copy(marks = listOf(half)))
@@ -99,7 +103,10 @@ class SensorTest {
         val map = Mark(MarkFigure.GreyMap(Point(x - 2, 37.0), 2.0, listOf("ff", "..", "00")))
         assertEquals(813, light(sheet.copy(marks = listOf(line))))
         assertEquals(697, light(sheet.copy(marks = listOf(map))))
-        assertEquals(813, light(sheet.copy(marks = listOf(Mark(MarkFigure.GreyMap(Point(x - 2, 38.0), 2.0, listOf("00", "00")))))))
+        assertEquals(
+            813,
+            light(sheet.copy(marks = listOf(Mark(MarkFigure.GreyMap(Point(x - 2, 38.0), 2.0, listOf("00", "00")))))),
+        )
         assertTrue(light(sheet.withStart(Pose(98.0, 40.0, 0.0))) > 750)
     }
 
@@ -156,7 +163,8 @@ class SensorTest {
     fun `something close ahead sends the sensor's own light back`() = runTest {
         val ahead = sheet.with(LightFacing.FORWARD)
 
-        fun at(distance: Double) = listOf(Barrier(Shape.Rectangle(Point(50.0 + Penbot.LIGHT_SENSOR_PLACE + distance + 2, 40.0), 4.0, 20.0)))
+        fun at(distance: Double) =
+            listOf(Barrier(Shape.Rectangle(Point(50.0 + Penbot.LIGHT_SENSOR_PLACE + distance + 2, 40.0), 4.0, 20.0)))
         val near = light(ahead.copy(barriers = at(5.0)))
         val far = light(ahead.copy(barriers = at(15.0)))
         assertTrue(near < far && far < light(ahead), "near $near, far $far")
@@ -201,23 +209,29 @@ class SensorTest {
     }
 
     @Test
-    fun `two sensors on a port give the lower value, a finger presses a touch sensor, and warmth is measured`() = runTest {
-        val ports = listOf(listOf(PortSensor.TOUCH, PortSensor.LIGHT), listOf(PortSensor.TEMPERATURE), emptyList())
-        val session =
-            startRun(ScriptedProgram { pause(9_000) }, sheet.copy(robots = sheet.robots.map { it.copy(ports = ports) }, temperature = 25.0))
-        session.advance(10)
-        val light = session.raw(1)
-        session.apply(SessionInput.TouchSensor(robot = 0, port = 0, pressed = true))
-        session.advance(3)
-        assertTrue(light > 500)
-        assertEquals(TouchSensor.PRESSED_RAW, session.raw(1))
-        session.apply(SessionInput.TouchSensor(robot = 0, port = 0, pressed = false))
-        session.advance(3)
-        assertEquals(light, session.raw(1))
-        val warm = session.raw(2)
-        session.apply(SessionInput.ChangeTemperature(5.0))
-        session.advance(3)
-        assertTrue(session.raw(2) > warm)
-        assertEquals(1023, session.raw(3))
-    }
+    fun `two sensors on a port give the lower value, a finger presses a touch sensor, and warmth is measured`() =
+        runTest {
+            val ports = listOf(listOf(PortSensor.TOUCH, PortSensor.LIGHT), listOf(PortSensor.TEMPERATURE), emptyList())
+            val session =
+                startRun(
+                    ScriptedProgram {
+                        pause(9_000)
+                    },
+                    sheet.copy(robots = sheet.robots.map { it.copy(ports = ports) }, temperature = 25.0),
+                )
+            session.advance(10)
+            val light = session.raw(1)
+            session.apply(SessionInput.TouchSensor(robot = 0, port = 0, pressed = true))
+            session.advance(3)
+            assertTrue(light > 500)
+            assertEquals(TouchSensor.PRESSED_RAW, session.raw(1))
+            session.apply(SessionInput.TouchSensor(robot = 0, port = 0, pressed = false))
+            session.advance(3)
+            assertEquals(light, session.raw(1))
+            val warm = session.raw(2)
+            session.apply(SessionInput.ChangeTemperature(5.0))
+            session.advance(3)
+            assertTrue(session.raw(2) > warm)
+            assertEquals(1023, session.raw(3))
+        }
 }

@@ -7,7 +7,10 @@ import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 
-/** Starts [program] on a robot in [world] by a press of Run, and lets it run to its end and half a second on, a minute at most. */
+/**
+ * Starts [program] on a robot in [world] by a press of Run, and lets it run to its end and half a second on, a minute
+ * at most.
+ */
 suspend fun runToEnd(program: RcxProgram, world: World = BuiltInWorlds.plain): Session {
     val session = startRun(program, world)
     while (session.state.brick.run is RunState.Running && session.state.milliseconds < 60_000) session.advance(10)

@@ -23,7 +23,12 @@ import kotlin.test.assertTrue
 class SeveralRobotsTest {
     private fun world(vararg starts: Pose) = BuiltInWorlds.plain.copy(
         walls = emptyList(),
-        robots = starts.mapIndexed { number, start -> RobotPlacement(start, name = "robot $number", colour = RobotColour.entries[number]) },
+        robots = starts.mapIndexed {
+            number,
+            start,
+            ->
+            RobotPlacement(start, name = "robot $number", colour = RobotColour.entries[number])
+        },
     )
 
     private val ahead = ScriptedProgram {
@@ -43,7 +48,8 @@ class SeveralRobotsTest {
 
     @Test
     fun `each robot runs its own program and draws with its own pen`() = runTest {
-        val session = session(world(Pose(20.0, 20.0, 0.0), Pose(20.0, 60.0, 0.0)), ahead, ScriptedProgram { forward(5.0) })
+        val session =
+            session(world(Pose(20.0, 20.0, 0.0), Pose(20.0, 60.0, 0.0)), ahead, ScriptedProgram { forward(5.0) })
         session.advance(2_000)
         val (first, second) = session.state.robots
         assertTrue(first.robot.pose.x > 60)
@@ -93,7 +99,8 @@ class SeveralRobotsTest {
             val sender = MessageProgram(sends = listOf(0x10))
             val receiver = MessageProgram(sends = emptyList())
             val wide = world(Pose(10.0, 40.0, 0.0), Pose(10.0 + distance, 40.0, 0.0)).copy(paper = Paper(300.0, 80.0))
-            val session = Session(wide, listOf(RobotLoad(listOf(sender)), RobotLoad(listOf(receiver))), loadPhysicsEngine())
+            val session =
+                Session(wide, listOf(RobotLoad(listOf(sender)), RobotLoad(listOf(receiver))), loadPhysicsEngine())
             for (robot in 0..1) {
                 session.apply(SessionInput.Press(BrickButton.RUN, robot))
                 session.apply(SessionInput.Release(BrickButton.RUN, robot))
@@ -146,7 +153,8 @@ class SeveralRobotsTest {
 
     @Test
     fun `another robot can be looked into`() = runTest {
-        val session = session(world(Pose(20.0, 20.0, 0.0), Pose(20.0, 60.0, 0.0)), ahead, ScriptedProgram { forward(5.0) })
+        val session =
+            session(world(Pose(20.0, 20.0, 0.0), Pose(20.0, 60.0, 0.0)), ahead, ScriptedProgram { forward(5.0) })
         session.advance(2_000)
         val first = session.romLog.total
         session.watched = 1

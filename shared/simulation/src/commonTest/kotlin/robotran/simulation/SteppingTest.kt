@@ -119,7 +119,13 @@ class SteppingTest {
         val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
         val program = compileRobolang("test", "beep\nbeep\nbeep\nforward 20", calibration)
         val loads = listOf(RobotLoad(listOf(assertIs<RobolangResult.Ready>(program).program)))
-        val again = Session.replay(BuiltInWorlds.plain, loads, loadPhysicsEngine(), session.inputs, session.state.milliseconds)
+        val again = Session.replay(
+            BuiltInWorlds.plain,
+            loads,
+            loadPhysicsEngine(),
+            session.inputs,
+            session.state.milliseconds,
+        )
         assertEquals(session.traceHash, again.traceHash)
     }
 
@@ -143,7 +149,8 @@ class SteppingTest {
 
     @Test
     fun `the call stack names each call with its line`() = runTest {
-        val session = started("function fall(n)\n  if n == 0\n    return 0\n  end\n  return fall(n - 1)\nend\nshow fall(2)")
+        val session =
+            started("function fall(n)\n  if n == 0\n    return 0\n  end\n  return fall(n - 1)\nend\nshow fall(2)")
         session.breakpoints = setOf(Breakpoint(3))
         assertEquals(StopReason.Breakpoint(3), session.runUntilStop(100))
         val expected = listOf(CallFrame("fall", 3), CallFrame("fall", 5), CallFrame("fall", 5), CallFrame("test", 7))

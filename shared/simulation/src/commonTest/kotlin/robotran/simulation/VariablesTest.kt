@@ -61,7 +61,10 @@ class VariablesTest {
 
     @Test
     fun `a variable of a block of the main program is not known in a routine`() = runTest {
-        val session = startedForDebugging("var all = 1\nrepeat 1 time\n  var inside = 2\n  go(inside)\nend\nprocedure go(n)\n  beep\nend")
+        val session =
+            startedForDebugging(
+                "var all = 1\nrepeat 1 time\n  var inside = 2\n  go(inside)\nend\nprocedure go(n)\n  beep\nend",
+            )
         session.runTo(7)
         assertEquals(listOf("go: n=2", "test: all=1"), session.scopes())
         assertEquals(listOf(2), session.lines(StepKind.OUT))
@@ -70,7 +73,10 @@ class VariablesTest {
     @Test
     fun `each call of a recursive routine has its own values`() = runTest {
         val session =
-            startedForDebugging("procedure down(n)\n  var twice = n * 2\n  if n > 0\n    down(n - 1)\n  end\n  show twice\nend\ndown(2)")
+            startedForDebugging(
+                "procedure down(n)\n  var twice = n * 2\n  if n > 0\n    down(n - 1)\n  end\n  show " +
+                    "twice\nend\ndown(2)",
+            )
         session.breakpoints = setOf(Breakpoint(6))
         val frames = List(3) {
             session.runUntilStop(1_000)
@@ -82,7 +88,8 @@ class VariablesTest {
     @Test
     fun `every frame of the call stack can be looked into`() = runTest {
         val session = startedForDebugging(
-            "procedure down(n)\n  var twice = n * 2\n  if n > 0\n    down(n - 1)\n  end\n  beep\nend\nvar all = 9\nif all > 0\n  var few = 3\n  down(2)\nend",
+            "procedure down(n)\n  var twice = n * 2\n  if n > 0\n    down(n - 1)\n  end\n  beep\nend\nvar all = " +
+                "9\nif all > 0\n  var few = 3\n  down(2)\nend",
         )
         session.runTo(6)
         assertEquals(

@@ -4,7 +4,10 @@ import kotlin.test.Test
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
-/** What reaches a pose must not use the platform's own trigonometry, so dyn4j must be on the class path once, and rewritten. */
+/**
+ * What reaches a pose must not use the platform's own trigonometry, so dyn4j must be on the class path once, and
+ * rewritten.
+ */
 class ClassPathTest {
     private fun copiesOf(name: String) = javaClass.classLoader.getResources(name).toList()
 

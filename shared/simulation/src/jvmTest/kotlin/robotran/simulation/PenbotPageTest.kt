@@ -35,5 +35,6 @@ class PenbotPageTest {
         for ((name, value) in constants) assertTrue(abs(rows.getValue(name) - value) < 0.00006, "$name is $value")
     }
 
-    private fun java.lang.reflect.Field.isFigure() = Modifier.isPublic(modifiers) && Modifier.isStatic(modifiers) && type.isPrimitive
+    private fun java.lang.reflect.Field.isFigure() =
+        Modifier.isPublic(modifiers) && Modifier.isStatic(modifiers) && type.isPrimitive
 }

@@ -26,7 +26,10 @@ internal fun blockEffect(line: String, language: ProgramLanguage): BlockEffect =
 
     ProgramLanguage.JAVA -> {
         val braces = bracesOf(line)
-        BlockEffect(closes = line.trimStart().startsWith('}'), opens = braces.lastIndexOf('{') > braces.lastIndexOf('}'))
+        BlockEffect(
+            closes = line.trimStart().startsWith('}'),
+            opens = braces.lastIndexOf('{') > braces.lastIndexOf('}'),
+        )
     }
 }
 

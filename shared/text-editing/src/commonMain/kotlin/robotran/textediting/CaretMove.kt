@@ -7,13 +7,27 @@ import robotran.textediting.text.widthAt
 import robotran.textediting.text.widthBefore
 
 /** The ways a caret goes by keys. */
-enum class CaretMove { LEFT, RIGHT, WORD_LEFT, WORD_RIGHT, UP, DOWN, PAGE_UP, PAGE_DOWN, LINE_START, LINE_END, TEXT_START, TEXT_END }
+enum class CaretMove {
+    LEFT,
+    RIGHT,
+    WORD_LEFT,
+    WORD_RIGHT,
+    UP,
+    DOWN,
+    PAGE_UP,
+    PAGE_DOWN,
+    LINE_START,
+    LINE_END,
+    TEXT_START,
+    TEXT_END,
+}
 
 /**
  * This text with the caret moved.
  *
  * @param selecting whether what lies between stays selected.
- * @param goal the column that a caret which goes up and down keeps to, where a line is long enough for it; null for the one it is in.
+ * @param goal the column that a caret which goes up and down keeps to, where a line is long enough for it; null for the
+ * one it is in.
  * @param page how many lines a page has.
  */
 fun Draft.moved(move: CaretMove, selecting: Boolean, goal: Int? = null, page: Int = 1): Draft {

@@ -7,13 +7,11 @@ import robotran.textediting.text.TextSelection
 enum class EditKind { TYPING, ERASING, OTHER }
 
 /**
- * What was done to a text and what was undone, for going back and forth. Never changes; each call gives a new one. What is typed in one go is
- * undone word by word, whatever else step by step. The oldest steps are forgotten when there are very many.
+ * What was done to a text and what was undone, for going back and forth. Never changes; each call gives a new one. What
+ * is typed in one go is undone word by word, whatever else step by step. The oldest steps are forgotten when there are
+ * very many.
  */
-class EditHistory private constructor(
-    private val past: List<Step>,
-    private val future: List<Step>,
-) {
+class EditHistory private constructor(private val past: List<Step>, private val future: List<Step>) {
     constructor() : this(emptyList(), emptyList())
 
     val canUndo: Boolean get() = past.isNotEmpty()
@@ -40,13 +38,20 @@ class EditHistory private constructor(
         val step = future.lastOrNull() ?: return null
         val text = step.edit.applyTo(draft.text)
         // What was undone is not joined with what is typed next.
-        return Draft(text, step.after.within(text.length)) to EditHistory(past + step.copy(kind = EditKind.OTHER), future.dropLast(1))
+        return Draft(text, step.after.within(text.length)) to
+            EditHistory(past + step.copy(kind = EditKind.OTHER), future.dropLast(1))
     }
 
     /** The same, but what comes next is a step of its own. */
     fun closed(): EditHistory {
         val last = past.lastOrNull() ?: return this
-        return if (last.kind == EditKind.OTHER) this else EditHistory(past.dropLast(1) + last.copy(kind = EditKind.OTHER), future)
+        return if (last.kind ==
+            EditKind.OTHER
+        ) {
+            this
+        } else {
+            EditHistory(past.dropLast(1) + last.copy(kind = EditKind.OTHER), future)
+        }
     }
 
     private data class Step(
@@ -78,12 +83,17 @@ class EditHistory private constructor(
         private fun joined(next: Step, edit: TextEdit) = copy(edit = edit, after = next.after)
 
         private fun goesOnTyping(next: TextEdit): Boolean {
-            val startsWord = edit.inserted.lastOrNull()?.isWhitespace() == true && next.inserted.firstOrNull()?.isWhitespace() == false
-            return next.removed.isEmpty() && next.start == edit.start + edit.inserted.length && '\n' !in next.inserted && !startsWord
+            val startsWord =
+                edit.inserted.lastOrNull()?.isWhitespace() == true &&
+                    next.inserted.firstOrNull()?.isWhitespace() == false
+            return next.removed.isEmpty() && next.start == edit.start + edit.inserted.length &&
+                '\n' !in next.inserted &&
+                !startsWord
         }
 
         private fun goesOnErasing(next: TextEdit) =
-            next.inserted.isEmpty() && edit.inserted.isEmpty() && next.start + next.removed.length == edit.start && '\n' !in next.removed
+            next.inserted.isEmpty() && edit.inserted.isEmpty() && next.start + next.removed.length == edit.start &&
+                '\n' !in next.removed
     }
 
     companion object {

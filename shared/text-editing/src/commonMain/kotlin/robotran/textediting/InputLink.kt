@@ -4,8 +4,8 @@ import robotran.language.ProgramLanguage
 import robotran.textediting.text.Draft
 
 /**
- * Stands between a long text and a small input field that a keyboard writes into. It knows what the field last held, so that nothing gets lost when
- * somebody types faster than the screen is drawn. Not safe for use by several threads.
+ * Stands between a long text and a small input field that a keyboard writes into. It knows what the field last held, so
+ * that nothing gets lost when somebody types faster than the screen is drawn. Not safe for use by several threads.
  */
 class InputLink(private val language: ProgramLanguage) {
     private var shown = Draft("")
@@ -57,7 +57,10 @@ class InputLink(private val language: ProgramLanguage) {
         field = shown
     }
 
-    /** If the field holds of [after] just what it should, more can be received before anything is shown anew, whatever it is. */
+    /**
+     * If the field holds of [after] just what it should, more can be received before anything is shown anew, whatever
+     * it is.
+     */
     private fun stayInStep(after: Draft) {
         val kept = window.keptFor(after, editBetween(shown, after)) ?: return
         if (kept.textOf(after) != field.text || kept.selectionOf(after) != field.selection) return

@@ -5,27 +5,23 @@ import robotran.textediting.text.TextSelection
 import robotran.textediting.text.TextSpan
 
 /**
- * The part of a long text that an input field holds, so that a keyboard on the screen and an input method have something to work on, but not the
- * whole text is laid out at every key.
+ * The part of a long text that an input field holds, so that a keyboard on the screen and an input method have
+ * something to work on, but not the whole text is laid out at every key.
  *
  * @property span which part it is.
- * @property holdsSelection false if more is selected than fits: then all of the field is selected, and whatever comes instead replaces the
- * whole selection.
+ * @property holdsSelection false if more is selected than fits: then all of the field is selected, and whatever comes
+ * instead replaces the whole selection.
  */
-data class InputWindow(
-    val span: TextSpan,
-    val holdsSelection: Boolean,
-) {
+data class InputWindow(val span: TextSpan, val holdsSelection: Boolean) {
     /** What the field holds of [draft]. */
     fun textOf(draft: Draft): String = draft.text.substring(span.start, span.end)
 
     /** What is selected in the field. */
-    fun selectionOf(draft: Draft): TextSelection =
-        if (holdsSelection) {
-            TextSelection(draft.selection.anchor - span.start, draft.selection.caret - span.start)
-        } else {
-            TextSelection(0, span.length)
-        }
+    fun selectionOf(draft: Draft): TextSelection = if (holdsSelection) {
+        TextSelection(draft.selection.anchor - span.start, draft.selection.caret - span.start)
+    } else {
+        TextSelection(0, span.length)
+    }
 
     /** What [draft] becomes when the field comes to hold [text] with [selection]. */
     fun applied(draft: Draft, text: String, selection: TextSelection): Draft {
@@ -43,7 +39,9 @@ data class InputWindow(
     private fun inWhole(selection: TextSelection, text: String) =
         TextSelection(span.start + selection.anchor, span.start + selection.caret).within(text.length)
 
-    /** This window after [edit], if it can stay where it is for [draft]; an input method does not like its text to move. */
+    /**
+     * This window after [edit], if it can stay where it is for [draft]; an input method does not like its text to move.
+     */
     fun keptFor(draft: Draft, edit: TextEdit?): InputWindow? {
         if (!holdsSelection) return null
         val moved = if (edit == null) span else movedWith(edit) ?: return null
@@ -56,9 +54,15 @@ data class InputWindow(
     }
 
     private fun movedWith(edit: TextEdit): TextSpan? = when {
-        edit.start >= span.start && edit.start + edit.removed.length <= span.end -> TextSpan(span.start, span.end + edit.growth)
+        edit.start >= span.start && edit.start + edit.removed.length <= span.end -> TextSpan(
+            span.start,
+            span.end + edit.growth,
+        )
+
         edit.start > span.end -> span
+
         edit.start + edit.removed.length < span.start -> TextSpan(span.start + edit.growth, span.end + edit.growth)
+
         else -> null
     }
 
@@ -85,7 +89,10 @@ data class InputWindow(
             return InputWindow(TextSpan(from, until), holdsSelection = true)
         }
 
-        /** What the field holds of a selection that is too long for it; enough for an erasing key to have something to erase. */
+        /**
+         * What the field holds of a selection that is too long for it; enough for an erasing key to have something to
+         * erase.
+         */
         private const val STUB = 40
 
         /** Where the line of [offset] begins, or [offset] itself in a very long line. */

@@ -36,7 +36,14 @@ private fun Draft.withSelectedLines(change: (String) -> String): Draft {
 }
 
 /** This text with the selected lines a step further right. */
-fun Draft.indented(language: ProgramLanguage): Draft = withSelectedLines { if (it.isBlank()) it else language.indent + it }
+fun Draft.indented(language: ProgramLanguage): Draft = withSelectedLines {
+    if (it.isBlank()) {
+        it
+    } else {
+        language.indent +
+            it
+    }
+}
 
 /** This text with the selected lines a step further left. */
 fun Draft.unindented(language: ProgramLanguage): Draft =

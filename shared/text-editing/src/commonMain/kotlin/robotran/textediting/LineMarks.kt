@@ -3,8 +3,9 @@ package robotran.textediting
 import robotran.textediting.text.TextLines
 
 /**
- * Where marks on lines, counted from 1, are after [edit] has changed [before]: they move with what is written in their line. A mark whose line
- * was taken out goes with it; where lines were replaced by as many or more, the marks stay on the lines of the same number.
+ * Where marks on lines, counted from 1, are after [edit] has changed [before]: they move with what is written in their
+ * line. A mark whose line was taken out goes with it; where lines were replaced by as many or more, the marks stay on
+ * the lines of the same number.
  */
 fun Set<Int>.movedWith(edit: TextEdit, before: TextLines): Set<Int> {
     if (isEmpty()) return this
@@ -29,5 +30,5 @@ fun Set<Int>.movedWith(edit: TextEdit, before: TextLines): Set<Int> {
 }
 
 /** Whether the last line that [edit] reaches into has something of its own left. */
-private fun keepsLastLine(edit: TextEdit, before: TextLines, line: Int): Boolean =
-    line <= before.count && edit.start + edit.removed.length <= before.start(line - 1) + indentOf(before.line(line - 1)).length
+private fun keepsLastLine(edit: TextEdit, before: TextLines, line: Int): Boolean = line <= before.count &&
+    edit.start + edit.removed.length <= before.start(line - 1) + indentOf(before.line(line - 1)).length

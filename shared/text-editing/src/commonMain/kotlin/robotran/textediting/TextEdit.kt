@@ -9,11 +9,7 @@ import robotran.textediting.text.Draft
  * @property removed what was there.
  * @property inserted what is there now.
  */
-data class TextEdit(
-    val start: Int,
-    val removed: String,
-    val inserted: String,
-) {
+data class TextEdit(val start: Int, val removed: String, val inserted: String) {
     /** What takes this change back. */
     val inverse: TextEdit get() = TextEdit(start, inserted, removed)
 
@@ -49,7 +45,9 @@ fun editBetween(before: Draft, after: Draft): TextEdit? {
     return TextEdit(before.selection.start, before.selectedText, typed)
 }
 
-/** What was written in place of what is selected in [before], if that is all that makes it [after]; null if it is not. */
+/**
+ * What was written in place of what is selected in [before], if that is all that makes it [after]; null if it is not.
+ */
 internal fun typedBetween(before: Draft, after: Draft): String? {
     val start = before.selection.start
     val caret = after.selection.caret

@@ -7,7 +7,10 @@ import robotran.textediting.text.indent
 import robotran.textediting.text.widthAt
 import robotran.textediting.text.widthBefore
 
-/** This text after [typed] was typed, or came from the clipboard. A line that comes to end a block moves to where that block began. */
+/**
+ * This text after [typed] was typed, or came from the clipboard. A line that comes to end a block moves to where that
+ * block began.
+ */
 fun Draft.typed(typed: String, language: ProgramLanguage): Draft {
     if (typed == "\n") return withLineBreak(language)
     val after = replaced(typed.replace("\r\n", "\n").replace('\r', '\n').replace("\t", language.indent))
@@ -44,7 +47,10 @@ private fun Draft.withBlockEndAligned(language: ProgramLanguage): Draft {
     val wanted = indentOfOpener(line, language) ?: return this
     if (wanted == indent) return this
     val start = lines.start(line)
-    return Draft(text.replaceRange(start, start + indent.length, wanted), TextSelection(selection.caret + wanted.length - indent.length))
+    return Draft(
+        text.replaceRange(start, start + indent.length, wanted),
+        TextSelection(selection.caret + wanted.length - indent.length),
+    )
 }
 
 private fun blockEnds(language: ProgramLanguage) = when (language) {
@@ -67,14 +73,23 @@ private fun Draft.indentOfOpener(line: Int, language: ProgramLanguage): String? 
     return null
 }
 
-/** This text without what is selected or, if nothing is, without the character before the caret; blanks before a line go a step at a time. */
+/**
+ * This text without what is selected or, if nothing is, without the character before the caret; blanks before a line go
+ * a step at a time.
+ */
 fun Draft.erasedBackwards(language: ProgramLanguage): Draft {
     if (!selection.isEmpty) return replaced("")
     val caret = selection.caret
     if (caret == 0) return this
     val before = text.substring(lines.start(lines.lineOf(caret)), caret)
     val step = language.indent.length
-    val blanks = if (before.isNotEmpty() && before.all { it == ' ' }) (before.length - 1) % step + 1 else widthBefore(text, caret)
+    val blanks = if (before.isNotEmpty() &&
+        before.all { it == ' ' }
+    ) {
+        (before.length - 1) % step + 1
+    } else {
+        widthBefore(text, caret)
+    }
     return replaced(caret - blanks, caret, "")
 }
 

@@ -61,7 +61,10 @@ class CodeTokensTest {
     @Test
     fun `a class is renamed wherever it is meant`() {
         val source = "class Square { // Square\n  Square next = new Square(\"Square\");\n  int Squares;\n}"
-        assertEquals("class Box { // Square\n  Box next = new Box(\"Square\");\n  int Squares;\n}", renamedInJava(source, "Square", "Box"))
+        assertEquals(
+            "class Box { // Square\n  Box next = new Box(\"Square\");\n  int Squares;\n}",
+            renamedInJava(source, "Square", "Box"),
+        )
         assertTrue(isJavaName("Box2"))
         assertFalse(isJavaName("2Box") || isJavaName("class") || isJavaName("a b") || isJavaName(""))
     }

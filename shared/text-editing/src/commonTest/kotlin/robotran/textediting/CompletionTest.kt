@@ -19,11 +19,17 @@ class CompletionTest {
 
     private fun draft(marked: String) = Draft(marked.replace("|", ""), TextSelection(marked.indexOf('|')))
 
-    private fun offered(marked: String, language: ProgramLanguage = ProgramLanguage.ROBOLANG, isWanted: Boolean = false): CompletionList? =
-        completionsAt(draft(marked), language, help, isWanted)
+    private fun offered(
+        marked: String,
+        language: ProgramLanguage = ProgramLanguage.ROBOLANG,
+        isWanted: Boolean = false,
+    ): CompletionList? = completionsAt(draft(marked), language, help, isWanted)
 
-    private fun labels(marked: String, language: ProgramLanguage = ProgramLanguage.ROBOLANG, isWanted: Boolean = false) =
-        offered(marked, language, isWanted)?.items?.map { it.label }.orEmpty()
+    private fun labels(
+        marked: String,
+        language: ProgramLanguage = ProgramLanguage.ROBOLANG,
+        isWanted: Boolean = false,
+    ) = offered(marked, language, isWanted)?.items?.map { it.label }.orEmpty()
 
     @Test
     fun `a line begins with a command, told in a line of help`() {

@@ -54,7 +54,10 @@ class InputLinkTest {
         val selected = link.received(draft, Draft("forward 20", TextSelection(0, 7)), isComposing = false)
         assertEquals("forward", selected.selectedText)
         link.fieldFor(selected)
-        assertEquals("backward 20", link.received(selected, Draft("backward 20", TextSelection(8)), isComposing = false).text)
+        assertEquals(
+            "backward 20",
+            link.received(selected, Draft("backward 20", TextSelection(8)), isComposing = false).text,
+        )
     }
 
     @Test

@@ -9,7 +9,8 @@ class LineMarksTest {
         marks.toSet().movedWith(checkNotNull(editBetween(before, after)), TextLines(before))
 
     @Test
-    fun `marks below a new line move down and those above stay`() = assertEquals(setOf(1, 4), moved("a\nb\nc", "a\nb\nx\nc", 1, 3))
+    fun `marks below a new line move down and those above stay`() =
+        assertEquals(setOf(1, 4), moved("a\nb\nc", "a\nb\nx\nc", 1, 3))
 
     @Test
     fun `a line that is pushed down takes its mark with it`() = assertEquals(setOf(2), moved("beep", "\nbeep", 1))
@@ -21,11 +22,13 @@ class LineMarksTest {
     fun `typing in a line moves nothing`() = assertEquals(setOf(1, 2), moved("a\nb", "ax\nb", 1, 2))
 
     @Test
-    fun `the mark of a line that is taken out goes with it`() = assertEquals(setOf(1), moved("aa\nbb\ncc", "aa\ncc", 1, 2))
+    fun `the mark of a line that is taken out goes with it`() =
+        assertEquals(setOf(1), moved("aa\nbb\ncc", "aa\ncc", 1, 2))
 
     @Test
     fun `a line that is taken out brings those below it up`() = assertEquals(setOf(2), moved("aa\nbb\ncc", "aa\ncc", 3))
 
     @Test
-    fun `lines that are written anew keep their marks`() = assertEquals(setOf(2), moved("if x\nbeep\nend", "if x\n  beep\nend", 2))
+    fun `lines that are written anew keep their marks`() =
+        assertEquals(setOf(2), moved("if x\nbeep\nend", "if x\n  beep\nend", 2))
 }

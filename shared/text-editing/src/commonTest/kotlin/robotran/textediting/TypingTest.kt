@@ -24,18 +24,18 @@ class TypingTest {
     fun `a new line stands as far right as the one above`() = assertEquals("  beep\n  |", typed("  beep|", "\n"))
 
     @Test
-    fun `a new line inside a block stands further right`() = assertEquals("repeat forever\n  |", typed("repeat forever|", "\n"))
+    fun `a new line inside a block stands further right`() =
+        assertEquals("repeat forever\n  |", typed("repeat forever|", "\n"))
 
     @Test
     fun `the end of a block goes back to where the block began`() =
         assertEquals("if light < 40\n  beep\nelse\n  buzz\nend|", typed("if light < 40|", "\nbeep\nelse\nbuzz\nend"))
 
     @Test
-    fun `the end of an inner block finds its own beginning`() =
-        assertEquals(
-            "repeat forever\n  if left bumper\n    beep\n  end\nend|",
-            typed("repeat forever|", "\nif left bumper\nbeep\nend\nend"),
-        )
+    fun `the end of an inner block finds its own beginning`() = assertEquals(
+        "repeat forever\n  if left bumper\n    beep\n  end\nend|",
+        typed("repeat forever|", "\nif left bumper\nbeep\nend\nend"),
+    )
 
     @Test
     fun `a curly bracket opens and closes a block of Java`() =
@@ -46,7 +46,8 @@ class TypingTest {
         assertEquals("    void go() {\n        |\n    }", typed("    void go() {|}", "\n", ProgramLanguage.JAVA))
 
     @Test
-    fun `a curly bracket in a text opens nothing`() = assertEquals("say(\"{\");\n|", typed("say(\"{\");|", "\n", ProgramLanguage.JAVA))
+    fun `a curly bracket in a text opens nothing`() =
+        assertEquals("say(\"{\");\n|", typed("say(\"{\");|", "\n", ProgramLanguage.JAVA))
 
     @Test
     fun `what is selected goes when something is typed`() = assertEquals("for|ward", typed("|back|ward", "for"))

@@ -8,7 +8,10 @@ import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.link.LinkedProgram
 import robotran.tinyvm.messages.RunMessages
 
-/** A linked leJOS program, ready to be loaded into a brick; [linkTinyVm] makes it. Never changes, so it can be started from several threads. */
+/**
+ * A linked leJOS program, ready to be loaded into a brick; [linkTinyVm] makes it. Never changes, so it can be started
+ * from several threads.
+ */
 class TinyVmProgram internal constructor(
     override val name: String,
     internal val linked: LinkedProgram,

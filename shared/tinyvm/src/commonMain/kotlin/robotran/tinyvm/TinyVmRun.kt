@@ -54,7 +54,13 @@ internal class TinyVmRun(
 
     override val remarks: List<RuntimeWarning> get() = machine.remarks.all
 
-    override val threads: List<ThreadView> get() = machine.scheduler.threads.map { inspector.threadView(it, isCurrent = it === focus) }
+    override val threads: List<ThreadView> get() = machine.scheduler.threads.map {
+        inspector.threadView(
+            it,
+            isCurrent =
+                it === focus,
+        )
+    }
 
     override fun activityOf(thread: Int): ThreadActivity? =
         machine.scheduler.threads.find { it.number == thread }?.let { inspector.activityOf(it) }
@@ -73,7 +79,8 @@ internal class TinyVmRun(
     override val isBeforeStatement: Boolean get() = inspector.isBeforeStatement(focus)
 
     /** Whom the debugger looks at: the thread that is being executed, otherwise the first. */
-    private val focus: VmThread? get() = machine.current?.takeIf { it.isAlive } ?: machine.scheduler.threads.firstOrNull()
+    private val focus: VmThread? get() = machine.current?.takeIf { it.isAlive }
+        ?: machine.scheduler.threads.firstOrNull()
 
     init {
         interpreter.gate.statementOf = inspector::statementOf
@@ -81,10 +88,19 @@ internal class TinyVmRun(
     }
 
     override fun resume(steps: Int): ProgramStatus {
-        machine.budget = (steps.toLong() * bytecodesPerStep - debt).coerceIn(Int.MIN_VALUE.toLong(), Int.MAX_VALUE.toLong()).toInt()
+        machine.budget =
+            (steps.toLong() * bytecodesPerStep - debt).coerceIn(Int.MIN_VALUE.toLong(), Int.MAX_VALUE.toLong()).toInt()
         machine.poller.look()
         val status = proceed()
-        debt = if (status is ProgramStatus.Paused) status.stepsLeft * bytecodesPerStep - machine.budget else maxOf(0, -machine.budget)
+        debt =
+            if (status is ProgramStatus.Paused) {
+                status.stepsLeft * bytecodesPerStep - machine.budget
+            } else {
+                maxOf(
+                    0,
+                    -machine.budget,
+                )
+            }
         return status
     }
 
@@ -97,13 +113,16 @@ internal class TinyVmRun(
             val thread = nextThread() ?: return rest()
             interpreter.run(thread)
             failures.take()?.let { return ProgramStatus.ThreadFailed(it) }
-            if (interpreter.isPaused) return ProgramStatus.Paused((machine.budget + bytecodesPerStep - 1) / bytecodesPerStep)
+            if (interpreter.isPaused) {
+                return ProgramStatus.Paused((machine.budget + bytecodesPerStep - 1) / bytecodesPerStep)
+            }
         }
     }
 
     private fun nextThread(): VmThread? {
         val current = machine.current
-        val goesOn = current != null && current.state == ThreadState.READY && !machine.isYielding && rom.milliseconds < sliceEnds
+        val goesOn =
+            current != null && current.state == ThreadState.READY && !machine.isYielding && rom.milliseconds < sliceEnds
         if (goesOn) return current
         machine.isYielding = false
         machine.charge(machine.scheduler.threads.size / VirtualMachineConstants.WORDS_IN_A_BYTECODE)

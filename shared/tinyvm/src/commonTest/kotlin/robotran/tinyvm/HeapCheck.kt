@@ -7,7 +7,9 @@ import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.run.Heap
 import kotlin.test.fail
 
-/** Fails if a reference in the heap or in a static field is none, or one to an object of another type than it should be. */
+/**
+ * Fails if a reference in the heap or in a static field is none, or one to an object of another type than it should be.
+ */
 internal fun checkHeap(run: DebuggableRun) {
     val machine = (run as TinyVmRun).machine
     val heap = machine.heap
@@ -18,7 +20,12 @@ internal fun checkHeap(run: DebuggableRun) {
         if (!heap.isObject(reference)) fail("$where holds $reference, which is no object")
         val wanted: HeapType = byDescriptor[descriptor] ?: return
         if (isOfInterfaces(wanted)) return
-        if (!heap.typeOf(reference).isA(wanted)) fail("$where holds a ${heap.typeOf(reference).descriptor} instead of a $descriptor")
+        if (!heap.typeOf(
+                reference,
+            ).isA(wanted)
+        ) {
+            fail("$where holds a ${heap.typeOf(reference).descriptor} instead of a $descriptor")
+        }
     }
     for (field in machine.program.statics) {
         if (field.isReference) check(machine.statics[field.slot], field.descriptor, "${field.owner.name}.${field.name}")
@@ -26,11 +33,18 @@ internal fun checkHeap(run: DebuggableRun) {
     for (place in Heap.FIRST_OBJECT until heap.words.size) {
         if (!heap.isObject(place)) continue
         when (val type = heap.typeOf(place)) {
-            is LinkedClass -> generateSequence(type) { it.superclass }.flatMap { it.fields }.filter { !it.isStatic && it.isReference }
-                .forEach { check(heap.words[place + Heap.HEADER_WORDS + it.slot], it.descriptor, "${it.owner.name}.${it.name}") }
+            is LinkedClass -> generateSequence(type) { it.superclass }.flatMap { it.fields }.filter {
+                !it.isStatic &&
+                    it.isReference
+            }
+                .forEach {
+                    check(heap.words[place + Heap.HEADER_WORDS + it.slot], it.descriptor, "${it.owner.name}.${it.name}")
+                }
 
             is ArrayType -> if (type.element != null) {
-                repeat(heap.length(place)) { check(heap.words[place + Heap.HEADER_WORDS + it], type.elementDescriptor, type.descriptor) }
+                repeat(heap.length(place)) {
+                    check(heap.words[place + Heap.HEADER_WORDS + it], type.elementDescriptor, type.descriptor)
+                }
             }
         }
     }

@@ -6,8 +6,8 @@ import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.random.Random
 
 /**
- * Links and runs a program of [classes] in which one byte of a class file, or a few, is another; half of them in the latter part, where the
- * code is. Fails if the machine gets confused; false if it refuses the program.
+ * Links and runs a program of [classes] in which one byte of a class file, or a few, is another; half of them in the
+ * latter part, where the code is. Fails if the machine gets confused; false if it refuses the program.
  */
 internal fun runMutant(classes: Map<String, ByteArray>, mainClass: String, random: Random): Boolean {
     val name = classes.keys.random(random)
@@ -31,7 +31,11 @@ private fun run(program: TinyVmProgram) {
         val status = run.resume(STEPS)
         if (status == ProgramStatus.Ended || status is ProgramStatus.Failed) break
     }
-    for (thread in run.threads) thread.callStack.indices.take(LOOKED_INTO).forEach { run.variablesOf(thread.number, it) }
+    for (thread in run.threads) {
+        thread.callStack.indices.take(LOOKED_INTO).forEach {
+            run.variablesOf(thread.number, it)
+        }
+    }
     checkHeap(run)
 }
 

@@ -25,12 +25,13 @@ class VerifierTest {
     }
 
     @Test
-    fun `a loop counts`() =
-        // i = 0; sum = 0; do { sum += i; i++ } while (i < 100); show(sum)
+    fun `a loop counts`() = // i = 0; sum = 0; do { sum += i; i++ } while (i < 100); show(sum)
         assertEquals(
             listOf(4950),
             shownBy {
-                listOf(0x03, 0x3B, 0x03, 0x3C, 0x1B, 0x1A, 0x60, 0x3C, 0x84, 0, 1, 0x1A, 0x10, 100, 0xA1) + short(-10) + 0x1B + show() +
+                listOf(0x03, 0x3B, 0x03, 0x3C, 0x1B, 0x1A, 0x60, 0x3C, 0x84, 0, 1, 0x1A, 0x10, 100, 0xA1) + short(-10) +
+                    0x1B +
+                    show() +
                     0xB1
             },
         )
@@ -41,7 +42,8 @@ class VerifierTest {
         assertEquals(
             listOf(10),
             shownBy {
-                listOf(0x03, 0x3C, 0xA8) + short(11) + listOf(0xA8) + short(8) + 0x1B + show() + 0xB1 + listOf(0x4D, 0x84, 1, 5, 0xA9, 2)
+                listOf(0x03, 0x3C, 0xA8) + short(11) + listOf(0xA8) + short(8) + 0x1B + show() + 0xB1 +
+                    listOf(0x4D, 0x84, 1, 5, 0xA9, 2)
             },
         )
 
@@ -57,24 +59,24 @@ class VerifierTest {
         )
 
     @Test
-    fun `the smallest number divided by minus one stays`() =
-        assertEquals(
-            listOf(0, 0),
-            shownBy {
-                listOf(0x12, number(Int.MIN_VALUE), 0x02, 0x6C) + show() +
-                    listOf(0x12, number(Int.MIN_VALUE), 0x02, 0x70) +
-                    show() +
-                    0xB1
-            },
-        )
+    fun `the smallest number divided by minus one stays`() = assertEquals(
+        listOf(0, 0),
+        shownBy {
+            listOf(0x12, number(Int.MIN_VALUE), 0x02, 0x6C) + show() +
+                listOf(0x12, number(Int.MIN_VALUE), 0x02, 0x70) +
+                show() +
+                0xB1
+        },
+    )
 
     @Test
-    fun `a large step is done though leJOS knows no wide bytecodes`() =
-        // i = 0; i += 1000; i += -2; show(i)
+    fun `a large step is done though leJOS knows no wide bytecodes`() = // i = 0; i += 1000; i += -2; show(i)
         assertEquals(
             listOf(998),
             shownBy {
-                listOf(0x03, 0x3C, 0xC4, 0x84, 0, 1) + short(1000) + listOf(0xC4, 0x84, 0, 1) + short(-2) + 0x1B + show() + 0xB1
+                listOf(0x03, 0x3C, 0xC4, 0x84, 0, 1) + short(1000) + listOf(0xC4, 0x84, 0, 1) + short(-2) + 0x1B +
+                    show() +
+                    0xB1
             },
         )
 
@@ -121,7 +123,10 @@ class VerifierTest {
     fun `code must not run off its end`() = assertUnsound { listOf(0x03, 0x57) }
 
     @Test
-    fun `a jump into the middle of an instruction is refused`() = assertUnsound { listOf(0x10, 0, 0x57, 0xA7) + short(-2) }
+    fun `a jump into the middle of an instruction is refused`() = assertUnsound {
+        listOf(0x10, 0, 0x57, 0xA7) +
+            short(-2)
+    }
 
     @Test
     fun `a jump out of the code is refused`() = assertUnsound { listOf(0xA7) + short(1000) }
@@ -130,7 +135,10 @@ class VerifierTest {
     fun `half of a long cannot be taken`() = assertUnsound { listOf(0x09, 0x57, 0x57, 0xB1) }
 
     @Test
-    fun `a return address cannot be calculated with`() = assertUnsound { listOf(0xA8) + short(3) + listOf(0x04, 0x60, 0x57, 0xB1) }
+    fun `a return address cannot be calculated with`() = assertUnsound {
+        listOf(0xA8) + short(3) +
+            listOf(0x04, 0x60, 0x57, 0xB1)
+    }
 
     @Test
     fun `a loop that lets the stack grow is refused`() = assertUnsound { listOf(0x03, 0xA7) + short(-1) }
@@ -143,7 +151,9 @@ class VerifierTest {
 
     @Test
     fun `a class that extends itself is refused`() {
-        val loop = ClassAssembler("Main", "Main").apply { addMethod("main", "([Ljava/lang/String;)V", 0x9, listOf(0xB1)) }
+        val loop = ClassAssembler("Main", "Main").apply {
+            addMethod("main", "([Ljava/lang/String;)V", 0x9, listOf(0xB1))
+        }
         val refused = assertIs<TinyVmResult.Rejected>(linkTinyVm("Main", mapOf("Main" to loop.assemble()), minLibrary))
         assertEquals(EnglishTinyVmMessages.classLoop("Main"), refused.refusal.message)
     }

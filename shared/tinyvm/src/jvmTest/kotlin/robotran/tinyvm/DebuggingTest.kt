@@ -68,7 +68,9 @@ class DebuggingTest {
     @Test
     fun `a program of several files tells the file of each line`() {
         val main = "public class Program {\npublic static void main(String[] arguments) {\nHelper.help();\n}\n}"
-        val helper = "class Helper {\nstatic int none;\nstatic void help() {\njosx.platform.rcx.LCD.clear();\nnone = 1 / none;\n}\n}"
+        val helper =
+            "class Helper {\nstatic int none;\nstatic void help() {\njosx.platform.rcx.LCD.clear();\nnone = 1 / " +
+                "none;\n}\n}"
         val classes = JavaCompiler.compile(mapOf("Program" to main, "Helper" to helper))
         val program = assertIs<TinyVmResult.Ready>(linkTinyVm("Program", classes, libraryClassFiles)).program
         val brick = Brick(listOf(program))
@@ -77,7 +79,10 @@ class DebuggingTest {
         val run = checkNotNull(brick.debuggableRun)
         run.watch = StatementWatch { it.sourceLine == 4 && it.sourceFile == "Helper.java" }
         while (!brick.isPaused) brick.tick()
-        assertEquals(listOf(CallFrame("Helper.help", 4, "Helper.java"), CallFrame("Program.main", 3, "Program.java")), run.callStack)
+        assertEquals(
+            listOf(CallFrame("Helper.help", 4, "Helper.java"), CallFrame("Program.main", 3, "Program.java")),
+            run.callStack,
+        )
         assertEquals(RunState.Running(4, "Helper.java"), brick.state.run)
         repeat(50) { brick.tick() }
         assertEquals(

@@ -41,10 +41,24 @@ internal object JavaCompiler {
         val problems = DiagnosticCollector<JavaFileObject>()
         val classes = compiler.getStandardFileManager(problems, Locale.ENGLISH, Charsets.UTF_8).use { files ->
             val memory = FilesInMemory(files)
-            compiler.getTask(null, memory, problems, options, null, sources.map { SourceInMemory(it.key, it.value) }).call()
+            compiler.getTask(
+                null,
+                memory,
+                problems,
+                options,
+                null,
+                sources.map {
+                    SourceInMemory(it.key, it.value)
+                },
+            ).call()
             memory.classes.entries.associate { it.key.replace('.', '/') to it.value.toByteArray() }
         }
-        return Compilation(classes, problems.diagnostics.filter { it.kind == Diagnostic.Kind.ERROR }.map { it.toString() })
+        return Compilation(
+            classes,
+            problems.diagnostics.filter {
+                it.kind == Diagnostic.Kind.ERROR
+            }.map { it.toString() },
+        )
     }
 }
 

@@ -26,7 +26,10 @@ class LinkErrorTest {
         assertEquals(messages.lacks(UnsupportedFeature.LONG_ARITHMETIC), refused("long a = 1; a = a + 1;").message)
         assertEquals(messages.lacks(UnsupportedFeature.LONG_ARITHMETIC), refused("long a = 1; show(a < 2);").message)
         assertEquals(messages.lacks(UnsupportedFeature.DECIMAL_REMAINDER), refused("float a = 1; a %= 2;").message)
-        assertEquals(messages.lacks(UnsupportedFeature.ARRAY_TEST), refused("Object a = new int[1]; show(((int[]) a).length);").message)
+        assertEquals(
+            messages.lacks(UnsupportedFeature.ARRAY_TEST),
+            refused("Object a = new int[1]; show(((int[]) a).length);").message,
+        )
         assertEquals(messages.lacks(UnsupportedFeature.CLASS_LITERAL), refused("Object a = String.class;").message)
         assertEquals(
             messages.lacks(UnsupportedFeature.INTERFACE_CODE),
@@ -56,6 +59,9 @@ class LinkErrorTest {
     fun `a class the library lacks is named`() {
         val library = libraryClassFiles - "josx/platform/rcx/ROM"
         val result = linkTinyVm("x", JavaCompiler.compile(program("show(1);")), library)
-        assertEquals("There is no class josx.platform.rcx.ROM on the brick.", assertIs<TinyVmResult.Rejected>(result).refusal.message)
+        assertEquals(
+            "There is no class josx.platform.rcx.ROM on the brick.",
+            assertIs<TinyVmResult.Rejected>(result).refusal.message,
+        )
     }
 }

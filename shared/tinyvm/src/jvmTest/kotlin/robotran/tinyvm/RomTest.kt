@@ -11,10 +11,14 @@ class RomTest {
     fun `two motors are started by two calls`() {
         val ran =
             ran(
-                "ROM.call((short) 0x1a4e, (short) 0x2000, (short) 1, (short) 3); ROM.call((short) 0x1a4e, (short) 0x2002, (short) " +
+                "ROM.call((short) 0x1a4e, (short) 0x2000, (short) 1, (short) 3); ROM.call((short) 0x1a4e, (short) " +
+                    "0x2002, (short) " +
                     "1, (short) 3);",
             )
-        assertEquals(listOf(RomCall(0x1A4E, listOf(0x2000, 1, 3)), RomCall(0x1A4E, listOf(0x2002, 1, 3))), ran.rom.calls)
+        assertEquals(
+            listOf(RomCall(0x1A4E, listOf(0x2000, 1, 3)), RomCall(0x1A4E, listOf(0x2002, 1, 3))),
+            ran.rom.calls,
+        )
         assertEquals(ProgramStatus.Ended, ran.status)
     }
 
@@ -28,7 +32,8 @@ class RomTest {
     fun `a routine leaves its result in an array`() = assertEquals(
         listOf(2),
         shownBy(
-            "short[] result = new short[1]; ROM.call((short) 0x1fb6, (short) 0x3000, (short) Memory.getDataAddress(result)); " +
+            "short[] result = new short[1]; ROM.call((short) 0x1fb6, (short) 0x3000, (short) " +
+                "Memory.getDataAddress(result)); " +
                 "show(result[0]);",
         ),
     )

@@ -9,7 +9,12 @@ import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.fail
 
 /** What came of a run. */
-internal class Ran(val rom: ShowingRom, val run: DebuggableRun, val status: ProgramStatus, val failures: List<ProgramFailure>)
+internal class Ran(
+    val rom: ShowingRom,
+    val run: DebuggableRun,
+    val status: ProgramStatus,
+    val failures: List<ProgramFailure>,
+)
 
 /** The program in [source], linked; fails if it is refused. */
 internal fun linked(source: String, mode: TinyVmMode = TinyVmMode.BRICK): TinyVmProgram =
@@ -25,7 +30,12 @@ internal fun refusal(source: String): LinkError =
     }
 
 /** Runs [program] for at most [milliseconds], or until it ends. */
-internal fun run(program: TinyVmProgram, milliseconds: Int = 20_000, steps: Int = 100, rom: ShowingRom = ShowingRom()): Ran {
+internal fun run(
+    program: TinyVmProgram,
+    milliseconds: Int = 20_000,
+    steps: Int = 100,
+    rom: ShowingRom = ShowingRom(),
+): Ran {
     val run = program.start(rom)
     val failures = mutableListOf<ProgramFailure>()
     var status: ProgramStatus = ProgramStatus.Running
@@ -44,7 +54,8 @@ internal fun run(program: TinyVmProgram, milliseconds: Int = 20_000, steps: Int 
 internal fun shownBy(body: String, members: String = "", mode: TinyVmMode = TinyVmMode.BRICK): List<Int> =
     ran(body, members, mode).rom.shown
 
-internal fun ran(body: String, members: String = "", mode: TinyVmMode = TinyVmMode.BRICK): Ran = run(linked(program(body, members), mode))
+internal fun ran(body: String, members: String = "", mode: TinyVmMode = TinyVmMode.BRICK): Ran =
+    run(linked(program(body, members), mode))
 
 internal fun program(body: String, members: String = ""): String = """
     import josx.platform.rcx.*;

@@ -13,8 +13,8 @@ import robotran.ui.theme.RobotranTheme
 import robotran.workshop.Workshop
 
 /**
- * The whole app over [workshop]: its screen, the frames that let its time pass while there is something to see, and the pauses of typing in which Java is
- * compiled.
+ * The whole app over [workshop]: its screen, the frames that let its time pass while there is something to see, and the
+ * pauses of typing in which Java is compiled.
  *
  * @param embedded whether it is a part of another page, with nothing but world and brick.
  */
@@ -30,7 +30,14 @@ fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme(), embed
     val settings = workshop.settings
     InLanguage(settings.language) {
         RobotranTheme(dark, settings) {
-            if (embedded) EmbedScreen(workshop.state, workshop::handle) else WorkshopScreen(workshop.state, workshop::handle)
+            if (embedded) {
+                EmbedScreen(
+                    workshop.state,
+                    workshop::handle,
+                )
+            } else {
+                WorkshopScreen(workshop.state, workshop::handle)
+            }
         }
     }
 }

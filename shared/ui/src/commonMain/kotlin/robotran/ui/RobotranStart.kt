@@ -30,7 +30,8 @@ import robotran.workshop.platform.Platform
 import robotran.workshop.state.PupilProgram
 
 /**
- * What every platform's app shows: a word while things get ready, then [RobotranApp] with [programs] or, without any, the square.
+ * What every platform's app shows: a word while things get ready, then [RobotranApp] with [programs] or, without any,
+ * the square.
  *
  * @param platform what the machine offers; it must stay the same.
  * @param welcoming see [openWorkshop].

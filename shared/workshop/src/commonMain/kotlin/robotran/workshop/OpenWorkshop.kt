@@ -13,10 +13,11 @@ import robotran.workshop.state.PupilProgram
 import robotran.world.file.BuiltInWorlds
 
 /**
- * Gets everything ready for the first screen: the physics, the plain sheet, what was chosen for this machine, and [programs] or, without any, the
- * square.
+ * Gets everything ready for the first screen: the physics, the plain sheet, what was chosen for this machine, and
+ * [programs] or, without any, the square.
  *
- * @param welcoming whether somebody who is here for the first time is shown what there is to be tried, unless work was brought or is there already.
+ * @param welcoming whether somebody who is here for the first time is shown what there is to be tried, unless work was
+ * brought or is there already.
  * @param scope lives as long as the workshop; runs on the thread of the screen.
  */
 suspend fun openWorkshop(

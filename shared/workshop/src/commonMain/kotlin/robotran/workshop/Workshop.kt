@@ -47,8 +47,8 @@ import robotran.workshop.worldedit.WorldEditStateHolder
 import robotran.world.World
 
 /**
- * What happens behind the screen: takes [WorkshopEvent]s to the holders of its panes, lets virtual time pass, and shows the result as one
- * [WorkshopState]. Not safe for use by several threads.
+ * What happens behind the screen: takes [WorkshopEvent]s to the holders of its panes, lets virtual time pass, and shows
+ * the result as one [WorkshopState]. Not safe for use by several threads.
  *
  * @param project what is on the desk to begin with; with the square where it has no program.
  * @param settings what was chosen for this machine before.
@@ -59,7 +59,13 @@ class Workshop(
     private val platform: Platform = MemoryPlatform(),
     settings: Settings = Settings(),
     scope: CoroutineScope = CoroutineScope(Dispatchers.Unconfined),
-) : Preferences, CurrentProject, ProjectEditor, ProgramTabs, RunControls, ScreenNavigator, Notices {
+) : Preferences,
+    CurrentProject,
+    ProjectEditor,
+    ProgramTabs,
+    RunControls,
+    ScreenNavigator,
+    Notices {
     private var opened = project
     private var pane by mutableStateOf(Pane.WORLD)
     private var taskShown by mutableStateOf(false)
@@ -68,13 +74,26 @@ class Workshop(
     private val settingsHolder = SettingsStateHolder(platform.store, scope, settings)
     private val programs: ProgramsStateHolder = ProgramsStateHolder(project, this, this, this, ::programsRead)
     private val run: RunStateHolder =
-        RunStateHolder(project.worldToRun, physics, programs, this, this, this, platform, scope, this, this, project.inputs).also {
+        RunStateHolder(
+            project.worldToRun,
+            physics,
+            programs,
+            this,
+            this,
+            this,
+            platform,
+            scope,
+            this,
+            this,
+            project.inputs,
+        ).also {
             it.hear(settings.soundOn)
         }
     private val sheet = SheetStateHolder()
     private val worldEdit = WorldEditStateHolder(this, this, this)
     private val document = DocumentStateHolder(platform, scope, this, this, this, this, this, this)
-    private val learning = LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
+    private val learning =
+        LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
 
     /** What is to be seen now. Compose notices when it changes. */
     val state: WorkshopState
@@ -94,7 +113,10 @@ class Workshop(
             hasPage = platform.pageAddress.isNotEmpty(),
         )
 
-    override val project: Project get() = opened.copy(robots = programs.projectRobots(opened.world), inputs = emptyList())
+    override val project: Project get() = opened.copy(
+        robots = programs.projectRobots(opened.world),
+        inputs = emptyList(),
+    )
     override val shownProgram: PupilProgram get() = programs.state.program
 
     /** What was done to the session that is on the desk, so far. */
@@ -128,15 +150,19 @@ class Workshop(
     }
 
     /**
-     * Brings back the work that was open last, or opens what was brought to this window, and goes on with learning; to be called once, before anything is
-     * shown. Where there is no work yet and nobody has been before, says what there is to be tried if [welcoming].
+     * Brings back the work that was open last, or opens what was brought to this window, and goes on with learning; to
+     * be called once, before anything is shown. Where there is no work yet and nobody has been before, says what there
+     * is to be tried if [welcoming].
      */
     suspend fun start(welcoming: Boolean) {
         document.start()
         learning.start(welcoming && document.isFresh)
     }
 
-    /** Compiles Java programs in the pauses of typing, for ever; to be called once, for as long as the workshop is on a screen. */
+    /**
+     * Compiles Java programs in the pauses of typing, for ever; to be called once, for as long as the workshop is on a
+     * screen.
+     */
     suspend fun keepReading() = programs.keepReading()
 
     /** Keeps the work as it changes, for ever; to be called once, for as long as the workshop is on a screen. */
@@ -168,7 +194,10 @@ class Workshop(
     /** Reads all programs that were not read yet, and does what waited for it. */
     suspend fun readPrograms() = programs.readPrograms()
 
-    /** A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards: virtual time follows it while [WorkshopState.awake]. */
+    /**
+     * A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards: virtual time follows it
+     * while [WorkshopState.awake].
+     */
     fun frame(nanoseconds: Long) {
         run.frame(nanoseconds)
         learning.look(run.state.session)

@@ -20,7 +20,8 @@ class LongProgramTest {
     @AfterTest
     fun close() = workshop.close()
 
-    private fun write(text: String) = workshop.handle(ProgramEvent.Written(Draft(text).withCaret(text.length), EditKind.OTHER))
+    private fun write(text: String) =
+        workshop.handle(ProgramEvent.Written(Draft(text).withCaret(text.length), EditKind.OTHER))
 
     @Test
     fun `a program that becomes too long is refused in a sentence, and stays as it was`() {

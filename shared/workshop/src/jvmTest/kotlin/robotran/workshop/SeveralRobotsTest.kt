@@ -38,7 +38,12 @@ class SeveralRobotsTest {
         assertTrue(workshop.project.robots.none { it.name == "red" })
         workshop.handle(ProgramEvent.ProgramEdited("backward 5"))
         assertFalse(workshop.state.programs.isWorldsOwn)
-        assertEquals("backward 5", workshop.project.robots.single { it.name == "red" }.programs.single().files.single().text)
+        assertEquals(
+            "backward 5",
+            workshop.project.robots.single {
+                it.name == "red"
+            }.programs.single().files.single().text,
+        )
         workshop.handle(ProgramEvent.RobotChosen("yellow"))
         assertEquals("square.robo", workshop.state.programName)
     }

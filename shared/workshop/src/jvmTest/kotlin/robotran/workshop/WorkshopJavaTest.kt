@@ -91,7 +91,9 @@ class WorkshopJavaTest {
     fun `a fix that is pressed before the program was read again is made where its text is now`() =
         workshop(mainOf("Motor.A.forward()")) { workshop ->
             workshop.readPrograms()
-            workshop.handle(ProgramEvent.ProgramEdited("// first\n" + workshop.state.programText.replace("Motor.A", "  Motor.A")))
+            workshop.handle(
+                ProgramEvent.ProgramEdited("// first\n" + workshop.state.programText.replace("Motor.A", "  Motor.A")),
+            )
             workshop.handle(ProgramEvent.FixApplied(workshop.state.programs.notes.single().diagnostic))
             assertContains(workshop.state.programText, "  Motor.A.forward();\n")
             assertContains(workshop.state.programText, "// first\n")
@@ -104,7 +106,9 @@ class WorkshopJavaTest {
     fun `a fix of a text that was changed since is made once the program was read, which is at once`() =
         workshop(mainOf("Motor.A.forward()")) { workshop ->
             workshop.readPrograms()
-            workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText.replace("forward()", "forward() // go")))
+            workshop.handle(
+                ProgramEvent.ProgramEdited(workshop.state.programText.replace("forward()", "forward() // go")),
+            )
             val changed = workshop.state.programText
             workshop.handle(ProgramEvent.FixApplied(workshop.state.programs.notes.single().diagnostic))
             assertEquals(changed, workshop.state.programText)
@@ -116,23 +120,28 @@ class WorkshopJavaTest {
         }
 
     @Test
-    fun `a fix that does not fit any more is not made, and that is said`() = workshop(mainOf("Motor.A.forward()")) { workshop ->
-        workshop.readPrograms()
-        val diagnostic = workshop.state.diagnostics.single()
-        workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText.replace("forward()", "forward();")))
-        val mended = workshop.state.programText
-        workshop.handle(ProgramEvent.FixApplied(diagnostic))
-        workshop.readPrograms()
-        assertEquals(mended, workshop.state.programText)
-        assertEquals(Notice.FixOutdated, workshop.state.notice)
-        workshop.handle(WorkshopEvent.NoticeDismissed)
-        workshop.handle(ProgramEvent.FixApplied(diagnostic))
-        assertEquals(mended to Notice.FixOutdated, workshop.state.programText to workshop.state.notice)
-    }
+    fun `a fix that does not fit any more is not made, and that is said`() =
+        workshop(mainOf("Motor.A.forward()")) { workshop ->
+            workshop.readPrograms()
+            val diagnostic = workshop.state.diagnostics.single()
+            workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText.replace("forward()", "forward();")))
+            val mended = workshop.state.programText
+            workshop.handle(ProgramEvent.FixApplied(diagnostic))
+            workshop.readPrograms()
+            assertEquals(mended, workshop.state.programText)
+            assertEquals(Notice.FixOutdated, workshop.state.notice)
+            workshop.handle(WorkshopEvent.NoticeDismissed)
+            workshop.handle(ProgramEvent.FixApplied(diagnostic))
+            assertEquals(mended to Notice.FixOutdated, workshop.state.programText to workshop.state.notice)
+        }
 
     @Test
     fun `a program of several files tells which file it is in`() {
-        val helper = ProgramFile("Helper.java", "class Helper {\n    static int half(int number) {\n        return number / 0;\n    }\n}\n")
+        val helper =
+            ProgramFile(
+                "Helper.java",
+                "class Helper {\n    static int half(int number) {\n        return number / 0;\n    }\n}\n",
+            )
         val program = PupilProgram(mainOf("LCD.showNumber(Helper.half(8));").files + helper)
         workshop(program) { workshop ->
             workshop.readPrograms()
@@ -188,7 +197,12 @@ class WorkshopJavaTest {
     fun `five programs fit, and one that was closed can be brought back`() = workshop(firstDrive) { workshop ->
         repeat(6) { workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG)) }
         assertEquals(5, workshop.state.programs.programs.size)
-        assertEquals(workshop.state.programs.programs.size, workshop.state.programs.programs.map { it.name }.toSet().size)
+        assertEquals(
+            workshop.state.programs.programs.size,
+            workshop.state.programs.programs.map {
+                it.name
+            }.toSet().size,
+        )
         workshop.handle(ProgramEvent.ProgramChosen(0))
         workshop.handle(ProgramEvent.ProgramClosed(0))
         assertEquals("program.robo", workshop.state.programName)
@@ -200,28 +214,30 @@ class WorkshopJavaTest {
     }
 
     @Test
-    fun `a class of a program can be taken away and brought back, but not the last one`() = workshop(firstDrive) { workshop ->
-        workshop.handle(ProgramEvent.ClassAdded)
-        val both = workshop.state.program
-        workshop.handle(ProgramEvent.FileClosed(0))
-        assertEquals(listOf(both.files[1]), workshop.state.program.files)
-        assertEquals(both.files[0].name, workshop.state.programs.closed)
-        workshop.handle(ProgramEvent.FileClosed(0))
-        assertEquals(1, workshop.state.program.files.size)
-        workshop.handle(ProgramEvent.ProgramReopened)
-        assertEquals(both, workshop.state.program)
-        assertEquals(0, workshop.state.programs.shownFile)
-        workshop.handle(ProgramEvent.FileClosed(1))
-        workshop.handle(ProgramEvent.ClassAdded)
-        assertFalse(workshop.state.programs.canReopen, "there is a class of this name again")
-    }
+    fun `a class of a program can be taken away and brought back, but not the last one`() =
+        workshop(firstDrive) { workshop ->
+            workshop.handle(ProgramEvent.ClassAdded)
+            val both = workshop.state.program
+            workshop.handle(ProgramEvent.FileClosed(0))
+            assertEquals(listOf(both.files[1]), workshop.state.program.files)
+            assertEquals(both.files[0].name, workshop.state.programs.closed)
+            workshop.handle(ProgramEvent.FileClosed(0))
+            assertEquals(1, workshop.state.program.files.size)
+            workshop.handle(ProgramEvent.ProgramReopened)
+            assertEquals(both, workshop.state.program)
+            assertEquals(0, workshop.state.programs.shownFile)
+            workshop.handle(ProgramEvent.FileClosed(1))
+            workshop.handle(ProgramEvent.ClassAdded)
+            assertFalse(workshop.state.programs.canReopen, "there is a class of this name again")
+        }
 
     private val paperSample get() = mainOf("Motor.A.forward(); Motor.C.forward();")
     private val largeDivisor get() = mainOf("int a = 70000; LCD.showNumber(200000 / a);")
 
     private fun mainOf(body: String) = PupilProgram(
         "Mine.java",
-        "import josx.platform.rcx.*;\npublic class Mine {\n    public static void main(String[] args) {\n        $body\n    }\n}\n",
+        "import josx.platform.rcx.*;\npublic class Mine {\n    public static void main(String[] args) {\n        " +
+            "$body\n    }\n}\n",
     )
 
     private fun tap(workshop: Workshop, button: BrickButton) {

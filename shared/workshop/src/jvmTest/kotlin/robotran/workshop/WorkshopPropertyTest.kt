@@ -64,7 +64,22 @@ class WorkshopPropertyTest {
     @Test
     fun `applying every fix that is offered never fails`() = runBlocking<Unit> {
         val words =
-            Arb.element("forwrd", "forward", "20", "turn", "left", "repaet", "times", "end", "pen", "3,5", "\n", " ", "\r\n", "wait")
+            Arb.element(
+                "forwrd",
+                "forward",
+                "20",
+                "turn",
+                "left",
+                "repaet",
+                "times",
+                "end",
+                "pen",
+                "3,5",
+                "\n",
+                " ",
+                "\r\n",
+                "wait",
+            )
         checkAll(300, Arb.list(words, 0..20).map { it.joinToString(" ") }) { text ->
             val workshop = openWorkshop()
             workshop.handle(ProgramEvent.ProgramEdited(text))

@@ -16,7 +16,12 @@ import kotlin.test.assertTrue
 class WorkshopSoundTest {
     private val speaker = RememberingSpeaker()
     private val workshop =
-        runBlocking { openWorkshop(listOf(PupilProgram("beep.robo", "beep\nwait 300 milliseconds\nbeep")), MemoryPlatform(speaker)) }
+        runBlocking {
+            openWorkshop(
+                listOf(PupilProgram("beep.robo", "beep\nwait 300 milliseconds\nbeep")),
+                MemoryPlatform(speaker),
+            )
+        }
     private var nanoseconds = 0L
 
     @AfterTest

@@ -40,7 +40,10 @@ class WorkshopTest {
         val session = workshop.state.session
         assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)
         assertTrue(abs(session.ink.lengthCentimetres - 80) < 1, "drew ${session.ink.lengthCentimetres} cm")
-        assertTrue(abs(session.robot.pose.x - start.x) < 0.5 && abs(session.robot.pose.y - start.y) < 0.5, "is at ${session.robot.pose}")
+        assertTrue(
+            abs(session.robot.pose.x - start.x) < 0.5 && abs(session.robot.pose.y - start.y) < 0.5,
+            "is at ${session.robot.pose}",
+        )
     }
 
     @Test

@@ -60,7 +60,9 @@ private fun Element.separate(): Element = if (this is Element.OfGoal) Element.Of
 private fun World.roomFor(form: Form, kind: ElementKind): Form {
     if (kind !in STANDING) return form.takeIf { isFree(it, setOf(kind), margin = SAME_PLACE) } ?: aside(form, kind)
     val places = sequenceOf(Point(0.0, 0.0)) + (1..MAX_RINGS).asSequence().flatMap { ring ->
-        (0..<DIRECTIONS).asSequence().map { Direction(it * FULL_TURN / DIRECTIONS).from(Point(0.0, 0.0), ring * RING, 0.0) }
+        (0..<DIRECTIONS).asSequence().map {
+            Direction(it * FULL_TURN / DIRECTIONS).from(Point(0.0, 0.0), ring * RING, 0.0)
+        }
     }
     return places.map { form.movedBy(it.x, it.y) }
         .firstOrNull { paperBounds.contains(it.middle.x, it.middle.y) && isFree(it, STANDING, 0.0) } ?: form
@@ -71,7 +73,9 @@ private fun World.aside(form: Form, kind: ElementKind): Form = (1..MAX_RINGS).as
     .map { form.movedBy(it * STEP_ASIDE, -it * STEP_ASIDE) }
     .firstOrNull { isFree(it, setOf(kind), SAME_PLACE) } ?: form
 
-/** Whether nothing of [kinds] is where [form] is; with a [margin] below zero only if they are nearly one in the other. */
+/**
+ * Whether nothing of [kinds] is where [form] is; with a [margin] below zero only if they are nearly one in the other.
+ */
 private fun World.isFree(form: Form, kinds: Set<ElementKind>, margin: Double): Boolean {
     val bounds = form.bounds
     return things().filter { it.kind in kinds }.mapNotNull { piece(it)?.form?.bounds }.none { other ->

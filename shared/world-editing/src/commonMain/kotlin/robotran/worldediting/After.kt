@@ -3,9 +3,8 @@ package robotran.worldediting
 import robotran.world.World
 
 /**
- * This after [edit]. Whatever the edit is, there is a result: what cannot be done leaves the world as it is and says so in
- * [WorldEditing.error], and
- * what concerns something that is not there does nothing.
+ * This after [edit]. Whatever the edit is, there is a result: what cannot be done leaves the world as it is and says so
+ * in [WorldEditing.error], and what concerns something that is not there does nothing.
  */
 fun WorldEditing.after(edit: Edit): WorldEditing {
     val calm = copy(error = null)
@@ -20,7 +19,16 @@ fun WorldEditing.after(edit: Edit): WorldEditing {
 
         Edit.LetGo -> calm.letGo()
 
-        is Edit.ChooseTool -> calm.copy(tool = edit.tool, selection = if (edit.tool == Tool.CHOOSE) selection else emptySet())
+        is Edit.ChooseTool -> calm.copy(
+            tool = edit.tool,
+            selection = if (edit.tool ==
+                Tool.CHOOSE
+            ) {
+                selection
+            } else {
+                emptySet()
+            },
+        )
 
         is Edit.ChooseSeveral -> calm.copy(several = edit.several)
 
@@ -36,9 +44,29 @@ fun WorldEditing.after(edit: Edit): WorldEditing {
 
         Edit.Copy -> if (selection.isEmpty()) calm else calm.copy(clipboard = selection.mapNotNull(world::piece))
 
-        is Edit.Draw, is Edit.Nudge, is Edit.TurnBy, is Edit.ScaleBy, Edit.Duplicate, Edit.Delete, is Edit.Paste, Edit.Group, Edit.Ungroup,
-        is Edit.Align, is Edit.Restack, is Edit.Put, is Edit.Change, is Edit.MoveCorner, is Edit.AddCorner, is Edit.RemoveCorner,
-        is Edit.MakeCorners, is Edit.AddGoal, is Edit.MoveGoal, is Edit.WrapGoal, is Edit.UnwrapGoal, is Edit.ChangeSheet, is Edit.NewWorld,
+        is Edit.Draw,
+        is Edit.Nudge,
+        is Edit.TurnBy,
+        is Edit.ScaleBy,
+        Edit.Duplicate,
+        Edit.Delete,
+        is Edit.Paste,
+        Edit.Group,
+        Edit.Ungroup,
+        is Edit.Align,
+        is Edit.Restack,
+        is Edit.Put,
+        is Edit.Change,
+        is Edit.MoveCorner,
+        is Edit.AddCorner,
+        is Edit.RemoveCorner,
+        is Edit.MakeCorners,
+        is Edit.AddGoal,
+        is Edit.MoveGoal,
+        is Edit.WrapGoal,
+        is Edit.UnwrapGoal,
+        is Edit.ChangeSheet,
+        is Edit.NewWorld,
         -> calm.dropped().changed(edit)
     }
 }
@@ -101,7 +129,9 @@ internal fun WorldEditing.back(to: Moment, history: History): WorldEditing = cop
     errors = troublesOf(to.world),
 )
 
-/** [things] as they are called after the goals' order has changed from [before] to [after]: a goal stays the one it is. */
+/**
+ * [things] as they are called after the goals' order has changed from [before] to [after]: a goal stays the one it is.
+ */
 internal fun renumbered(things: Set<ElementRef>, before: World, after: World): Set<ElementRef> {
     if (things.none { it.kind == ElementKind.GOAL }) return things
     val old = allGoals(before.goals)

@@ -9,33 +9,75 @@ import robotran.world.geometry.Pose
 /** What [edit] makes of this; null if there is nothing to be done. */
 internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {
     is Edit.Draw -> drawn(edit.points)
+
     is Edit.Nudge -> each { it.movedBy(edit.x, edit.y) }
+
     is Edit.TurnBy -> middleOfSelection()?.let { middle -> each { it.turnedBy(edit.degrees, middle) } }
+
     is Edit.ScaleBy -> middleOfSelection()?.let { middle -> each { it.scaledBy(edit.factor, middle) } }
+
     Edit.Duplicate -> added(selection.mapNotNull(world::piece), Point(STEP_ASIDE, -STEP_ASIDE))
+
     Edit.Delete -> deleted()
+
     is Edit.Paste -> pasted(edit.at)
+
     Edit.Group -> grouped()
+
     Edit.Ungroup -> Outcome.Made(moment.copy(groups = groups.filter { group -> group.none { it in selection } }))
+
     is Edit.Align -> aligned(edit.side)
+
     is Edit.Restack -> restacked(edit.order)
+
     is Edit.Put -> put(edit.piece, edit.at)
+
     is Edit.Change -> changed(edit.thing, edit.piece)
+
     is Edit.MoveCorner -> corners(edit.thing) { it.with(edit.number, edit.to) }
+
     is Edit.AddCorner -> cornerAdded(edit)
-    is Edit.RemoveCorner -> corners(edit.thing) { corners -> corners.filterIndexed { number, _ -> number != edit.number } }
+
+    is Edit.RemoveCorner -> corners(edit.thing) { corners ->
+        corners.filterIndexed {
+            number,
+            _,
+            ->
+            number != edit.number
+        }
+    }
+
     is Edit.MakeCorners -> cornersMade(edit.thing)
+
     is Edit.AddGoal -> goalAdded(edit)
+
     is Edit.MoveGoal -> goals(movedGoal(world.goals, edit.number, edit.move))
+
     is Edit.WrapGoal -> goals(world.goals.wrapped(edit.number, edit.group))
+
     is Edit.UnwrapGoal -> goals(world.goals.unwrapped(edit.number))
+
     is Edit.ChangeSheet -> Outcome.Made(moment.copy(world = world.with(edit.figures)), part = "sheet")
+
     is Edit.NewWorld -> Outcome.Made(Moment(newWorld(edit.title), emptySet(), emptyList()))
+
     else -> null
 }
 
 /** A sheet with nothing on it but the pupil's robot. */
-fun newWorld(title: String) = World(title, Paper(NEW_WIDTH, NEW_HEIGHT), listOf(RobotPlacement(Pose(NEW_WIDTH / 4, NEW_HEIGHT / 2, 0.0))))
+fun newWorld(title: String) = World(
+    title,
+    Paper(NEW_WIDTH, NEW_HEIGHT),
+    listOf(
+        RobotPlacement(
+            Pose(
+                NEW_WIDTH / 4,
+                NEW_HEIGHT / 2,
+                0.0,
+            ),
+        ),
+    ),
+)
 
 /** What is chosen, changed one by one. */
 private fun WorldEditing.each(change: (Form) -> Form): Outcome? {

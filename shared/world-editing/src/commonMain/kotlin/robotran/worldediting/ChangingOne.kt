@@ -19,7 +19,13 @@ internal fun WorldEditing.changed(thing: ElementRef, wanted: Element): Outcome? 
     }
     val changed = world.with(thing.number, piece)
     val oldName = before.name
-    val renamed = if (oldName != null && name != null && name != oldName) changed.withGoalsRenamed(oldName, name) else changed
+    val renamed = if (oldName != null && name != null &&
+        name != oldName
+    ) {
+        changed.withGoalsRenamed(oldName, name)
+    } else {
+        changed
+    }
     return Outcome.Made(moment.copy(world = renamed), part = thing)
 }
 
@@ -28,7 +34,11 @@ internal fun WorldEditing.corners(thing: ElementRef, change: (List<Point>) -> Li
     val form = piece.form?.takeIf { it.corners.isNotEmpty() } ?: return null
     val corners = change(form.corners)
     val isBent = form is Form.Area || (form is Form.Way && form.isBent)
-    if (corners.size < (if (form.isRound) MIN_CORNERS else 2) || (!isBent && corners.size != 2)) return Outcome.Not(EditError.TooFewCorners)
+    if (corners.size < (if (form.isRound) MIN_CORNERS else 2) ||
+        (!isBent && corners.size != 2)
+    ) {
+        return Outcome.Not(EditError.TooFewCorners)
+    }
     val changed = piece.withForm(form.withCorners(corners))
     refusalOf(changed)?.let { return Outcome.Not(it) }
     return Outcome.Made(moment.copy(world = world.with(thing.number, changed)))
@@ -48,7 +58,9 @@ internal fun WorldEditing.cornersMade(thing: ElementRef): Outcome? {
             listOf(frame.at(-1, -1), frame.at(1, -1), frame.at(1, 1), frame.at(-1, 1))
         }
 
-        is Shape.Circle -> List(CORNERS_OF_CIRCLE) { Direction(it * FULL_TURN / CORNERS_OF_CIRCLE).from(shape.centre, shape.radius, 0.0) }
+        is Shape.Circle -> List(CORNERS_OF_CIRCLE) {
+            Direction(it * FULL_TURN / CORNERS_OF_CIRCLE).from(shape.centre, shape.radius, 0.0)
+        }
 
         is Shape.Polygon, null -> return null
     }
@@ -62,14 +74,20 @@ internal fun Element.tidied(): Element {
     val placed = form?.let { withForm(it) } ?: this
     return when (placed) {
         is Element.OfRobot -> with(placed.robot) {
-            placed.copy(copy(beacon = nearestDecimal(beacon), program = program?.replace("\r\n", "\n")?.replace('\r', '\n')))
+            placed.copy(
+                copy(beacon = nearestDecimal(beacon), program = program?.replace("\r\n", "\n")?.replace('\r', '\n')),
+            )
         }
 
         is Element.OfWall -> placed.copy(placed.wall.copy(thickness = rounded(placed.wall.thickness)))
 
-        is Element.OfBlock -> with(placed.block) { placed.copy(copy(mass = nearestDecimal(mass), friction = nearestDecimal(friction))) }
+        is Element.OfBlock -> with(placed.block) {
+            placed.copy(copy(mass = nearestDecimal(mass), friction = nearestDecimal(friction)))
+        }
 
-        is Element.OfLamp -> with(placed.lamp) { placed.copy(copy(brightness = nearestDecimal(brightness), cone = nearestDecimal(cone))) }
+        is Element.OfLamp -> with(placed.lamp) {
+            placed.copy(copy(brightness = nearestDecimal(brightness), cone = nearestDecimal(cone)))
+        }
 
         is Element.OfMark -> placed.copy(placed.mark.tidied())
 

@@ -49,10 +49,18 @@ private class Drag(private val held: Gesture, private val snapping: Snapping, pr
         val anchor = pieces.values.firstNotNullOf { it.form?.anchor }
         val lines = world.snapLines(things)
         val x = snapping.move(
-            edit.at.x - held.from.x, listOf(bounds.left, bounds.middle.x, bounds.right), anchor.x, lines.across, edit.reach,
+            edit.at.x - held.from.x,
+            listOf(bounds.left, bounds.middle.x, bounds.right),
+            anchor.x,
+            lines.across,
+            edit.reach,
         )
         val y = snapping.move(
-            edit.at.y - held.from.y, listOf(bounds.bottom, bounds.middle.y, bounds.top), anchor.y, lines.up, edit.reach,
+            edit.at.y - held.from.y,
+            listOf(bounds.bottom, bounds.middle.y, bounds.top),
+            anchor.y,
+            lines.up,
+            edit.reach,
         )
         return changed { it.movedBy(x.coordinate, y.coordinate) } to guides(x, y)
     }

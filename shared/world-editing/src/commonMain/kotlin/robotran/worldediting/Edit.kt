@@ -5,11 +5,17 @@ import robotran.world.GoalCondition
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 
-/** Something that a person wants to be done to a world or to what is chosen of it. Places are on the paper, in centimetres. */
+/**
+ * Something that a person wants to be done to a world or to what is chosen of it. Places are on the paper, in
+ * centimetres.
+ */
 sealed interface Edit {
     // Choosing.
 
-    /** What is within [reach] of [place] is chosen, or if it was already, what lies below it; nothing, if nothing is there. */
+    /**
+     * What is within [reach] of [place] is chosen, or if it was already, what lies below it; nothing, if nothing is
+     * there.
+     */
     data class TapAt(val place: Point, val reach: Double, val adding: Boolean = false) : Edit
 
     /** Null for choosing nothing. */
@@ -125,8 +131,8 @@ enum class AlignSide { LEFT, CENTRE, RIGHT, TOP, MIDDLE, BOTTOM }
 enum class StackOrder { TO_BACK, BACK, FORWARD, TO_FRONT }
 
 /**
- * How a goal changes its place in the list: before or behind its neighbour, into the group before it, or out of the group that it is
- * in.
+ * How a goal changes its place in the list: before or behind its neighbour, into the group before it, or out of the
+ * group that it is in.
  */
 enum class GoalMove { UP, DOWN, IN, OUT }
 

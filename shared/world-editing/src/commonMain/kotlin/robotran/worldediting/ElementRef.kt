@@ -3,7 +3,8 @@ package robotran.worldediting
 /**
  * Something in a world that can be chosen.
  *
- * @property number which of its kind it is, from 0, in the world's own order; strokes and goals as [strokes] and [allGoals] count them.
+ * @property number which of its kind it is, from 0, in the world's own order; strokes and goals as [strokes] and
+ * [allGoals] count them.
  */
 data class ElementRef(val kind: ElementKind, val number: Int)
 

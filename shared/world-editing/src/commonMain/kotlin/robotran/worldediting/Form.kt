@@ -80,30 +80,41 @@ fun Form.turnedBy(degrees: Double, about: Point): Form {
     fun Point.turned() = direction.from(about, x - about.x, y - about.y)
     return when (this) {
         is Form.Area -> when (shape) {
-            is Shape.Rectangle -> Form.Area(shape.copy(centre = shape.centre.turned(), angle = fullTurn(shape.angle + degrees)))
+            is Shape.Rectangle -> Form.Area(
+                shape.copy(centre = shape.centre.turned(), angle = fullTurn(shape.angle + degrees)),
+            )
+
             is Shape.Circle, is Shape.Polygon -> Form.Area(shape.mapped(Point::turned))
         }
 
         is Form.Way -> copy(points = points.map(Point::turned))
 
-        is Form.Start -> Point(pose.x, pose.y).turned().let { Form.Start(Pose(it.x, it.y, fullTurn(pose.heading + degrees))) }
+        is Form.Start -> Point(pose.x, pose.y).turned().let {
+            Form.Start(Pose(it.x, it.y, fullTurn(pose.heading + degrees)))
+        }
 
         is Form.Light -> copy(place = place.turned(), direction = fullTurn(direction(degrees)))
 
-        is Form.Picture -> bounds.middle.let { middle -> middle.turned().let { movedBy(it.x - middle.x, it.y - middle.y) } }
+        is Form.Picture -> bounds.middle.let { middle ->
+            middle.turned().let { movedBy(it.x - middle.x, it.y - middle.y) }
+        }
     }
 }
 
 /**
- * Made larger or smaller by [factor] with [about] staying where it is. Robots, lamps and grey maps keep their size; widths of lines
- * stay.
+ * Made larger or smaller by [factor] with [about] staying where it is. Robots, lamps and grey maps keep their size;
+ * widths of lines stay.
  */
 fun Form.scaledBy(factor: Double, about: Point): Form {
     fun Point.scaled() = Point(about.x + (x - about.x) * factor, about.y + (y - about.y) * factor)
     return when (this) {
         is Form.Area -> when (shape) {
             is Shape.Rectangle -> Form.Area(
-                shape.copy(centre = shape.centre.scaled(), width = shape.width * factor, height = shape.height * factor),
+                shape.copy(
+                    centre = shape.centre.scaled(),
+                    width = shape.width * factor,
+                    height = shape.height * factor,
+                ),
             )
 
             is Shape.Circle -> Form.Area(Shape.Circle(shape.centre.scaled(), shape.radius * factor))
@@ -113,7 +124,9 @@ fun Form.scaledBy(factor: Double, about: Point): Form {
 
         is Form.Way -> copy(points = points.map(Point::scaled))
 
-        is Form.Start, is Form.Light, is Form.Picture -> middle.scaled().let { movedBy(it.x - middle.x, it.y - middle.y) }
+        is Form.Start, is Form.Light, is Form.Picture -> middle.scaled().let {
+            movedBy(it.x - middle.x, it.y - middle.y)
+        }
     }
 }
 

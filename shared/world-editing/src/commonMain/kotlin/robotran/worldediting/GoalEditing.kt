@@ -12,21 +12,47 @@ internal fun WorldEditing.goalAdded(edit: Edit.AddGoal): Outcome? {
     val goal = edit.goal.separate()
     val all = listOf(goal) + allGoals(goal.parts).map { it.goal }
     if (goal.isGroup && goal.parts.isEmpty()) return null
-    if (all.any { it.condition is HasLine } && world.marks.none { it.figure is MarkFigure.Line }) return Outcome.Not(EditError.NeedsLine)
+    if (all.any { it.condition is HasLine } &&
+        world.marks.none { it.figure is MarkFigure.Line }
+    ) {
+        return Outcome.Not(EditError.NeedsLine)
+    }
     if (all.any { it.condition is NeedsTemplate } && world.template == null) return Outcome.Not(EditError.NeedsTemplate)
     all.firstNotNullOfOrNull { refusalOf(it) }?.let { return Outcome.Not(it) }
     val into = edit.into?.takeIf { allGoals(world.goals).getOrNull(it)?.goal?.isGroup == true }
-    val goals = if (into == null) world.goals + goal else world.goals.replaced(into) { listOf(it.withParts(it.parts + goal)) }
+    val goals = if (into ==
+        null
+    ) {
+        world.goals + goal
+    } else {
+        world.goals.replaced(into) { listOf(it.withParts(it.parts + goal)) }
+    }
     val changed = world.copy(goals = goals)
     val number = allGoals(goals).indexOfFirst { it.goal === goal }
-    return Outcome.Made(Moment(changed, setOf(ElementRef(ElementKind.GOAL, number)), groups.map { renumbered(it, world, changed) }))
+    return Outcome.Made(
+        Moment(
+            changed,
+            setOf(ElementRef(ElementKind.GOAL, number)),
+            groups.map {
+                renumbered(it, world, changed)
+            },
+        ),
+    )
 }
 
 /** The world with [goals], what is chosen still being so. */
 internal fun WorldEditing.goals(goals: List<Goal>?): Outcome? {
     if (goals == null) return null
     val changed = world.copy(goals = goals)
-    return Outcome.Made(Moment(changed, renumbered(selection, world, changed), groups.map { renumbered(it, world, changed) }))
+    return Outcome.Made(
+        Moment(
+            changed,
+            renumbered(selection, world, changed),
+            groups.map {
+                renumbered(it, world, changed)
+            },
+        ),
+    )
 }
 
 internal fun List<Goal>.wrapped(number: Int, group: GoalGroup): List<Goal>? {
@@ -63,8 +89,13 @@ private fun movedHere(goals: List<Goal>, place: Int, move: GoalMove): List<Goal>
     val others = goals.filterIndexed { number, _ -> number != place }
     return when (move) {
         GoalMove.UP -> if (place == 0) null else others.take(place - 1) + goal + others.drop(place - 1)
+
         GoalMove.DOWN -> if (place == goals.lastIndex) null else others.take(place + 1) + goal + others.drop(place + 1)
-        GoalMove.IN -> others.getOrNull(place - 1)?.takeIf { it.isGroup }?.let { others.with(place - 1, it.withParts(it.parts + goal)) }
+
+        GoalMove.IN -> others.getOrNull(place - 1)?.takeIf {
+            it.isGroup
+        }?.let { others.with(place - 1, it.withParts(it.parts + goal)) }
+
         GoalMove.OUT -> null
     }
 }

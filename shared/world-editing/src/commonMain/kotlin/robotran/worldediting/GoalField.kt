@@ -24,7 +24,9 @@ enum class GoalFieldName {
     HIGHEST_TONE,
 }
 
-/** A figure of a goal's condition that can be changed by itself, as it is now. A change makes the whole condition anew. */
+/**
+ * A figure of a goal's condition that can be changed by itself, as it is now. A change makes the whole condition anew.
+ */
 sealed interface GoalField {
     val name: GoalFieldName
 
@@ -77,12 +79,21 @@ sealed interface GoalField {
     }
 
     /** The name of a mark that is a line. */
-    class Line(override val name: GoalFieldName, val line: String, val maximum: Int, val with: (String) -> GoalCondition) : GoalField {
+    class Line(
+        override val name: GoalFieldName,
+        val line: String,
+        val maximum: Int,
+        val with: (String) -> GoalCondition,
+    ) : GoalField {
         override val error: EditError? get() = EditError.NoSuchText.takeIf { !isText(line, maximum) }
     }
 
     /** Kinds of things that are not to be touched; there must be one. */
-    class TouchKinds(override val name: GoalFieldName, val kinds: Set<TouchKind>, val with: (Set<TouchKind>) -> GoalCondition) : GoalField {
+    class TouchKinds(
+        override val name: GoalFieldName,
+        val kinds: Set<TouchKind>,
+        val with: (Set<TouchKind>) -> GoalCondition,
+    ) : GoalField {
         override val error: EditError? get() = EditError.OutOfRange.takeIf { kinds.isEmpty() }
     }
 }

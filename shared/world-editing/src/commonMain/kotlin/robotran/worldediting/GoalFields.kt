@@ -12,20 +12,32 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
 /**
- * The figures of a goal, as a form shows them one below the other: those of its facets, and between them those of its kind. Whom it is about
- * and where depend on what is on the paper: these are no figures.
+ * The figures of a goal, as a form shows them one below the other: those of its facets, and between them those of its
+ * kind. Whom it is about and where depend on what is on the paper: these are no figures.
  *
  * @param timeLimit how many seconds there are in its world.
  */
 fun fieldsOf(condition: GoalCondition, timeLimit: Int = World.DEFAULT_TIME_LIMIT): List<GoalField> = buildList {
     if (condition is HasRegion) add(GoalField.Flag(GoalFieldName.WHOLE, condition.whole, condition::withWhole))
     if (condition is HasLine) {
-        add(GoalField.Line(GoalFieldName.LINE, condition.line, WorldLimits.MAXIMUM_NAME_CHARACTERS, condition::withLine))
+        add(
+            GoalField.Line(
+                GoalFieldName.LINE,
+                condition.line,
+                WorldLimits.MAXIMUM_NAME_CHARACTERS,
+                condition::withLine,
+            ),
+        )
     }
     addAll(ownFieldsOf(condition))
     if (condition is HasTimeLimit) {
         add(
-            GoalField.OptionalNumber(GoalFieldName.WITHIN, condition.within?.toDouble(), timeLimit.toDouble(), SECONDS) {
+            GoalField.OptionalNumber(
+                GoalFieldName.WITHIN,
+                condition.within?.toDouble(),
+                timeLimit.toDouble(),
+                SECONDS,
+            ) {
                 condition.withTimeLimit(it?.toInt())
             },
         )
@@ -70,10 +82,22 @@ private fun ownFieldsOf(condition: GoalCondition): List<GoalField> = with(condit
 private fun inkFieldsOf(ink: GoalCondition.InkLength): List<GoalField> = with(ink) {
     val isAllowed = (atLeast != null || atMost != null) && areInOrder(atLeast, atMost)
     listOf(
-        GoalField.OptionalNumber(GoalFieldName.MIN_LENGTH, atLeast, minOf(DEFAULT_INK, atMost ?: DEFAULT_INK), INK, isAllowed) {
+        GoalField.OptionalNumber(
+            GoalFieldName.MIN_LENGTH,
+            atLeast,
+            minOf(DEFAULT_INK, atMost ?: DEFAULT_INK),
+            INK,
+            isAllowed,
+        ) {
             copy(atLeast = it)
         },
-        GoalField.OptionalNumber(GoalFieldName.MAX_LENGTH, atMost, maxOf(DEFAULT_INK, atLeast ?: DEFAULT_INK), INK, isAllowed) {
+        GoalField.OptionalNumber(
+            GoalFieldName.MAX_LENGTH,
+            atMost,
+            maxOf(DEFAULT_INK, atLeast ?: DEFAULT_INK),
+            INK,
+            isAllowed,
+        ) {
             copy(atMost = it)
         },
     )
@@ -85,10 +109,22 @@ private fun soundFieldsOf(sound: GoalCondition.PlaySound): List<GoalField> = wit
     val isAllowed = areInOrder(min, max)
     listOf(
         GoalField.Number(GoalFieldName.TIMES, times.toDouble(), SOUNDS) { copy(times = it.toInt()) },
-        GoalField.OptionalNumber(GoalFieldName.LOWEST_TONE, min, minOf(DEFAULT_TONE, max ?: DEFAULT_TONE), TONES, isAllowed) {
+        GoalField.OptionalNumber(
+            GoalFieldName.LOWEST_TONE,
+            min,
+            minOf(DEFAULT_TONE, max ?: DEFAULT_TONE),
+            TONES,
+            isAllowed,
+        ) {
             copy(lowest = it?.toInt())
         },
-        GoalField.OptionalNumber(GoalFieldName.HIGHEST_TONE, max, maxOf(DEFAULT_TONE, min ?: DEFAULT_TONE), TONES, isAllowed) {
+        GoalField.OptionalNumber(
+            GoalFieldName.HIGHEST_TONE,
+            max,
+            maxOf(DEFAULT_TONE, min ?: DEFAULT_TONE),
+            TONES,
+            isAllowed,
+        ) {
             copy(highest = it?.toInt())
         },
     )
@@ -99,10 +135,19 @@ fun newGoals(world: World): List<Goal> {
     val region = Shape.Rectangle(Point(world.paper.width * PLACE, world.paper.height / 2), REGION, REGION)
     val sound = GoalCondition.PlaySound()
     return listOf(
-        GoalCondition.Reach(region), GoalCondition.StayOut(region), GoalCondition.StayIn(region), GoalCondition.NeverTouch(),
-        GoalCondition.DrawTemplate(), GoalCondition.InkLength(DEFAULT_INK, null), GoalCondition.FollowLine(line = "-"),
-        GoalCondition.EndWithin(world.timeLimit), GoalCondition.ShowOnDisplay("42"), sound,
-        GoalCondition.InOrder(listOf(Goal(sound))), GoalCondition.All(listOf(Goal(sound))), GoalCondition.AnyOf(listOf(Goal(sound))),
+        GoalCondition.Reach(region),
+        GoalCondition.StayOut(region),
+        GoalCondition.StayIn(region),
+        GoalCondition.NeverTouch(),
+        GoalCondition.DrawTemplate(),
+        GoalCondition.InkLength(DEFAULT_INK, null),
+        GoalCondition.FollowLine(line = "-"),
+        GoalCondition.EndWithin(world.timeLimit),
+        GoalCondition.ShowOnDisplay("42"),
+        sound,
+        GoalCondition.InOrder(listOf(Goal(sound))),
+        GoalCondition.All(listOf(Goal(sound))),
+        GoalCondition.AnyOf(listOf(Goal(sound))),
     ).map { Goal(it) }
 }
 
@@ -139,4 +184,9 @@ private val TONES = NumberSpec(WorldLimits.LOWEST_TONE..WorldLimits.HIGHEST_TONE
 private val INK = NumberSpec(0.0..WorldLimits.MAXIMUM_INK, step = 10.0, unit = "cm")
 private val LAPS = NumberSpec(WorldLimits.MINIMUM_LAPS..WorldLimits.MAXIMUM_LAPS, slider = 1.0..10.0)
 private val TOLERANCE =
-    NumberSpec(WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_TOLERANCE, step = 0.5, unit = "cm", slider = 0.5..10.0)
+    NumberSpec(
+        WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_TOLERANCE,
+        step = 0.5,
+        unit = "cm",
+        slider = 0.5..10.0,
+    )

@@ -15,18 +15,21 @@ private fun entries(goal: Goal, depth: Int): List<GoalEntry> =
     listOf(GoalEntry(goal, depth)) + goal.parts.flatMap { entries(it, depth + 1) }
 
 /** The same goal elsewhere, where it is about a place. */
-internal fun Goal.withRegion(region: Shape): Goal =
-    when (val condition = condition) {
-        is HasRegion -> copy(condition = condition.withRegion(region), unknown = unknown.fittingRegion(condition.region, region))
-        else -> this
-    }
+internal fun Goal.withRegion(region: Shape): Goal = when (val condition = condition) {
+    is HasRegion -> copy(
+        condition = condition.withRegion(region),
+        unknown = unknown.fittingRegion(condition.region, region),
+    )
+
+    else -> this
+}
 
 private fun UnknownFields.fittingRegion(before: Shape, after: Shape): UnknownFields =
     if (members.isEmpty() || before::class == after::class) this else UnknownFields(members - "region")
 
 /**
- * These goals with each put through [change], by its number, whole before its parts; what becomes null is gone, and so is a group that
- * nothing is left of.
+ * These goals with each put through [change], by its number, whole before its parts; what becomes null is gone, and so
+ * is a group that nothing is left of.
  */
 internal fun List<Goal>.changed(change: (Int, Goal) -> Goal?): List<Goal> = GoalChange(change).of(this)
 

@@ -41,7 +41,8 @@ enum class SizeSide(val across: Int, val up: Int) {
  * Something to take a thing by.
  *
  * @property place the point of the thing that it belongs to.
- * @property outwards which way it may be drawn away from that, so that it does not cover the thing; of length 1, or 0 for none.
+ * @property outwards which way it may be drawn away from that, so that it does not cover the thing; of length 1, or 0
+ * for none.
  */
 data class Handle(val grip: DragHandle, val place: Point, val outwards: Point)
 
@@ -80,9 +81,14 @@ fun World.handlesOf(things: Set<ElementRef>): List<Handle> {
     val form = forms.singleOrNull() ?: return handlesOfSeveral(forms, frame)
     return when {
         form.corners.isNotEmpty() -> cornerHandles(form, frame) + turnHandle(frame)
-        form is Form.Area -> sizeHandles(frame, SizeSide.entries) + if (form.canTurn) listOf(turnHandle(frame)) else emptyList()
+
+        form is Form.Area -> sizeHandles(frame, SizeSide.entries) +
+            if (form.canTurn) listOf(turnHandle(frame)) else emptyList()
+
         form is Form.Start -> listOf(turnHandle(form.middle, form.pose.heading, Penbot.BUMPER_FRONT))
+
         form is Form.Light && form.turns -> listOf(turnHandle(form.place, form.direction, LAMP_RADIUS))
+
         else -> emptyList()
     }
 }
@@ -99,7 +105,12 @@ private fun cornerHandles(form: Form, frame: Frame): List<Handle> {
     val none = Point(0.0, 0.0)
     val corners = form.corners.mapIndexed { number, corner -> Handle(DragHandle.Corner(number), corner, none) }
     if ((form as? Form.Way)?.isBent == false) return corners
-    val edges = form.edges().mapIndexed { number, (from, to) -> Handle(DragHandle.Edge(number), middleOf(from, to), none) }
+    val edges = form.edges().mapIndexed {
+        number,
+        (from, to),
+        ->
+        Handle(DragHandle.Edge(number), middleOf(from, to), none)
+    }
     return (corners + edges).takeIf { frame.width > 0 || frame.height > 0 } ?: corners
 }
 

@@ -8,8 +8,8 @@ data class Moment(val world: World, val selection: Set<ElementRef>, val groups: 
 /**
  * What was before, the latest last, and what was undone, the next to come back last.
  *
- * @property going what the latest change is a part of, such as typing a name: the next part of it is no step of its own. Null if it is
- * done.
+ * @property going what the latest change is a part of, such as typing a name: the next part of it is no step of its
+ * own. Null if it is done.
  */
 data class History(
     val past: List<Moment> = emptyList(),

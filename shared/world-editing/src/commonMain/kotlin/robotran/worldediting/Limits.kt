@@ -25,7 +25,10 @@ internal fun refusalOf(world: World): EditError? {
         world.temperature in WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE &&
         world.timeLimit in 1..WorldLimits.MAXIMUM_SECONDS && world.realism in 0.0..1.0 && world.seed >= 0
     val areTexts = isText(world.title, WorldLimits.MAXIMUM_TITLE_CHARACTERS) &&
-        (world.task.isEmpty() || isText(world.task, WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeBlank = true, severalLines = true))
+        (
+            world.task.isEmpty() ||
+                isText(world.task, WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeBlank = true, severalLines = true)
+        )
     return if (!isWithin) EditError.OutOfRange else EditError.NoSuchText.takeIf { !areTexts } ?: refusalOfCounts(world)
 }
 
@@ -51,9 +54,13 @@ private fun refusalOfCounts(world: World): EditError? {
     if (world.robots.isEmpty()) return EditError.LastRobot
     val goals = allGoals(world.goals)
     if (goals.any { it.depth >= WorldLimits.MAXIMUM_GOAL_DEPTH }) return EditError.TooDeep
-    val points = world.marks.sumOf { (it.figure as? MarkFigure.Line)?.points?.size ?: pointsIn((it.figure as? MarkFigure.Area)?.shape) } +
-        world.strokes.sumOf { it.size } + goals.sumOf { pointsIn(it.goal.region) } +
-        world.barriers.sumOf { pointsIn(it.shape) } + world.blocks.sumOf { pointsIn(it.shape) }
+    val points =
+        world.marks.sumOf {
+            (it.figure as? MarkFigure.Line)?.points?.size
+                ?: pointsIn((it.figure as? MarkFigure.Area)?.shape)
+        } +
+            world.strokes.sumOf { it.size } + goals.sumOf { pointsIn(it.goal.region) } +
+            world.barriers.sumOf { pointsIn(it.shape) } + world.blocks.sumOf { pointsIn(it.shape) }
     return when {
         points > WorldLimits.MAXIMUM_POINTS -> EditError.TooManyPoints
         cellsIn(world.marks) > WorldLimits.MAXIMUM_MAP_CELLS -> EditError.TooMany(ElementKind.MARK)
@@ -63,7 +70,10 @@ private fun refusalOfCounts(world: World): EditError? {
 
 private fun pointsIn(shape: Shape?) = (shape as? Shape.Polygon)?.corners?.size ?: 0
 
-private fun cellsIn(marks: List<Mark>) = marks.sumOf { mark -> (mark.figure as? MarkFigure.GreyMap)?.rows?.sumOf { it.length } ?: 0 }
+private fun cellsIn(marks: List<Mark>) = marks.sumOf { mark ->
+    (mark.figure as? MarkFigure.GreyMap)?.rows?.sumOf { it.length }
+        ?: 0
+}
 
 private fun refusalOf(form: Form): EditError? = when (form) {
     is Form.Area -> refusalOf(form.shape)
@@ -102,11 +112,20 @@ private fun sizeRefusal(side: Double): EditError? =
 
 private fun refusalOfFigures(piece: Element): EditError? = when (piece) {
     is Element.OfRobot -> refusalOf(piece.robot)
+
     is Element.OfWall -> EditError.OutOfRange.takeIf { piece.wall.thickness !in THICKNESSES }
-    is Element.OfBlock -> EditError.OutOfRange.takeIf { piece.block.mass !in MASSES || piece.block.friction !in FRICTIONS }
+
+    is Element.OfBlock -> EditError.OutOfRange.takeIf {
+        piece.block.mass !in MASSES ||
+            piece.block.friction !in FRICTIONS
+    }
+
     is Element.OfMark -> refusalOf(piece.mark)
+
     is Element.OfLamp -> refusalOf(piece.lamp)
+
     is Element.OfGoal -> refusalOf(piece.goal)
+
     is Element.OfBarrier, is Element.OfStroke -> null
 }
 

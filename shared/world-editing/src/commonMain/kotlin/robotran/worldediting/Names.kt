@@ -25,6 +25,12 @@ internal fun World.withGoalsRenamed(before: String, after: String): World = copy
     goals = goals.changed { _, goal ->
         val renamed = if (goal.who == before) goal.withWho(after) else goal
         val condition = renamed.condition
-        if (condition is HasLine && condition.line == before) renamed.copy(condition = condition.withLine(after)) else renamed
+        if (condition is HasLine &&
+            condition.line == before
+        ) {
+            renamed.copy(condition = condition.withLine(after))
+        } else {
+            renamed
+        }
     },
 )

@@ -26,7 +26,10 @@ private val MarkFigure.form: Form
         is MarkFigure.GreyMap -> Form.Picture(corner, cell * rows.first().length, cell * rows.size)
     }
 
-/** The same piece elsewhere or in another shape; [form] must be of the sort that it has. Its figures are rounded to thousandths. */
+/**
+ * The same piece elsewhere or in another shape; [form] must be of the sort that it has. Its figures are rounded to
+ * thousandths.
+ */
 fun Element.withForm(form: Form): Element = when (val rounded = form.rounded()) {
     is Form.Area -> {
         withShape(rounded.shape)
@@ -52,9 +55,15 @@ fun Element.withForm(form: Form): Element = when (val rounded = form.rounded()) 
 
 private fun Element.withShape(shape: Shape): Element = when (this) {
     is Element.OfBarrier -> copy(barrier.copy(shape = shape, unknown = barrier.unknown.fitting(barrier.shape, shape)))
+
     is Element.OfBlock -> copy(block.copy(shape = shape, unknown = block.unknown.fitting(block.shape, shape)))
-    is Element.OfMark -> copy(mark.copy(figure = MarkFigure.Area(shape), unknown = mark.unknown.fitting(mark.shape, shape)))
+
+    is Element.OfMark -> copy(
+        mark.copy(figure = MarkFigure.Area(shape), unknown = mark.unknown.fitting(mark.shape, shape)),
+    )
+
     is Element.OfGoal -> copy(goal.withRegion(shape))
+
     is Element.OfRobot, is Element.OfWall, is Element.OfLamp, is Element.OfStroke -> this
 }
 

@@ -5,7 +5,10 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 import kotlin.math.max
 
-/** This shape after its handle at [side] was drawn to [to]: a rectangle keeps its other side where it is, a circle its middle. */
+/**
+ * This shape after its handle at [side] was drawn to [to]: a rectangle keeps its other side where it is, a circle its
+ * middle.
+ */
 internal fun Shape.resized(side: SizeSide, to: Point): Shape = when (this) {
     is Shape.Rectangle -> resizedRectangle(this, side, to)
     is Shape.Circle -> Shape.Circle(centre, max(radius(side, to), MIN_SIDE / 2))
@@ -34,7 +37,10 @@ private fun resizedRectangle(rectangle: Shape.Rectangle, side: SizeSide, to: Poi
 private fun stretched(side: Double, to: Double, towards: Int): Double =
     if (towards == 0) side else max(side / 2 + to * towards, MIN_SIDE)
 
-/** How much larger all within [frame] becomes when its corner at [side] is drawn to [to], the one across from it staying. */
+/**
+ * How much larger all within [frame] becomes when its corner at [side] is drawn to [to], the one across from it
+ * staying.
+ */
 internal fun factorFor(frame: Frame, side: SizeSide, to: Point): Double {
     val seen = frame.seen(to)
     val wide = if (frame.width > 0) HALF + seen.x * side.across / frame.width else 0.0

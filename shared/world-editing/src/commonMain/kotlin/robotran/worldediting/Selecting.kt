@@ -18,7 +18,14 @@ fun World.thingsWithin(area: Bounds): Set<ElementRef> =
 fun World.listed(): List<ElementRef> = LISTED.flatMap { kind -> List(count(kind)) { ElementRef(kind, it) } }
 
 private val LISTED = listOf(
-    ElementKind.ROBOT, ElementKind.WALL, ElementKind.BARRIER, ElementKind.BLOCK, ElementKind.MARK, ElementKind.STROKE, ElementKind.LAMP, ElementKind.GOAL,
+    ElementKind.ROBOT,
+    ElementKind.WALL,
+    ElementKind.BARRIER,
+    ElementKind.BLOCK,
+    ElementKind.MARK,
+    ElementKind.STROKE,
+    ElementKind.LAMP,
+    ElementKind.GOAL,
 )
 
 /** [things] and all that are in one group with any of them. */

@@ -40,9 +40,13 @@ internal fun World.snapLines(moving: Set<ElementRef>): SnapLines {
     )
 }
 
-/** The same for a single point: also the points of other lines and polygons, so that walls meet, and those next to it. */
+/**
+ * The same for a single point: also the points of other lines and polygons, so that walls meet, and those next to it.
+ */
 internal fun World.cornerLines(moving: Set<ElementRef>, neighbours: List<Point>): SnapLines {
-    val others = things().filter { it !in moving }.take(MAX_OTHERS).mapNotNull { piece(it)?.form }.flatMap { it.corners } + neighbours
+    val others =
+        things().filter { it !in moving }.take(MAX_OTHERS).mapNotNull { piece(it)?.form }.flatMap { it.corners } +
+            neighbours
     val edges = listOf(Point(0.0, 0.0), Point(paper.width, paper.height))
     return SnapLines((others + edges).map { it.x }, (others + edges).map { it.y })
 }

@@ -47,12 +47,14 @@ sealed interface ValidationError {
         override val thing: ElementRef? get() = null
 
         /** A sentence; empty if nothing is wrong with the world after all. */
-        fun message(language: Language): String = (readWorld(writeWorld(world), language) as? WorldFileResult.Rejected)?.message.orEmpty()
+        fun message(language: Language): String =
+            (readWorld(writeWorld(world), language) as? WorldFileResult.Rejected)?.message.orEmpty()
     }
 }
 
 /** What is to be seen at once of what is wrong with [world]. */
-fun plainTroubles(world: World): List<ValidationError> = startTroubles(world) + shapeTroubles(world) + goalTroubles(world)
+fun plainTroubles(world: World): List<ValidationError> =
+    startTroubles(world) + shapeTroubles(world) + goalTroubles(world)
 
 /** All that is wrong with [world]: if this is empty, a file of it can be read again. */
 fun troublesOf(world: World): List<ValidationError> = plainTroubles(world).ifEmpty {
@@ -66,7 +68,10 @@ private fun startTroubles(world: World): List<ValidationError> {
     val robots = world.robots.map { outline(it.start) }
     val obstacles: List<Pair<ElementRef, Outline>> =
         world.walls.mapIndexed { number, wall -> ElementRef(ElementKind.WALL, number) to outline(wall) } +
-            world.barriers.mapIndexed { number, barrier -> ElementRef(ElementKind.BARRIER, number) to flat(barrier.shape) } +
+            world.barriers.mapIndexed { number, barrier ->
+                ElementRef(ElementKind.BARRIER, number) to
+                    flat(barrier.shape)
+            } +
             world.blocks.mapIndexed { number, block -> ElementRef(ElementKind.BLOCK, number) to flat(block.shape) }
     return robots.flatMapIndexed { number, robot ->
         val thing = ElementRef(ElementKind.ROBOT, number)

@@ -20,7 +20,9 @@ fun World.count(kind: ElementKind): Int = when (kind) {
 }
 
 /** Everything in the world, the lowest first, those of a kind in their own order. */
-fun World.things(): List<ElementRef> = ElementKind.entries.flatMap { kind -> List(count(kind)) { ElementRef(kind, it) } }
+fun World.things(): List<ElementRef> = ElementKind.entries.flatMap { kind ->
+    List(count(kind)) { ElementRef(kind, it) }
+}
 
 /** What [thing] is like; null if there is no such thing. */
 fun World.piece(thing: ElementRef): Element? = when (thing.kind) {
@@ -37,24 +39,55 @@ fun World.piece(thing: ElementRef): Element? = when (thing.kind) {
 /** This world with [piece] where [number] of its kind was; the parts of a group of goals stay as they are. */
 internal fun World.with(number: Int, piece: Element): World = when (piece) {
     is Element.OfRobot -> copy(robots = robots.with(number, piece.robot))
+
     is Element.OfWall -> copy(walls = walls.with(number, piece.wall))
+
     is Element.OfBarrier -> copy(barriers = barriers.with(number, piece.barrier))
+
     is Element.OfBlock -> copy(blocks = blocks.with(number, piece.block))
+
     is Element.OfMark -> copy(marks = marks.with(number, piece.mark))
+
     is Element.OfLamp -> copy(lamps = lamps.with(number, piece.lamp))
+
     is Element.OfStroke -> copy(template = template?.copy(strokes = strokes.with(number, piece.points)))
-    is Element.OfGoal -> copy(goals = goals.changed { place, goal -> if (place == number) piece.goal.withParts(goal.parts) else goal })
+
+    is Element.OfGoal -> copy(
+        goals = goals.changed { place, goal ->
+            if (place ==
+                number
+            ) {
+                piece.goal.withParts(goal.parts)
+            } else {
+                goal
+            }
+        },
+    )
 }
 
 /** This world with [piece] on top of the others of its kind. */
 internal fun World.plus(piece: Element): World = when (piece) {
     is Element.OfRobot -> copy(robots = robots + piece.robot)
+
     is Element.OfWall -> copy(walls = walls + piece.wall)
+
     is Element.OfBarrier -> copy(barriers = barriers + piece.barrier)
+
     is Element.OfBlock -> copy(blocks = blocks + piece.block)
+
     is Element.OfMark -> copy(marks = marks + piece.mark)
+
     is Element.OfLamp -> copy(lamps = lamps + piece.lamp)
-    is Element.OfStroke -> copy(template = (template ?: Template(emptyList())).let { it.copy(strokes = it.strokes + listOf(piece.points)) })
+
+    is Element.OfStroke -> copy(
+        template = (template ?: Template(emptyList())).let {
+            it.copy(
+                strokes =
+                    it.strokes + listOf(piece.points),
+            )
+        },
+    )
+
     is Element.OfGoal -> copy(goals = goals + piece.goal)
 }
 
@@ -68,10 +101,20 @@ internal fun World.without(things: Set<ElementRef>): World {
         blocks = blocks.without(ElementKind.BLOCK),
         marks = marks.without(ElementKind.MARK),
         lamps = lamps.without(ElementKind.LAMP),
-        template = template?.let { it.copy(strokes = it.strokes.without(ElementKind.STROKE)) }?.takeIf { it.strokes.isNotEmpty() },
+        template = template?.let {
+            it.copy(strokes = it.strokes.without(ElementKind.STROKE))
+        }?.takeIf { it.strokes.isNotEmpty() },
         goals = goals.changed { number, goal -> goal.takeIf { ElementRef(ElementKind.GOAL, number) !in things } },
     )
 }
 
 /** This list with [item] at [place], if there is such a place. */
-internal fun <T> List<T>.with(place: Int, item: T): List<T> = mapIndexed { number, old -> if (number == place) item else old }
+internal fun <T> List<T>.with(place: Int, item: T): List<T> = mapIndexed { number, old ->
+    if (number ==
+        place
+    ) {
+        item
+    } else {
+        old
+    }
+}

@@ -20,7 +20,9 @@ class AddingTest {
 
     @Test
     fun `one of each on one sheet can be kept, wherever they are put`() {
-        val full = PaletteItem.entries.fold(emptySheet()) { now, item -> now.after(Edit.Put(item.piece(now.world), Point(60.0, 45.0))) }
+        val full = PaletteItem.entries.fold(emptySheet()) { now, item ->
+            now.after(Edit.Put(item.piece(now.world), Point(60.0, 45.0)))
+        }
         assertEquals(PaletteItem.entries.size + 1, full.world.things().size)
         full.assertSound()
     }
@@ -35,7 +37,9 @@ class AddingTest {
 
     @Test
     fun `each new robot has a colour and a name of its own`() {
-        val robots = (1..7).fold(emptySheet()) { now, _ -> now.after(Edit.Put(PaletteItem.ROBOT.piece(now.world), Point(60.0, 45.0))) }
+        val robots = (1..7).fold(emptySheet()) { now, _ ->
+            now.after(Edit.Put(PaletteItem.ROBOT.piece(now.world), Point(60.0, 45.0)))
+        }
         assertEquals(8, robots.world.robots.map { it.colour }.toSet().size)
         assertEquals(8, robots.world.robots.map { it.name }.toSet().size)
         val ninth = robots.after(Edit.Put(PaletteItem.ROBOT.piece(robots.world), Point(60.0, 45.0)))

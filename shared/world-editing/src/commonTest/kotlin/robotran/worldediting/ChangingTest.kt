@@ -15,7 +15,9 @@ class ChangingTest {
     fun `typing a title is one step until it is settled`() {
         val figures = emptySheet().world.figures
         val typed = emptySheet().after(
-            Edit.ChangeSheet(figures.copy(title = "A")), Edit.ChangeSheet(figures.copy(title = "Ab")), Edit.FinishChange,
+            Edit.ChangeSheet(figures.copy(title = "A")),
+            Edit.ChangeSheet(figures.copy(title = "Ab")),
+            Edit.FinishChange,
             Edit.ChangeSheet(figures.copy(title = "Ab", seed = 7)),
         )
         assertEquals(2, typed.history.past.size)
@@ -29,10 +31,19 @@ class ChangingTest {
         val sheet = emptySheet()
         val figures = sheet.world.figures
         val impossible = listOf(
-            figures.copy(title = " "), figures.copy(title = "x".repeat(101)), figures.copy(title = "a\nb"),
-            figures.copy(task = "a\tb"), figures.copy(task = "x".repeat(1001)), figures.copy(width = 19.0), figures.copy(height = 1001.0),
-            figures.copy(ambientLight = -1.0), figures.copy(temperature = 51.0), figures.copy(timeLimit = 0),
-            figures.copy(realism = 1.1), figures.copy(seed = -1), figures.copy(width = Double.NaN),
+            figures.copy(title = " "),
+            figures.copy(title = "x".repeat(101)),
+            figures.copy(title = "a\nb"),
+            figures.copy(task = "a\tb"),
+            figures.copy(task = "x".repeat(1001)),
+            figures.copy(width = 19.0),
+            figures.copy(height = 1001.0),
+            figures.copy(ambientLight = -1.0),
+            figures.copy(temperature = 51.0),
+            figures.copy(timeLimit = 0),
+            figures.copy(realism = 1.1),
+            figures.copy(seed = -1),
+            figures.copy(width = Double.NaN),
         )
         for (wanted in impossible) {
             val refused = sheet.after(Edit.ChangeSheet(wanted))
@@ -66,7 +77,12 @@ class ChangingTest {
     @Test
     fun `a robot in a wall or beside the paper is told of until it is mended, and the paper may still shrink`() {
         val wall = emptySheet().with(PaletteItem.WALL, 80.0, 45.0).after(Edit.Nudge(-50.0, 0.0))
-        assertEquals(listOf<ValidationError>(ValidationError.Obstructed(ElementRef(ElementKind.ROBOT, 0), ElementRef(ElementKind.WALL, 0))), wall.errors)
+        assertEquals(
+            listOf<ValidationError>(
+                ValidationError.Obstructed(ElementRef(ElementKind.ROBOT, 0), ElementRef(ElementKind.WALL, 0)),
+            ),
+            wall.errors,
+        )
         wall.after(Edit.Delete).assertSound()
         val narrow = emptySheet().after(Edit.ChangeSheet(emptySheet().world.figures.copy(width = 25.0)))
         assertEquals(listOf<ValidationError>(ValidationError.OffPaper(ElementRef(ElementKind.ROBOT, 0))), narrow.errors)
@@ -75,9 +91,16 @@ class ChangingTest {
     @Test
     fun `what a file says beyond what is known stays with its thing`() {
         val box = emptySheet().with(PaletteItem.BOX, 80.0, 45.0)
-        val barrier = (box.chosenPiece as Element.OfBarrier).barrier.copy(unknown = UnknownFields(mapOf("paint" to JsonPrimitive("wet"))))
+        val barrier = (box.chosenPiece as Element.OfBarrier).barrier.copy(
+            unknown = UnknownFields(mapOf("paint" to JsonPrimitive("wet"))),
+        )
         val marked = box.after(Edit.Change(checkNotNull(box.only), Element.OfBarrier(barrier)))
-        val copied = marked.after(Edit.Nudge(1.0, 1.0), Edit.TurnBy(30.0), Edit.MakeCorners(checkNotNull(marked.only)), Edit.Duplicate)
+        val copied = marked.after(
+            Edit.Nudge(1.0, 1.0),
+            Edit.TurnBy(30.0),
+            Edit.MakeCorners(checkNotNull(marked.only)),
+            Edit.Duplicate,
+        )
         assertEquals(List(2) { barrier.unknown }, copied.world.barriers.map { it.unknown })
         copied.assertSound()
     }
@@ -115,7 +138,12 @@ class ChangingTest {
 
     @Test
     fun `undoing goes back at most so many steps`() {
-        val moved = (1..History.MAX_STEPS + 20).fold(emptySheet().after(Edit.Choose(ElementRef(ElementKind.ROBOT, 0)))) { now, number ->
+        val moved = (1..History.MAX_STEPS + 20).fold(
+            emptySheet().after(Edit.Choose(ElementRef(ElementKind.ROBOT, 0))),
+        ) {
+            now,
+            number,
+            ->
             now.after(Edit.Nudge(if (number % 2 == 0) 1.0 else -1.0, 0.0))
         }
         assertEquals(History.MAX_STEPS, moved.history.past.size)

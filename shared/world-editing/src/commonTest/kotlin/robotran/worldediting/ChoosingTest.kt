@@ -51,17 +51,28 @@ class ChoosingTest {
 
     @Test
     fun `a group survives that something else is deleted`() {
-        val three = emptySheet().with(PaletteItem.DOT, 60.0, 20.0).with(PaletteItem.DOT, 80.0, 20.0).with(PaletteItem.DOT, 100.0, 20.0)
+        val three = emptySheet().with(
+            PaletteItem.DOT,
+            60.0,
+            20.0,
+        ).with(PaletteItem.DOT, 80.0, 20.0).with(PaletteItem.DOT, 100.0, 20.0)
         val grouped = three.after(
-            Edit.Choose(ElementRef(ElementKind.MARK, 1)), Edit.Choose(ElementRef(ElementKind.MARK, 2), adding = true), Edit.Group,
-            Edit.Choose(ElementRef(ElementKind.MARK, 0)), Edit.Delete,
+            Edit.Choose(ElementRef(ElementKind.MARK, 1)),
+            Edit.Choose(ElementRef(ElementKind.MARK, 2), adding = true),
+            Edit.Group,
+            Edit.Choose(ElementRef(ElementKind.MARK, 0)),
+            Edit.Delete,
         )
         assertEquals(listOf(setOf(ElementRef(ElementKind.MARK, 0), ElementRef(ElementKind.MARK, 1))), grouped.groups)
     }
 
     @Test
     fun `marks change their order and stay chosen`() {
-        val three = emptySheet().with(PaletteItem.DOT, 60.0, 20.0).with(PaletteItem.AREA, 80.0, 20.0).with(PaletteItem.LINE, 100.0, 20.0)
+        val three = emptySheet().with(
+            PaletteItem.DOT,
+            60.0,
+            20.0,
+        ).with(PaletteItem.AREA, 80.0, 20.0).with(PaletteItem.LINE, 100.0, 20.0)
         val top = three.world.marks.last()
         val back = three.after(Edit.Restack(StackOrder.TO_BACK))
         assertEquals(top, back.world.marks.first())

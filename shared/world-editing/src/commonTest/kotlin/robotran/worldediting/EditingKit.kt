@@ -34,7 +34,9 @@ internal fun WorldEditing.assertSound() {
     assertEquals(WorldFileResult.Loaded(world), readWorld(writeWorld(world)))
 }
 
-internal fun assertNear(expected: Point, actual: Point) =
-    assertTrue(robotran.world.geometry.length(expected.x - actual.x, expected.y - actual.y) < 0.01, "$actual is not $expected")
+internal fun assertNear(expected: Point, actual: Point) = assertTrue(
+    robotran.world.geometry.length(expected.x - actual.x, expected.y - actual.y) < 0.01,
+    "$actual is not $expected",
+)
 
 internal const val REACH = 1.5

@@ -33,8 +33,16 @@ class GoalsTest {
         val line = ElementRef(ElementKind.MARK, 0)
         val named = sheet.after(Edit.Change(line, checkNotNull(sheet.world.piece(line)).named("loop")))
         val simple = listOf(
-            NeverTouch(), DrawTemplate(), InkLength(10.0, null), FollowLine("loop"), EndWithin(9),
-            ShowOnDisplay("HI"), PlaySound(), InOrder(listOf(beep, end)), All(listOf(beep)), AnyOf(listOf(beep)),
+            NeverTouch(),
+            DrawTemplate(),
+            InkLength(10.0, null),
+            FollowLine("loop"),
+            EndWithin(9),
+            ShowOnDisplay("HI"),
+            PlaySound(),
+            InOrder(listOf(beep, end)),
+            All(listOf(beep)),
+            AnyOf(listOf(beep)),
         ).map { Goal(it) }
         val all = simple.fold(named) { now, goal -> now.after(Edit.AddGoal(goal)) }
             .with(PaletteItem.GOAL_AREA, 20.0, 20.0).with(PaletteItem.FORBIDDEN_AREA, 60.0, 20.0)
@@ -60,13 +68,19 @@ class GoalsTest {
 
     @Test
     fun `a group goes with its last goal`() {
-        val wrapped = two.after(Edit.WrapGoal(0, GoalGroup.ANY_OF), Edit.Choose(ElementRef(ElementKind.GOAL, 1)), Edit.Delete)
+        val wrapped = two.after(
+            Edit.WrapGoal(0, GoalGroup.ANY_OF),
+            Edit.Choose(ElementRef(ElementKind.GOAL, 1)),
+            Edit.Delete,
+        )
         assertEquals(listOf<Goal>(end), wrapped.world.goals)
     }
 
     @Test
     fun `goals lie at most four deep`() {
-        val deep = (1..3).fold(emptySheet().after(Edit.AddGoal(beep))) { now, _ -> now.after(Edit.WrapGoal(0, GoalGroup.ALL)) }
+        val deep = (1..3).fold(emptySheet().after(Edit.AddGoal(beep))) { now, _ ->
+            now.after(Edit.WrapGoal(0, GoalGroup.ALL))
+        }
         deep.assertSound()
         assertEquals(EditError.TooDeep, deep.after(Edit.WrapGoal(0, GoalGroup.ALL)).error)
     }
@@ -90,11 +104,17 @@ class GoalsTest {
         val thing = ElementRef(ElementKind.BLOCK, 0)
         val box = block.after(Edit.Change(thing, block.chosenPiece.named("box")))
         val reach = (PaletteItem.GOAL_AREA.piece(box.world) as Element.OfGoal).goal.withWho("box")
-        val goal = box.after(Edit.AddGoal(reach), Edit.Change(thing, checkNotNull(box.world.piece(thing)).named("crate")))
+        val goal = box.after(
+            Edit.AddGoal(reach),
+            Edit.Change(thing, checkNotNull(box.world.piece(thing)).named("crate")),
+        )
         assertEquals("crate", goal.world.goals.single().who)
         goal.assertSound()
         val gone = goal.after(Edit.Choose(thing), Edit.Delete)
-        assertEquals(listOf<ValidationError>(ValidationError.MissingActor(ElementRef(ElementKind.GOAL, 0), "crate")), gone.errors)
+        assertEquals(
+            listOf<ValidationError>(ValidationError.MissingActor(ElementRef(ElementKind.GOAL, 0), "crate")),
+            gone.errors,
+        )
         gone.after(Edit.Undo).assertSound()
     }
 

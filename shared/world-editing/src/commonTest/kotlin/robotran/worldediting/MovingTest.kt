@@ -23,7 +23,9 @@ class MovingTest {
 
     @Test
     fun `without a grid and others it follows exactly`() {
-        val moved = box.after(Edit.Snap(Snapping(0.0, 0.0, toOthers = false))).drag(DragHandle.Body, Point(80.0, 45.0), Point(84.4, 38.3))
+        val moved = box.after(
+            Edit.Snap(Snapping(0.0, 0.0, toOthers = false)),
+        ).drag(DragHandle.Body, Point(80.0, 45.0), Point(84.4, 38.3))
         assertNear(Point(84.4, 38.3), moved.chosenForm.middle)
     }
 
@@ -38,7 +40,11 @@ class MovingTest {
 
     @Test
     fun `what is let go comes back and is no step`() {
-        val back = box.after(Edit.Grab(DragHandle.Body, Point(80.0, 45.0)), Edit.DragTo(Point(20.0, 20.0), REACH), Edit.LetGo)
+        val back = box.after(
+            Edit.Grab(DragHandle.Body, Point(80.0, 45.0)),
+            Edit.DragTo(Point(20.0, 20.0), REACH),
+            Edit.LetGo,
+        )
         assertEquals(box.world, back.world)
         assertEquals(box.history, back.history)
     }
@@ -73,7 +79,11 @@ class MovingTest {
     @Test
     fun `a circle grows about its middle and never vanishes`() {
         val dot = emptySheet().with(PaletteItem.DOT, 80.0, 45.0)
-        val larger = dot.drag(DragHandle.Size(SizeSide.TOP), dot.handle(DragHandle.Size(SizeSide.TOP)), Point(80.0, 55.0))
+        val larger = dot.drag(
+            DragHandle.Size(SizeSide.TOP),
+            dot.handle(DragHandle.Size(SizeSide.TOP)),
+            Point(80.0, 55.0),
+        )
         assertEquals(Shape.Circle(Point(80.0, 45.0), 10.0), (larger.chosenForm as Form.Area).shape)
         val min = dot.drag(DragHandle.Size(SizeSide.TOP), dot.handle(DragHandle.Size(SizeSide.TOP)), Point(80.0, 20.0))
         assertTrue(((min.chosenForm as Form.Area).shape as Shape.Circle).radius >= WorldLimits.MINIMUM_THICKNESS)
@@ -86,7 +96,8 @@ class MovingTest {
         val turned = box.drag(DragHandle.Turn, top, Point(80.0 - 10, 45.0 + 9))
         assertEquals(45.0, ((turned.chosenForm as Form.Area).shape as Shape.Rectangle).angle)
         val free = box.after(Edit.Snap(Snapping(angle = 0.0))).drag(
-            DragHandle.Turn, top,
+            DragHandle.Turn,
+            top,
             Point(80.0, 45.0).let {
                 Point(
                     it.x - 1.75,
@@ -105,7 +116,12 @@ class MovingTest {
         val moved = turned.drag(DragHandle.Body, Point(31.0, 44.0), Point(41.0, 44.0))
         assertEquals(Pose(40.0, 45.0, 90.0), moved.world.start)
         val robotNow = (moved.chosenPiece as Element.OfRobot).robot
-        val facing = moved.after(Edit.Change(ElementRef(ElementKind.ROBOT, 0), Element.OfRobot(robotNow.copy(lightFacing = LightFacing.FORWARD))))
+        val facing = moved.after(
+            Edit.Change(
+                ElementRef(ElementKind.ROBOT, 0),
+                Element.OfRobot(robotNow.copy(lightFacing = LightFacing.FORWARD)),
+            ),
+        )
         assertEquals(LightFacing.FORWARD, facing.world.robots.first().lightFacing)
         facing.assertSound()
     }
@@ -135,7 +151,10 @@ class MovingTest {
         val square = box.after(Edit.MakeCorners(checkNotNull(box.only)))
         assertEquals(4, square.chosenForm.corners.size)
         val tangled = square.after(Edit.MoveCorner(checkNotNull(square.only), 0, Point(80.0, 60.0)))
-        assertEquals(listOf<ValidationError>(ValidationError.SelfIntersecting(ElementRef(ElementKind.BARRIER, 0))), tangled.errors)
+        assertEquals(
+            listOf<ValidationError>(ValidationError.SelfIntersecting(ElementRef(ElementKind.BARRIER, 0))),
+            tangled.errors,
+        )
         tangled.after(Edit.Undo).assertSound()
     }
 
@@ -163,7 +182,11 @@ class MovingTest {
 
     @Test
     fun `things are put in one line with each other and one alone with the paper`() {
-        val two = box.with(PaletteItem.DOT, 50.0, 20.0).after(Edit.ChooseAll, Edit.Choose(ElementRef(ElementKind.ROBOT, 0), adding = true))
+        val two = box.with(
+            PaletteItem.DOT,
+            50.0,
+            20.0,
+        ).after(Edit.ChooseAll, Edit.Choose(ElementRef(ElementKind.ROBOT, 0), adding = true))
         val left = two.after(Edit.Align(AlignSide.LEFT))
         assertEquals(listOf(44.0, 44.0), left.selection.map { checkNotNull(left.world.piece(it)?.form).bounds.left })
         val middle = box.after(Edit.Align(AlignSide.CENTRE), Edit.Align(AlignSide.TOP))
@@ -174,7 +197,11 @@ class MovingTest {
     fun `a heading is found as it is on every platform`() {
         val from = Point(3.0, 4.0)
         val headings = listOf(
-            Point(5.0, 4.0) to 0.0, Point(3.0, 6.0) to 90.0, Point(0.0, 4.0) to 180.0, Point(3.0, 0.0) to -90.0, Point(4.0, 3.0) to -45.0,
+            Point(5.0, 4.0) to 0.0,
+            Point(3.0, 6.0) to 90.0,
+            Point(0.0, 4.0) to 180.0,
+            Point(3.0, 0.0) to -90.0,
+            Point(4.0, 3.0) to -45.0,
         )
         for ((to, heading) in headings) assertEquals(heading, headingTo(from, to))
         assertEquals(26.6, headingTo(from, Point(5.0, 5.0)))

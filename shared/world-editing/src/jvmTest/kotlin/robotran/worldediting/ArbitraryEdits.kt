@@ -16,41 +16,83 @@ import kotlin.random.Random
 internal class ArbitraryEdits(private val random: Random) {
     fun edit(): Edit = when (random.nextInt(KINDS)) {
         0 -> Edit.TapAt(place(), 2.0, random.nextBoolean())
+
         1 -> Edit.Choose(thing(), random.nextBoolean())
+
         2 -> Edit.ChooseWithin(area(), random.nextBoolean())
+
         3 -> Edit.ChooseAll
+
         4 -> Edit.ChooseNext(random.nextBoolean())
+
         5 -> Edit.Grab(grip(), place())
+
         6, 7 -> Edit.DragTo(place(), random.nextDouble(3.0))
+
         8 -> if (random.nextBoolean()) Edit.Drop else Edit.LetGo
+
         9 -> Edit.Draw(List(random.nextInt(5)) { place() })
+
         10 -> Edit.Nudge(number(), number())
+
         11 -> Edit.TurnBy(random.nextDouble(-800.0, 800.0))
+
         12 -> Edit.ScaleBy(random.nextDouble(0.2, 3.0))
+
         13 -> Edit.Duplicate
+
         14 -> Edit.Delete
+
         15 -> if (random.nextBoolean()) Edit.Copy else Edit.Paste(place().takeIf { random.nextBoolean() })
+
         16 -> if (random.nextBoolean()) Edit.Group else Edit.Ungroup
+
         17 -> Edit.Align(AlignSide.entries.random(random))
+
         18 -> Edit.Restack(StackOrder.entries.random(random))
+
         19, 20 -> Edit.Put(PaletteItem.entries.random(random).piece(SHEET), place())
-        21 -> PaletteItem.entries.random(random).piece(SHEET).named(name()).let { Edit.Change(ElementRef(it.kind, random.nextInt(4)), it) }
+
+        21 -> PaletteItem.entries.random(random).piece(SHEET).named(name()).let {
+            Edit.Change(ElementRef(it.kind, random.nextInt(4)), it)
+        }
+
         22 -> Edit.MoveCorner(thing(), random.nextInt(-1, 6), place())
+
         23 -> Edit.AddCorner(thing(), random.nextInt(-1, 6))
+
         24 -> Edit.RemoveCorner(thing(), random.nextInt(-1, 6))
+
         25 -> Edit.MakeCorners(thing())
+
         26 -> Edit.AddGoal(goal(), random.nextInt(5).takeIf { random.nextBoolean() })
+
         27 -> Edit.MoveGoal(random.nextInt(-1, 6), GoalMove.entries.random(random))
+
         28 -> Edit.WrapGoal(random.nextInt(-1, 6), GoalGroup.entries.random(random))
+
         29 -> Edit.UnwrapGoal(random.nextInt(-1, 6))
-        30 -> Edit.ChangeSheet(SHEET.figures.copy(title = name().orEmpty(), width = number(), realism = random.nextDouble(1.2)))
+
+        30 -> Edit.ChangeSheet(
+            SHEET.figures.copy(title = name().orEmpty(), width = number(), realism = random.nextDouble(1.2)),
+        )
+
         31 -> Edit.ChooseTool(Tool.entries.random(random))
+
         32 -> Edit.ChooseSeveral(random.nextBoolean())
-        33 -> Edit.Snap(Snapping(listOf(0.0, 0.5, 1.0).random(random), listOf(0.0, 15.0).random(random), random.nextBoolean()))
+
+        33 -> Edit.Snap(
+            Snapping(listOf(0.0, 0.5, 1.0).random(random), listOf(0.0, 15.0).random(random), random.nextBoolean()),
+        )
+
         34 -> Edit.FinishChange
+
         35 -> Edit.Batch(List(random.nextInt(3)) { edit() })
+
         36 -> Edit.Undo
+
         37 -> Edit.Redo
+
         else -> if (random.nextInt(10) == 0) Edit.NewWorld("New") else Edit.FinishChange
     }
 
@@ -77,7 +119,14 @@ internal class ArbitraryEdits(private val random: Random) {
 
     private fun place() = Point(number(), number())
 
-    private fun area(): Bounds = place().let { Bounds(it.x, it.y, it.x + random.nextDouble(100.0), it.y + random.nextDouble(100.0)) }
+    private fun area(): Bounds = place().let {
+        Bounds(
+            it.x,
+            it.y,
+            it.x + random.nextDouble(100.0),
+            it.y + random.nextDouble(100.0),
+        )
+    }
 
     private fun number(): Double = when (random.nextInt(10)) {
         0 -> random.nextDouble(-3000.0, 3000.0)

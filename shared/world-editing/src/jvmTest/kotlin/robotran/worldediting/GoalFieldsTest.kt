@@ -13,7 +13,9 @@ import kotlin.test.assertNotEquals
 import kotlin.test.assertNull
 
 class GoalFieldsTest {
-    private val kinds = GoalCondition::class.java.declaredClasses.filter(GoalCondition::class.java::isAssignableFrom).toSet()
+    private val kinds = GoalCondition::class.java.declaredClasses.filter(
+        GoalCondition::class.java::isAssignableFrom,
+    ).toSet()
     private val conditions = newGoals(emptySheet().world).map { it.condition }
 
     @Test
@@ -37,7 +39,13 @@ class GoalFieldsTest {
         for (condition in conditions) {
             for (field in fieldsOf(condition).filterIsInstance<GoalField.Number>()) {
                 val (lowest, highest) = field.spec.range.run { start to endInclusive }
-                assertEquals(listOf(null, null), listOf(lowest, highest).map { refusalOf(Goal(field.with(it))) }, "$condition")
+                assertEquals(
+                    listOf(null, null),
+                    listOf(lowest, highest).map {
+                        refusalOf(Goal(field.with(it)))
+                    },
+                    "$condition",
+                )
                 val beyond = listOf(lowest - 1, highest + 1).map { refusalOf(Goal(field.with(it))) }
                 assertEquals(listOf<EditError?>(EditError.OutOfRange, EditError.OutOfRange), beyond, "$condition")
             }
@@ -46,7 +54,8 @@ class GoalFieldsTest {
 
     @Test
     fun `a number that is turned on begins as one that a world can have`() {
-        val bounds = listOf(InkLength(5.0, null), InkLength(null, 5.0), PlaySound(lowest = 9000), PlaySound(highest = 50))
+        val bounds =
+            listOf(InkLength(5.0, null), InkLength(null, 5.0), PlaySound(lowest = 9000), PlaySound(highest = 50))
         for (condition in conditions + bounds) {
             for (field in fieldsOf(condition).filterIsInstance<GoalField.OptionalNumber>()) {
                 assertNull(refusalOf(Goal(field.with(field.default))), "${field.name} of $condition")
@@ -64,7 +73,9 @@ class GoalFieldsTest {
     fun `the time limit of the world is what a goal begins with`() {
         val world = emptySheet().world.copy(timeLimit = World.DEFAULT_TIME_LIMIT + 7)
         for (condition in conditions) {
-            val within = fieldsOf(condition, world.timeLimit).find { it.name == GoalFieldName.WITHIN } as? GoalField.OptionalNumber
+            val within = fieldsOf(condition, world.timeLimit).find {
+                it.name == GoalFieldName.WITHIN
+            } as? GoalField.OptionalNumber
             if (within != null) assertEquals(world.timeLimit.toDouble(), within.default)
         }
     }

@@ -27,7 +27,8 @@ data class Goal(
     val who: String? get() = (condition as? HasActor)?.who
 
     /** The same goal with these parts; the goal itself if it is no group. */
-    fun withParts(parts: List<Goal>): Goal = if (condition is HasParts) copy(condition = condition.withGoals(parts)) else this
+    fun withParts(parts: List<Goal>): Goal =
+        if (condition is HasParts) copy(condition = condition.withGoals(parts)) else this
 
     /** The same goal for [who], where it is about somebody. */
     fun withWho(who: String?): Goal = if (condition is HasActor) copy(condition = condition.withWho(who)) else this

@@ -5,9 +5,9 @@ import robotran.world.geometry.Shape
 /**
  * What has to come true for a [Goal] to be met.
  *
- * Some are met at a moment: [Reach], [FollowLine], [EndWithin], [ShowOnDisplay], [PlaySound], an [InkLength] without an upper bound. The
- * others must hold from beginning to end, so they are met only when the run is over: [StayOut], [StayIn], [NeverTouch], what is drawn in
- * [DrawTemplate] and in an [InkLength] with an upper bound.
+ * Some are met at a moment: [Reach], [FollowLine], [EndWithin], [ShowOnDisplay], [PlaySound], an [InkLength] without an
+ * upper bound. The others must hold from beginning to end, so they are met only when the run is over: [StayOut],
+ * [StayIn], [NeverTouch], what is drawn in [DrawTemplate] and in an [InkLength] with an upper bound.
  *
  * A condition about somebody or something that is not there ([HasActor], [HasLine], [NeedsTemplate]) cannot be met.
  */
@@ -18,7 +18,8 @@ sealed interface GoalCondition {
     /**
      * To bring a robot or a block to a region.
      *
-     * @property stays whether it must be there at the end of the run, having come by [within] for the last time; otherwise having been there is enough.
+     * @property stays whether it must be there at the end of the run, having come by [within] for the last time;
+     * otherwise having been there is enough.
      */
     data class Reach(
         override val region: Shape,
@@ -71,7 +72,8 @@ sealed interface GoalCondition {
     }
 
     /** Never to touch anything of these kinds, with any part of the robot. */
-    data class NeverTouch(val what: Set<TouchKind> = TouchKind.entries.toSet(), override val who: String? = null) : HasActor {
+    data class NeverTouch(val what: Set<TouchKind> = TouchKind.entries.toSet(), override val who: String? = null) :
+        HasActor {
         override fun withWho(who: String?) = copy(who = who)
     }
 
@@ -82,21 +84,20 @@ sealed interface GoalCondition {
      * @property coverage how much of the template must have ink within the tolerance, 0..1.
      * @property excess how much ink may lie beyond the tolerance, as a part of the template's length.
      */
-    data class DrawTemplate(
-        val tolerance: Double = 1.0,
-        val coverage: Double = 0.9,
-        val excess: Double = 0.1,
-    ) : NeedsTemplate
+    data class DrawTemplate(val tolerance: Double = 1.0, val coverage: Double = 0.9, val excess: Double = 0.1) :
+        NeedsTemplate
 
     /** To draw so many centimetres, all robots together; either bound may be null, but not both. */
     data class InkLength(val atLeast: Double?, val atMost: Double?) : GoalCondition
 
     /**
-     * To drive along a mark that is a line, from wherever the robot meets it, in either direction, without a leap: who leaves the line comes back
-     * to it near where he left it, or begins the lap anew. Driving to and fro is no way.
+     * To drive along a mark that is a line, from wherever the robot meets it, in either direction, without a leap: who
+     * leaves the line comes back to it near where he left it, or begins the lap anew. Driving to and fro is no way.
      *
-     * @property laps how often round, or for an open line how often from one end to the other; the last few centimetres are given away.
-     * @property tolerance how far beside the line's middle the robot's light sensor may be for the way to count, in centimetres.
+     * @property laps how often round, or for an open line how often from one end to the other; the last few centimetres
+     * are given away.
+     * @property tolerance how far beside the line's middle the robot's light sensor may be for the way to count, in
+     * centimetres.
      */
     data class FollowLine(
         override val line: String,
@@ -120,16 +121,17 @@ sealed interface GoalCondition {
     }
 
     /**
-     * The display must show this text at some time while the program runs, for a hundredth of a second at least. What counts as shown is told at
-     * [robotran.rcxrom.display.LcdGlass.shows]; what the firmware has left there does not.
+     * The display must show this text at some time while the program runs, for a hundredth of a second at least. What
+     * counts as shown is told at [robotran.rcxrom.display.LcdGlass.shows]; what the firmware has left there does not.
      */
     data class ShowOnDisplay(val text: String, override val who: String? = null) : HasActor {
         override fun withWho(who: String?) = copy(who = who)
     }
 
     /**
-     * The program must have played so many tones, of any pitch or of one from [lowest] to [highest] hertz, give or take half a semitone, since a brick's
-     * timer cannot give every pitch. The sounds of the brick's own firmware do not count; a sound of several tones counts as often.
+     * The program must have played so many tones, of any pitch or of one from [lowest] to [highest] hertz, give or take
+     * half a semitone, since a brick's timer cannot give every pitch. The sounds of the brick's own firmware do not
+     * count; a sound of several tones counts as often.
      */
     data class PlaySound(
         val times: Int = 1,
@@ -141,8 +143,9 @@ sealed interface GoalCondition {
     }
 
     /**
-     * All of [goals], each to be begun only when the one before is met. What must never happen begins with its turn, holds from then on, and does
-     * not keep the next one waiting; a drawing lets the next one begin when enough is drawn.
+     * All of [goals], each to be begun only when the one before is met. What must never happen begins with its turn,
+     * holds from then on, and does not keep the next one waiting; a drawing lets the next one begin when enough is
+     * drawn.
      */
     data class InOrder(override val goals: List<Goal>) : HasParts {
         override val isOrdered: Boolean get() = true

@@ -2,7 +2,8 @@ package robotran.world
 
 import robotran.world.geometry.Shape
 
-// What kinds of conditions have in common. Whoever renames, moves, draws, checks or lists goals asks for these, never for a kind.
+// What kinds of conditions have in common. Whoever renames, moves, draws, checks or lists goals asks for these, never
+// for a kind.
 
 /** Is about a robot or a block. */
 sealed interface HasActor : GoalCondition {

@@ -3,14 +3,17 @@ package robotran.world
 import kotlin.math.PI
 
 /**
- * The penbot: every figure of its build and of how it moves. Lengths are in centimetres, times in milliseconds, speeds in
- * centimetres a second, masses in kilograms. Places on the robot are seen from the point halfway between the wheels, x forwards and
- * y to the left.
+ * The penbot: every figure of its build and of how it moves. Lengths are in centimetres, times in milliseconds, speeds
+ * in centimetres a second, masses in kilograms. Places on the robot are seen from the point halfway between the wheels,
+ * x forwards and y to the left.
  */
 object Penbot {
     // What Robolang's `forward` and `turn` count on.
 
-    /** Both motors at power 3 for this long drive one centimetre: 20 cm/s. A metre then takes 5 s, a slow TimingNavigator robot. */
+    /**
+     * Both motors at power 3 for this long drive one centimetre: 20 cm/s. A metre then takes 5 s, a slow
+     * TimingNavigator robot.
+     */
     const val MILLISECONDS_PER_CENTIMETRE = 50.0
 
     /** One motor forwards and one backwards at power 3 for this long turn one degree; a whole turn takes 1.8 s. */
@@ -26,7 +29,9 @@ object Penbot {
     const val WHEEL_WIDTH = 2.8
     const val WHEEL_CIRCUMFERENCE = PI * WHEEL_DIAMETER
 
-    /** Turns a minute of a gearmotor without load at 9 V, 330 to 380 measured by builders; geared down 1:3 to the wheel. */
+    /**
+     * Turns a minute of a gearmotor without load at 9 V, 330 to 380 measured by builders; geared down 1:3 to the wheel.
+     */
     const val MOTOR_NO_LOAD_SPEED = 340.0
     const val GEAR_REDUCTION = 3.0
 
@@ -38,23 +43,31 @@ object Penbot {
     const val TOP_SPEED = MOTOR_NO_LOAD_SPEED / GEAR_REDUCTION / 60.0 * WHEEL_CIRCUMFERENCE
 
     /**
-     * How quickly a motor comes to its speed, and to rest when it brakes. One figure for both, and for every braking power, so that
-     * what a wheel lacks at the start it makes up for at the end and a command of t ms drives exactly t / 50 cm. Shorter, and the tyres
-     * would slip when a turn follows a straight piece at once; longer, and the corners drawn would be round.
+     * How quickly a motor comes to its speed, and to rest when it brakes. One figure for both, and for every braking
+     * power, so that what a wheel lacks at the start it makes up for at the end and a command of t ms drives exactly t
+     * / 50 cm. Shorter, and the tyres would slip when a turn follows a straight piece at once; longer, and the corners
+     * drawn would be round.
      */
     const val MOTOR_LAG = 30.0
 
     /**
-     * What holds a motor fast that is always switched on, as a force at the tyre in kg cm/s2. A gearmotor stalls at about 6 N cm at 9 V, as measured by
-     * builders; times three for the gears, less 15 % for their friction, at a wheel of 2.48 cm radius: 6.2 N, more than twice what the tyre grips with. At power
-     * 2 and below it is the motor that gives in at a wall, above that the tyre slips.
+     * What holds a motor fast that is always switched on, as a force at the tyre in kg cm/s2. A gearmotor stalls at
+     * about 6 N cm at 9 V, as measured by builders; times three for the gears, less 15 % for their friction, at a wheel
+     * of 2.48 cm radius: 6.2 N, more than twice what the tyre grips with. At power 2 and below it is the motor that
+     * gives in at a wall, above that the tyre slips.
      */
     const val STALL_FORCE = 620.0
 
-    /** A load below this, in kg cm/s2, is not felt: it is the robot's own mass and castor in a curve, which the calibration includes. */
+    /**
+     * A load below this, in kg cm/s2, is not felt: it is the robot's own mass and castor in a curve, which the
+     * calibration includes.
+     */
     const val UNFELT_LOAD = 12.0
 
-    /** How quickly a wheel that floats loses speed to the friction of its gears, in cm/s each second: 20 cm/s die away over 3.3 cm. */
+    /**
+     * How quickly a wheel that floats loses speed to the friction of its gears, in cm/s each second: 20 cm/s die away
+     * over 3.3 cm.
+     */
     const val ROLLING_DECELERATION = 60.0
 
     // Outline, seen from above.
@@ -70,7 +83,10 @@ object Penbot {
     const val BUMPER_WIDTH = 6.4
     const val OVERALL_WIDTH = WHEEL_TRACK + WHEEL_WIDTH
 
-    /** How long a bumper stays in after it has come free; its rubber band is quick, but a graze should not count as many bumps. */
+    /**
+     * How long a bumper stays in after it has come free; its rubber band is quick, but a graze should not count as many
+     * bumps.
+     */
     const val BUMPER_RETURN = 30
 
     /** A castor wheel under the front. Its drag is part of the calibration, so it has none of its own. */
@@ -81,14 +97,17 @@ object Penbot {
 
     // Mass and grip.
 
-    /** The RCX with six batteries weighs about 0.28 kg, each of three motors 0.042 kg, wheels, beams and pen the rest. */
+    /**
+     * The RCX with six batteries weighs about 0.28 kg, each of three motors 0.042 kg, wheels, beams and pen the rest.
+     */
     const val MASS = 0.6
 
     /** The centre of mass, a little before the axle, where the brick's batteries are. */
     const val MASS_PLACE = 0.8
 
     /** About the centre of mass in kg cm2: as if the mass were spread evenly over chassis and wheels. */
-    const val INERTIA = MASS * ((CHASSIS_FRONT - CHASSIS_BACK) * (CHASSIS_FRONT - CHASSIS_BACK) + OVERALL_WIDTH * OVERALL_WIDTH) / 12.0
+    const val INERTIA =
+        MASS * ((CHASSIS_FRONT - CHASSIS_BACK) * (CHASSIS_FRONT - CHASSIS_BACK) + OVERALL_WIDTH * OVERALL_WIDTH) / 12.0
 
     /** Coulomb coefficient of the rubber tyres on paper; 0.8 to 1.1 by table. */
     const val TYRE_FRICTION = 1.0
@@ -102,7 +121,8 @@ object Penbot {
     /** What each driven wheel presses on the paper with, in kg cm/s2; the castor bears the rest. */
     const val WHEEL_LOAD = MASS * GRAVITY * (1.0 - MASS_PLACE / CASTER_PLACE) / 2.0
 
-    // The pen, halfway between the wheels, so that it draws sharp corners; motor B lowers it forwards and lifts it backwards.
+    // The pen, halfway between the wheels, so that it draws sharp corners; motor B lowers it forwards and lifts it
+    // backwards.
 
     /** How long the motor at [CALIBRATED_POWER] moves the pen from one end stop to the other. */
     const val PEN_TRAVEL_TIME = 200.0

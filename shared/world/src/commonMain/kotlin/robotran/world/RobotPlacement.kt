@@ -7,9 +7,10 @@ import robotran.world.geometry.Pose
  *
  * @property name what people and goals know it by, such as `red`; no two in a world are alike.
  * @property start where it stands when a session begins.
- * @property ports what is plugged into the input ports 1, 2 and 3; on a port with two, the one with the lower raw value wins, as on a
- * real brick.
- * @property lightFacing where its light sensor looks; null if the pupil may turn it, see [RobotLoad], otherwise it looks down.
+ * @property ports what is plugged into the input ports 1, 2 and 3; on a port with two, the one with the lower raw value
+ * wins, as on a real brick.
+ * @property lightFacing where its light sensor looks; null if the pupil may turn it, see [RobotLoad], otherwise it
+ * looks down.
  * @property beacon the brightness of a lamp on top of it, as of a [Lamp] that shines all round; 0 if it has none.
  * @property program what it runs if nobody gives it another, in Robolang; null if it waits for one.
  */
@@ -25,7 +26,8 @@ data class RobotPlacement(
 ) {
     companion object {
         /** Bumpers on 1 and 3, the light sensor on 2. */
-        val PENBOT_PORTS = listOf(listOf(PortSensor.LEFT_BUMPER), listOf(PortSensor.LIGHT), listOf(PortSensor.RIGHT_BUMPER))
+        val PENBOT_PORTS =
+            listOf(listOf(PortSensor.LEFT_BUMPER), listOf(PortSensor.LIGHT), listOf(PortSensor.RIGHT_BUMPER))
     }
 }
 

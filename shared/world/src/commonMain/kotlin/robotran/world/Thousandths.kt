@@ -37,7 +37,13 @@ internal object ThousandthsSerializer : KSerializer<Double> {
 
     @OptIn(ExperimentalSerializationApi::class)
     override fun serialize(encoder: Encoder, value: Double) {
-        if (encoder is JsonEncoder) encoder.encodeJsonElement(JsonUnquotedLiteral(writeThousandths(value))) else encoder.encodeDouble(value)
+        if (encoder is JsonEncoder) {
+            encoder.encodeJsonElement(
+                JsonUnquotedLiteral(writeThousandths(value)),
+            )
+        } else {
+            encoder.encodeDouble(value)
+        }
     }
 
     override fun deserialize(decoder: Decoder): Double = decoder.decodeDouble()

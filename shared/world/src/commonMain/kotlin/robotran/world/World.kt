@@ -4,11 +4,12 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 
 /**
- * What robots are put into: a sheet of paper and what lies, stands and shines on it. Lengths are in centimetres, angles in degrees
- * counter-clockwise. `docs/worlds.md` describes the file it is kept in.
+ * What robots are put into: a sheet of paper and what lies, stands and shines on it. Lengths are in centimetres, angles
+ * in degrees counter-clockwise. `docs/worlds.md` describes the file it is kept in.
  *
  * @property title what a pupil knows it by.
- * @property task what is to be done here, in a sentence or two for the pupil; empty where there is nothing special to do.
+ * @property task what is to be done here, in a sentence or two for the pupil; empty where there is nothing special to
+ * do.
  * @property robots one or more; the first is the pupil's own.
  * @property marks lie on the paper one over the other, the last on top.
  * @property ambientLight the light that is everywhere, in the units of [Light].
@@ -16,7 +17,8 @@ import robotran.world.geometry.Pose
  * @property template a drawing to be traced, null if there is none.
  * @property goals all of them are to be reached.
  * @property timeLimit how many virtual seconds there are for reaching them.
- * @property realism how much of what makes a real robot stray happens here: 0 nothing, 1 as much as with a badly built one.
+ * @property realism how much of what makes a real robot stray happens here: 0 nothing, 1 as much as with a badly built
+ * one.
  * @property seed what everything that is left to chance in this world is drawn from.
  * @property unknown what a newer Robotran or somebody else has written into the file; kept for when it is saved.
  */
@@ -54,11 +56,7 @@ data class World(
 }
 
 /** The size of the sheet in centimetres. */
-data class Paper(
-    val width: Double,
-    val height: Double,
-    val unknown: UnknownFields = UnknownFields.NONE,
-) {
+data class Paper(val width: Double, val height: Double, val unknown: UnknownFields = UnknownFields.NONE) {
     /** Whether a place is on the sheet, its edges included. */
     fun contains(x: Double, y: Double): Boolean = x in 0.0..width && y in 0.0..height
 }
@@ -68,7 +66,4 @@ data class Paper(
  *
  * @property strokes lines of two or more points each.
  */
-data class Template(
-    val strokes: List<List<Point>>,
-    val unknown: UnknownFields = UnknownFields.NONE,
-)
+data class Template(val strokes: List<List<Point>>, val unknown: UnknownFields = UnknownFields.NONE)

@@ -4,26 +4,17 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
 /**
- * A straight wall that stops the robot: everything within half its [thickness] of the line, with square ends that reach as far
- * beyond [from] and [to], so that walls that share an end make a closed corner. In centimetres.
+ * A straight wall that stops the robot: everything within half its [thickness] of the line, with square ends that reach
+ * as far beyond [from] and [to], so that walls that share an end make a closed corner. In centimetres.
  */
-data class Wall(
-    val from: Point,
-    val to: Point,
-    val thickness: Double,
-    val unknown: UnknownFields = UnknownFields.NONE,
-)
+data class Wall(val from: Point, val to: Point, val thickness: Double, val unknown: UnknownFields = UnknownFields.NONE)
 
 /**
  * Something that stops robots and light and never moves.
  *
  * @property name what goals and people know it by; null if it has none.
  */
-data class Barrier(
-    val shape: Shape,
-    val name: String? = null,
-    val unknown: UnknownFields = UnknownFields.NONE,
-)
+data class Barrier(val shape: Shape, val name: String? = null, val unknown: UnknownFields = UnknownFields.NONE)
 
 /**
  * Something that a robot can push about.
@@ -71,7 +62,8 @@ sealed interface MarkFigure {
      *
      * @property corner its lower left corner.
      * @property cell the side of a cell.
-     * @property rows from the top down, all of the same length; a hexadecimal digit for each cell, `0` black, `f` white, `.` nothing there.
+     * @property rows from the top down, all of the same length; a hexadecimal digit for each cell, `0` black, `f`
+     * white, `.` nothing there.
      */
     data class GreyMap(val corner: Point, val cell: Double, val rows: List<String>) : MarkFigure
 }
@@ -85,8 +77,8 @@ sealed interface Shade {
     data class Grey(override val reflectance: Double) : Shade
 
     /**
-     * A colour, each part 0..255. The sensor's lamp is red, so red things look nearly white to it and blue ones dark: the weights are those of
-     * a red light-emitting diode seen by a sensor that sees little green and almost no blue.
+     * A colour, each part 0..255. The sensor's lamp is red, so red things look nearly white to it and blue ones dark:
+     * the weights are those of a red light-emitting diode seen by a sensor that sees little green and almost no blue.
      */
     data class Colour(val red: Int, val green: Int, val blue: Int) : Shade {
         override val reflectance: Double get() = (RED_WEIGHT * red + GREEN_WEIGHT * green + BLUE_WEIGHT * blue) / WHITE

@@ -1,6 +1,9 @@
 package robotran.world
 
-/** What a world may hold, so that none can fill the memory or take a step too long. Lengths are in centimetres, angles in degrees. */
+/**
+ * What a world may hold, so that none can fill the memory or take a step too long. Lengths are in centimetres, angles
+ * in degrees.
+ */
 object WorldLimits {
     const val MAXIMUM_TITLE_CHARACTERS = 100
 

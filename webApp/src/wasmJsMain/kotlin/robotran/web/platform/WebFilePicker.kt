@@ -10,7 +10,10 @@ import robotran.workshop.platform.Saving
 import kotlin.io.encoding.Base64
 import kotlin.js.Promise
 
-/** Files as a page gets them: chosen in the browser's dialog, and saved among the downloads, without knowing where they lie. */
+/**
+ * Files as a page gets them: chosen in the browser's dialog, and saved among the downloads, without knowing where they
+ * lie.
+ */
 internal object WebFilePicker : FilePicker {
     override suspend fun open(kinds: List<FileKind>): List<OpenedFile> {
         // Browsers look at nothing but what is behind the last dot.
@@ -25,8 +28,9 @@ internal object WebFilePicker : FilePicker {
 }
 
 /** The files that scripts hand over as lines, each with a name and, behind a tab, what is in it in Base64. */
-internal fun filesIn(lines: String): List<OpenedFile> =
-    lines.split('\n').filter { '\t' in it }.map { OpenedFile(it.substringBefore('\t'), Base64.decode(it.substringAfter('\t'))) }
+internal fun filesIn(lines: String): List<OpenedFile> = lines.split('\n').filter {
+    '\t' in it
+}.map { OpenedFile(it.substringBefore('\t'), Base64.decode(it.substringAfter('\t'))) }
 
 private fun chooseFiles(accept: String): Promise<JsString> = js(
     """new Promise((resolve) => {

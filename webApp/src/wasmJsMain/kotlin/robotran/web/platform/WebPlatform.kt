@@ -26,7 +26,11 @@ import kotlin.js.Promise
  *
  * @param embedded whether it is a part of another page, which keeps nothing and finds nothing that was kept.
  */
-internal class WebPlatform(override val speaker: LoudSpeaker, private val embedded: Boolean, private val fonts: PageFonts) : Platform {
+internal class WebPlatform(
+    override val speaker: LoudSpeaker,
+    private val embedded: Boolean,
+    private val fonts: PageFonts,
+) : Platform {
     override val store: KeyValueStore = if (embedded) MemoryStore() else WebStore()
     override val files: FilePicker = WebFilePicker
     override val sharing: Sharing = WebSharing
@@ -40,12 +44,14 @@ internal class WebPlatform(override val speaker: LoudSpeaker, private val embedd
         prepareReadingOfFiles()
         takeLink()
         onNewFragment(::takeLink)
-        onFilesDropped { lines -> filesIn(lines).takeIf { it.isNotEmpty() }?.let { arrivals.bring(OpenRequest.OfFiles(it)) } }
+        onFilesDropped { lines ->
+            filesIn(lines).takeIf { it.isNotEmpty() }?.let { arrivals.bring(OpenRequest.OfFiles(it)) }
+        }
     }
 
     /**
-     * Opens the link in the page's address, and takes it out there, so that a reload brings back what has become of it since; where nothing is kept, it
-     * stays.
+     * Opens the link in the page's address, and takes it out there, so that a reload brings back what has become of it
+     * since; where nothing is kept, it stays.
      */
     private fun takeLink() {
         val fragment = takeFragment(stays = embedded)
@@ -64,7 +70,8 @@ private object WebSharing : Sharing {
 private object WebClock : WallClock {
     override val now: Long get() = currentTime().toLong()
 
-    override fun describe(milliseconds: Long, language: String): String = describeTime(milliseconds.toDouble(), language)
+    override fun describe(milliseconds: Long, language: String): String =
+        describeTime(milliseconds.toDouble(), language)
 }
 
 private fun pageAddress(): String = js("location.href.split('#')[0]")
@@ -91,17 +98,16 @@ private fun onFilesDropped(take: (String) -> Unit): Unit = js(
 )
 
 /**
- * Calls [rest] whenever the page goes out of sight, after which it may be gone without a word, and as soon as it is about to be left: what is written
- * only once it goes may come too late.
+ * Calls [rest] whenever the page goes out of sight, after which it may be gone without a word, and as soon as it is
+ * about to be left: what is written only once it goes may come too late.
  */
-internal fun onOutOfSight(rest: () -> Unit): Unit =
-    js(
-        """{
+internal fun onOutOfSight(rest: () -> Unit): Unit = js(
+    """{
             addEventListener('beforeunload', () => rest());
             document.addEventListener('visibilitychange', () => { if (document.visibilityState === 'hidden') rest(); });
             addEventListener('pagehide', () => rest());
         }""",
-    )
+)
 
 /** Lets the browser ask before the page is left while [wouldLose] says that something would be lost. */
 internal fun askBeforeLosing(wouldLose: () -> Boolean): Unit =
@@ -112,7 +118,8 @@ private fun canShare(): Boolean = js("typeof navigator.share === 'function'")
 private fun copyText(text: String): Promise<JsBoolean> =
     js("(navigator.clipboard ? navigator.clipboard.writeText(text) : Promise.reject()).then(() => true, () => false)")
 
-private fun shareText(text: String): Promise<JsBoolean> = js("navigator.share({ url: text }).then(() => true, () => false)")
+private fun shareText(text: String): Promise<JsBoolean> =
+    js("navigator.share({ url: text }).then(() => true, () => false)")
 
 private fun currentTime(): Double = js("Date.now()")
 

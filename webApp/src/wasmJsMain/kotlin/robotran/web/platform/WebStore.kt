@@ -9,17 +9,20 @@ import robotran.workshop.platform.KeyValueStore
 import kotlin.js.Promise
 
 /**
- * Texts in the browser's IndexedDB, which replaces a text wholly or not at all. Claims are the browser's locks between its tabs, which end with the
- * page, however that ends; where it has none, each page claims what it likes.
+ * Texts in the browser's IndexedDB, which replaces a text wholly or not at all. Claims are the browser's locks between
+ * its tabs, which end with the page, however that ends; where it has none, each page claims what it likes.
  */
 internal class WebStore : KeyValueStore {
     private val texts = openTexts()
 
-    override suspend fun names(): List<String> = texts.names().await<JsString>().toString().split('\n').filter { it.isNotEmpty() }
+    override suspend fun names(): List<String> = texts.names().await<JsString>().toString().split('\n').filter {
+        it.isNotEmpty()
+    }
 
     override suspend fun read(name: String): String? = texts.read(name).await<JsString?>()?.toString()
 
-    override suspend fun write(name: String, text: String): StoreResult = resultOf(texts.write(name, text).await<JsString>().toString())
+    override suspend fun write(name: String, text: String): StoreResult =
+        resultOf(texts.write(name, text).await<JsString>().toString())
 
     override suspend fun remove(name: String): StoreResult = resultOf(texts.remove(name).await<JsString>().toString())
 
@@ -74,14 +77,16 @@ private fun openTexts(): BrowserTexts = js(
                 transaction.onabort = () => reject(transaction.error || request.error);
             });
         };
-        // Whoever writes wants it to stay: the browser is asked once not to clear it away when the disk runs full. Firefox would ask the pupil.
+        // Whoever writes wants it to stay: the browser is asked once not to clear it away when the disk runs full.
+        // Firefox would ask the pupil.
         let asked = /Firefox/.test(navigator.userAgent) || !navigator.storage || !navigator.storage.persist;
         const stay = () => {
             if (asked) return;
             asked = true;
             navigator.storage.persist().catch(() => undefined);
         };
-        const word = (error) => error && error.name === 'QuotaExceededError' ? 'full' : String(error && error.message || error);
+        const word = (error) => error && error.name === 'QuotaExceededError' ? 'full' : String(error &&
+        error.message || error);
         const told = (promise) => promise.then(() => 'done', word);
         const claim = (name) => new Promise((resolve) => {
             if (!navigator.locks) {

@@ -5,9 +5,9 @@ package robotran.web.platform
 import robotran.workshop.platform.WindowMemory
 
 /**
- * What a tab knows of itself after a reload: the id of its work in the browser's `sessionStorage`, which a tab that is duplicated gets a copy of, so
- * that claims decide who has the work. Whether a page was left or has crashed, and what was not kept when it was left, is in `localStorage`: nothing else can
- * be written while a page goes.
+ * What a tab knows of itself after a reload: the id of its work in the browser's `sessionStorage`, which a tab that is
+ * duplicated gets a copy of, so that claims decide who has the work. Whether a page was left or has crashed, and what
+ * was not kept when it was left, is in `localStorage`: nothing else can be written while a page goes.
  */
 internal object WebWindowMemory : WindowMemory {
     init {
@@ -43,7 +43,8 @@ private fun noteEnds(): Unit = js(
     }""",
 )
 
-private fun tabsWork(): String? = js("(() => { try { return sessionStorage.getItem('robotran-work'); } catch { return null; } })()")
+private fun tabsWork(): String? =
+    js("(() => { try { return sessionStorage.getItem('robotran-work'); } catch { return null; } })()")
 
 private fun keepTabsWork(id: String): Unit = js(
     """{

@@ -13,8 +13,9 @@ import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 
 /**
- * What Compose says of itself to screen readers, as HTML that lies unseen over the canvas: buttons that can be pressed, texts, fields, and regions that
- * are read out when they change. Nothing of it is in the way of fingers, and the Tab key stays with the canvas, which tells what has the focus there.
+ * What Compose says of itself to screen readers, as HTML that lies unseen over the canvas: buttons that can be pressed,
+ * texts, fields, and regions that are read out when they change. Nothing of it is in the way of fingers, and the Tab
+ * key stays with the canvas, which tells what has the focus there.
  *
  * @param tellOpen is told how many dialogs and menus are open.
  */
@@ -87,12 +88,21 @@ internal class AccessibilityDom(
         val id = now?.id.orEmpty()
         if (id == focused) return
         focused = id
-        if (id.isEmpty()) canvas.removeAttribute("aria-activedescendant") else canvas.setAttribute("aria-activedescendant", id)
+        if (id.isEmpty()) {
+            canvas.removeAttribute(
+                "aria-activedescendant",
+            )
+        } else {
+            canvas.setAttribute("aria-activedescendant", id)
+        }
     }
 
     private fun isModal(owner: SemanticsOwner): Boolean = owner.rootSemanticsNode.let { root ->
         val configs = listOf(root.config) + root.children.map { it.config }
-        configs.any { it.getOrNull(SemanticsProperties.IsDialog) != null || it.getOrNull(SemanticsProperties.IsPopup) != null }
+        configs.any {
+            it.getOrNull(SemanticsProperties.IsDialog) != null ||
+                it.getOrNull(SemanticsProperties.IsPopup) != null
+        }
     }
 
     private companion object {

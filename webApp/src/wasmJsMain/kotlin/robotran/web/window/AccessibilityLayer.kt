@@ -71,7 +71,13 @@ private class AccessibilityElement(first: AccessibilityNode) {
         described = now
         if (isNew || now.attributes != before.attributes) {
             if (!isNew) for (name in before.attributes.keys - now.attributes.keys) element.removeAttribute(name)
-            for ((name, value) in now.attributes) if (element.getAttribute(name) != value) element.setAttribute(name, value)
+            for ((name, value) in now.attributes) {
+                if (element.getAttribute(name) !=
+                    value
+                ) {
+                    element.setAttribute(name, value)
+                }
+            }
         }
         if (isNew || now.place != before.place) {
             SIDES.forEachIndexed { number, name -> element.style.setProperty(name, now.place[number]) }
@@ -105,7 +111,11 @@ private class AccessibilityElement(first: AccessibilityNode) {
     /** Writing goes on in the browser's field that belongs to Compose. */
     private fun enter() {
         val config = described.node.config
-        (config.getOrNull(SemanticsActions.RequestFocus) ?: config.getOrNull(SemanticsActions.OnClick))?.action?.invoke()
+        (
+            config.getOrNull(
+                SemanticsActions.RequestFocus,
+            ) ?: config.getOrNull(SemanticsActions.OnClick)
+        )?.action?.invoke()
     }
 
     private fun write() {

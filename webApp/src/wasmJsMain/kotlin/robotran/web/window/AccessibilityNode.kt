@@ -46,7 +46,17 @@ private fun describe(node: SemanticsNode, density: Float, all: MutableList<Acces
         val attributes = mapOf("type" to "button", "tabindex" to "-1")
         val id = "${idOf(node)}-$number"
         all +=
-            AccessibilityNode(id, "button", action.label, attributes, action.label, placeOf(node, density), node, isFocused = false, action)
+            AccessibilityNode(
+                id,
+                "button",
+                action.label,
+                attributes,
+                action.label,
+                placeOf(node, density),
+                node,
+                isFocused = false,
+                action,
+            )
     }
     node.children.forEach { describe(it, density, all) }
 }
@@ -86,13 +96,17 @@ private fun describeAlone(node: SemanticsNode, density: Float): AccessibilityNod
             put("step", "any")
         }
     }
-    val words = text?.text ?: progress?.takeIf { tag == "input" }?.current?.toString() ?: label.takeIf { tag != "button" }.orEmpty()
+    val words =
+        text?.text ?: progress?.takeIf { tag == "input" }?.current?.toString()
+            ?: label.takeIf { tag != "button" }.orEmpty()
     return AccessibilityNode(idOf(node), tag, label, attributes, words, placeOf(node, density), node, isFocused)
 }
 
 private fun labelOf(node: SemanticsNode): String {
     val config = node.config
-    val description = config.getOrNull(SemanticsProperties.ContentDescription)?.filter { it.isNotEmpty() }?.joinToString(", ")
+    val description = config.getOrNull(SemanticsProperties.ContentDescription)?.filter {
+        it.isNotEmpty()
+    }?.joinToString(", ")
     val text = config.getOrNull(SemanticsProperties.Text)?.joinToString(" ") { it.text }
     val isField = config.getOrNull(SemanticsProperties.EditableText) != null
     val words = listOf(
@@ -145,5 +159,7 @@ private fun idOf(node: SemanticsNode) = "robotran-${node.id}"
 
 private fun placeOf(node: SemanticsNode, density: Float): List<String> {
     val corner = node.positionInWindow
-    return listOf(corner.x, corner.y, node.size.width.toFloat(), node.size.height.toFloat()).map { "${(it / density).toInt()}px" }
+    return listOf(corner.x, corner.y, node.size.width.toFloat(), node.size.height.toFloat()).map {
+        "${(it / density).toInt()}px"
+    }
 }

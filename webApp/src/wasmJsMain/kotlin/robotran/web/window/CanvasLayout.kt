@@ -7,7 +7,10 @@ import androidx.compose.ui.unit.dp
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 
-/** The part of the page that can be used: what a keyboard on the screen leaves, less what notches and rounded corners cut off. */
+/**
+ * The part of the page that can be used: what a keyboard on the screen leaves, less what notches and rounded corners
+ * cut off.
+ */
 internal class CanvasLayout(body: HTMLElement) {
     val element: HTMLElement = document.createElement("div") as HTMLElement
 
@@ -17,7 +20,9 @@ internal class CanvasLayout(body: HTMLElement) {
         body.appendChild(element)
     }
 
-    /** Tells [tell] at once and at every change how wide and high it is, in CSS pixels, and how much a keyboard covers. */
+    /**
+     * Tells [tell] at once and at every change how wide and high it is, in CSS pixels, and how much a keyboard covers.
+     */
     fun whenChanged(tell: (width: Int, height: Int, covered: Dp) -> Unit) =
         follow(element) { width, height, covered -> tell(width, height, covered.dp) }
 

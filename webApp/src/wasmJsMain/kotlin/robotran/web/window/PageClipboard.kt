@@ -6,8 +6,8 @@ import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.text.AnnotatedString
 
 /**
- * The browser's clipboard. What a key copies goes the way of the browser's own events, which need no permission; buttons ask the browser, which may
- * ask the person.
+ * The browser's clipboard. What a key copies goes the way of the browser's own events, which need no permission;
+ * buttons ask the browser, which may ask the person.
  *
  * @param paste writes what a button has asked for, once the browser gives it.
  */
@@ -37,7 +37,8 @@ internal class PageClipboard(private val paste: (String) -> Unit) : ClipboardMan
     }
 }
 
-private fun copy(text: String): Unit = js("{ if (navigator.clipboard) navigator.clipboard.writeText(text).catch(() => undefined); }")
+private fun copy(text: String): Unit =
+    js("{ if (navigator.clipboard) navigator.clipboard.writeText(text).catch(() => undefined); }")
 
 private fun read(take: (String) -> Unit): Unit =
     js("{ if (navigator.clipboard) navigator.clipboard.readText().then((text) => take(text)).catch(() => undefined); }")

@@ -13,8 +13,8 @@ import robotran.ui.theme.emojiFont
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * Fetches a font with emoji when the first text that holds one is there: in a browser Skia has no fonts but those that the page brings, and most
- * pupils never need this one.
+ * Fetches a font with emoji when the first text that holds one is there: in a browser Skia has no fonts but those that
+ * the page brings, and most pupils never need this one.
  */
 internal class PageFonts {
     /** What finds the app's fonts and that of the emoji; null as long as no emoji was seen. */
@@ -39,7 +39,9 @@ internal class PageFonts {
         }
     }
 
-    /** Texts that are laid out already keep their boxes, so that this is a new resolver, which has all laid out anew. */
+    /**
+     * Texts that are laid out already keep their boxes, so that this is a new resolver, which has all laid out anew.
+     */
     private suspend fun loadEmoji(): FontFamily.Resolver {
         val font = emojiFont()
         // Skia looks for a letter that the wanted font does not have in all fonts that were loaded.

@@ -7,9 +7,10 @@ import kotlinx.browser.window
 /**
  * The browser's Back, which closes what lies over the rest and leaves the page only where nothing does.
  *
- * As much as Back can close, so many entries lie in the browser's history above the one that the page was opened with, each with its number. What
- * is closed in another way takes its entries out of the way again, so none is ever there for nothing; Forward, which brings nothing back, too.
- * Entries are made when something opens, which is while a person presses something: browsers skip those that come by themselves.
+ * As much as Back can close, so many entries lie in the browser's history above the one that the page was opened with,
+ * each with its number. What is closed in another way takes its entries out of the way again, so none is ever there for
+ * nothing; Forward, which brings nothing back, too. Entries are made when something opens, which is while a person
+ * presses something: browsers skip those that come by themselves.
  *
  * @param closeTop closes what is on top.
  */

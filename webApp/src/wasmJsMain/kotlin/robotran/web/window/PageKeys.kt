@@ -12,8 +12,8 @@ import org.w3c.dom.events.Event
 import org.w3c.dom.events.KeyboardEvent
 
 /**
- * Hands keys to [scene]; those that an input method is at work with, and those for the clipboard, stay with the browser. Each finds done what the ones
- * before it did, see [frames].
+ * Hands keys to [scene]; those that an input method is at work with, and those for the clipboard, stay with the
+ * browser. Each finds done what the ones before it did, see [frames].
  */
 @OptIn(InternalComposeUiApi::class)
 internal class PageKeys(

@@ -20,7 +20,8 @@ import org.w3c.dom.events.WheelEvent
 import org.w3c.dom.pointerevents.PointerEvent
 
 /**
- * Hands fingers, pens, mice and wheels on [canvas] to [scene]. Each event of a finger tells of all fingers that are down, as Compose expects.
+ * Hands fingers, pens, mice and wheels on [canvas] to [scene]. Each event of a finger tells of all fingers that are
+ * down, as Compose expects.
  *
  * @param density device pixels of a CSS pixel.
  * @param onDown something goes down on the canvas.
@@ -41,7 +42,11 @@ internal class PagePointers(
     fun listen() {
         // The browser neither scrolls nor zooms nor goes back under a finger here.
         canvas.style.setProperty("touch-action", "none")
-        for (type in TYPES.keys) canvas.addEventListener(type) { event -> take(event as PointerEvent, TYPES.getValue(type)) }
+        for (type in TYPES.keys) {
+            canvas.addEventListener(type) { event ->
+                take(event as PointerEvent, TYPES.getValue(type))
+            }
+        }
         canvas.addEventListener("wheel") { turn(it as WheelEvent) }
         // What has the focus keeps it: the field that a keyboard writes into, or the canvas.
         canvas.addEventListener("mousedown", Event::preventDefault)
@@ -75,13 +80,21 @@ internal class PagePointers(
         }
         val isUp = type == PointerEventType.Release
         val pointers = fingers.map { (finger, position) ->
-            ComposeScenePointer(PointerId(finger.toLong()), position, pressed = !(isUp && finger == id), type = PointerType.Touch)
+            ComposeScenePointer(
+                PointerId(finger.toLong()),
+                position,
+                pressed = !(isUp && finger == id),
+                type = PointerType.Touch,
+            )
         }
         scene.sendPointerEvent(type, pointers, keyboardModifiers = modifiersOf(event), nativeEvent = event)
         if (isUp) fingers -= id
     }
 
-    /** Where something has closed under a mouse that rests, Compose would take the first touch for the mouse's, and nothing would be pressed. */
+    /**
+     * Where something has closed under a mouse that rests, Compose would take the first touch for the mouse's, and
+     * nothing would be pressed.
+     */
     private fun forgetMouse() {
         mouse?.let { scene.sendPointerEvent(PointerEventType.Exit, it) }
         mouse = null
@@ -90,7 +103,8 @@ internal class PagePointers(
     private fun mouse(event: PointerEvent, type: PointerEventType) {
         mouse = placeOf(event).takeIf { type != PointerEventType.Exit }
         scene.sendPointerEvent(
-            type, placeOf(event),
+            type,
+            placeOf(event),
             buttons = PointerButtons(event.buttons.toInt()),
             keyboardModifiers = modifiersOf(event),
             nativeEvent = event,
@@ -102,7 +116,8 @@ internal class PagePointers(
         event.preventDefault()
         val pixels = UNITS.getOrElse(event.deltaMode) { 1f } * density()
         scene.sendPointerEvent(
-            PointerEventType.Scroll, placeOf(event),
+            PointerEventType.Scroll,
+            placeOf(event),
             scrollDelta = Offset(event.deltaX.toFloat(), event.deltaY.toFloat()) * pixels,
             buttons = PointerButtons(event.buttons.toInt()),
             keyboardModifiers = modifiersOf(event),
@@ -133,7 +148,13 @@ internal class PagePointers(
 
         /** By their numbers in an event. */
         val BUTTONS =
-            listOf(PointerButton.Primary, PointerButton.Tertiary, PointerButton.Secondary, PointerButton.Back, PointerButton.Forward)
+            listOf(
+                PointerButton.Primary,
+                PointerButton.Tertiary,
+                PointerButton.Secondary,
+                PointerButton.Back,
+                PointerButton.Forward,
+            )
 
         /** CSS pixels of what a wheel counts in: pixels, lines, pages. */
         val UNITS = listOf(1f, 16f, 400f)

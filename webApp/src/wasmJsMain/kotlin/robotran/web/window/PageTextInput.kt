@@ -21,8 +21,9 @@ import org.w3c.dom.events.Event
 import robotran.projects.ProjectLimits
 
 /**
- * An unseen field of the browser, where the caret is, that has the focus while a text field of Compose has it. So keyboards on the screen, input
- * methods, dead keys, the clipboard and screen readers find what they know. Whatever changes in it, however that came, becomes an edit.
+ * An unseen field of the browser, where the caret is, that has the focus while a text field of Compose has it. So
+ * keyboards on the screen, input methods, dead keys, the clipboard and screen readers find what they know. Whatever
+ * changes in it, however that came, becomes an edit.
  */
 @Suppress("DEPRECATION")
 internal class PageTextInput(
@@ -30,7 +31,11 @@ internal class PageTextInput(
     private val canvas: HTMLCanvasElement,
     private val density: () -> Float,
 ) : PlatformTextInputService {
-    private class Session(val options: ImeOptions, val onEdit: (List<EditCommand>) -> Unit, val onAction: (ImeAction) -> Unit)
+    private class Session(
+        val options: ImeOptions,
+        val onEdit: (List<EditCommand>) -> Unit,
+        val onAction: (ImeAction) -> Unit,
+    )
 
     private val field = document.createElement("textarea") as HTMLTextAreaElement
     private var session: Session? = null
@@ -152,7 +157,10 @@ internal class PageTextInput(
         giveTooMuch(pastedText(event, MAX_IN_FIELD + 1))
     }
 
-    /** A browser works for minutes on millions of characters in a field of its own. Whoever is written to says that this is too much. */
+    /**
+     * A browser works for minutes on millions of characters in a field of its own. Whoever is written to says that this
+     * is too much.
+     */
     private fun giveTooMuch(text: String) {
         session?.onEdit?.invoke(listOf(FinishComposingTextCommand(), CommitTextCommand(text, 1)))
     }

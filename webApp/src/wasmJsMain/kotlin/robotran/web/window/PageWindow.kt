@@ -44,10 +44,12 @@ import robotran.ui.theme.LocalAddedFonts
 import robotran.ui.theme.WithAddedFonts
 
 /**
- * Compose in a canvas, with what its own window for browsers does not have: several fingers at once, input methods and dead keys, the clipboard, a
- * keyboard on the screen that covers nothing, and HTML beside the canvas for those who cannot see it.
+ * Compose in a canvas, with what its own window for browsers does not have: several fingers at once, input methods and
+ * dead keys, the clipboard, a keyboard on the screen that covers nothing, and HTML beside the canvas for those who
+ * cannot see it.
  *
- * @param body what it fills, as far as no keyboard on the screen covers that and no notch or rounded corner cuts it off.
+ * @param body what it fills, as far as no keyboard on the screen covers that and no notch or rounded corner cuts it
+ * off.
  * @param fonts are told of all texts, and give what those need.
  * @param hasHistory whether Back of the browser closes what is open.
  */
@@ -117,7 +119,12 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
         if (openLayers == 0) {
             BackHandlers.goBack()
         } else {
-            for (type in listOf(KeyEventType.KeyDown, KeyEventType.KeyUp)) scene.sendKeyEvent(KeyEvent(Key.Escape, type))
+            for (type in listOf(
+                KeyEventType.KeyDown,
+                KeyEventType.KeyUp,
+            )) {
+                scene.sendKeyEvent(KeyEvent(Key.Escape, type))
+            }
         }
     }
 
@@ -150,7 +157,7 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
         override val inputModeManager: InputModeManager = InputModality()
         override val textInputService: PlatformTextInputService = input
         override val semanticsOwnerListener: PlatformContext.SemanticsOwnerListener = mirror
-        override val viewConfiguration: ViewConfiguration = object : ViewConfiguration by PlatformContext.Empty.viewConfiguration {
+        override val viewConfiguration = object : ViewConfiguration by PlatformContext.Empty.viewConfiguration {
             override val touchSlop: Float get() = with(density) { TOUCH_SLOP.toPx() }
         }
 
@@ -162,7 +169,11 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
     private companion object {
         /** How far a finger trembles. */
         val TOUCH_SLOP = 8.dp
-        val CURSORS = mapOf(PointerIcon.Text to "text", PointerIcon.Hand to "pointer", PointerIcon.Crosshair to "crosshair")
+        val CURSORS = mapOf(
+            PointerIcon.Text to "text",
+            PointerIcon.Hand to "pointer",
+            PointerIcon.Crosshair to "crosshair",
+        )
     }
 }
 

@@ -8,9 +8,9 @@ import org.jetbrains.skia.Surface
 import org.jetbrains.skiko.SkikoRenderDelegate
 
 /**
- * Draws the pictures of [scene]. What a key or a finger changes (a text, what is selected, what has the focus) holds only from the next picture on.
- * Where fingers are quicker than pictures, the next key would be taken by what was there before, and what the last one wrote would be lost; so
- * [catchUp] makes the picture at once.
+ * Draws the pictures of [scene]. What a key or a finger changes (a text, what is selected, what has the focus) holds
+ * only from the next picture on. Where fingers are quicker than pictures, the next key would be taken by what was there
+ * before, and what the last one wrote would be lost; so [catchUp] makes the picture at once.
  */
 @OptIn(InternalComposeUiApi::class)
 internal class SceneFrames(private val scene: ComposeScene) : SkikoRenderDelegate {
@@ -19,12 +19,7 @@ internal class SceneFrames(private val scene: ComposeScene) : SkikoRenderDelegat
     private var time = 0L
     private var isBehind = false
 
-    override fun onRender(
-        canvas: Canvas,
-        width: Int,
-        height: Int,
-        nanoTime: Long,
-    ) {
+    override fun onRender(canvas: Canvas, width: Int, height: Int, nanoTime: Long) {
         isBehind = false
         time = nanoTime
         scene.render(canvas.asComposeCanvas(), nanoTime)
@@ -35,7 +30,10 @@ internal class SceneFrames(private val scene: ComposeScene) : SkikoRenderDelegat
         isBehind = true
     }
 
-    /** Makes true what has happened since the last picture, in a picture that nobody sees; the next one is drawn as if this had not been. */
+    /**
+     * Makes true what has happened since the last picture, in a picture that nobody sees; the next one is drawn as if
+     * this had not been.
+     */
     fun catchUp() {
         if (!isBehind) return
         isBehind = false

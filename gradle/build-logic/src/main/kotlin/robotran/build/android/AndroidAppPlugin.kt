@@ -11,7 +11,10 @@ import org.gradle.language.base.plugins.LifecycleBasePlugin
 import robotran.build.RobolectricArguments
 import robotran.build.VerifyApkTask
 
-/** The Android application: its APKs, the checks of their signatures and of what R8 leaves, and unit tests on Robolectric. */
+/**
+ * The Android application: its APKs, the checks of their signatures and of what R8 leaves, and unit tests on
+ * Robolectric.
+ */
 class AndroidAppPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.pluginManager.apply("com.android.application")
@@ -36,7 +39,12 @@ class AndroidAppPlugin : Plugin<Project> {
             release.hostTests.values.forEach { it.enable = false }
         }
         components.onVariants { variant ->
-            val verify = project.tasks.register("verify${variant.name.replaceFirstChar { it.uppercase() }}Apk", VerifyApkTask::class.java) {
+            val verify = project.tasks.register(
+                "verify${variant.name.replaceFirstChar {
+                    it.uppercase()
+                }}Apk",
+                VerifyApkTask::class.java,
+            ) {
                 it.group = LifecycleBasePlugin.VERIFICATION_GROUP
                 it.description = "Checks the signature of the ${variant.name} APK and tells its size."
                 it.apkFolder.set(variant.artifacts.get(SingleArtifact.APK))

@@ -26,8 +26,8 @@ class AndroidPlugin : Plugin<Project> {
     }
 
     /**
-     * One variant of a library serves debug and release of the app; its code is tested on the desktop's JVM. Tests on a device need a
-     * device.
+     * One variant of a library serves debug and release of the app; its code is tested on the desktop's JVM. Tests on a
+     * device need a device.
      */
     private fun buildWhatIsNeeded(project: Project) {
         val components = project.extensions.getByType(AndroidComponentsExtension::class.java)
@@ -41,8 +41,8 @@ class AndroidPlugin : Plugin<Project> {
     }
 
     /**
-     * Takes Lint out of `check`, which must do the same on every machine: it reads a database of Android's API that only a full
-     * SDK has. `./gradlew lint` is still there for those who have one.
+     * Takes Lint out of `check`, which must do the same on every machine: it reads a database of Android's API that
+     * only a full SDK has. `./gradlew lint` is still there for those who have one.
      */
     private fun leaveLintOut(project: Project) {
         project.afterEvaluate {

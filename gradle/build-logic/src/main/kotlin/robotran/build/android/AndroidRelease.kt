@@ -4,7 +4,10 @@ import com.android.build.api.dsl.ApkSigningConfig
 import com.android.build.api.dsl.ApplicationExtension
 import org.gradle.api.Project
 
-/** What a release of the Android app is: shrunk by R8, and signed with the key that Gradle properties or the environment name. */
+/**
+ * What a release of the Android app is: shrunk by R8, and signed with the key that Gradle properties or the environment
+ * name.
+ */
 internal object AndroidRelease {
     private const val KEYSTORE = "ROBOTRAN_KEYSTORE"
     private const val KEYSTORE_PASSWORD = "ROBOTRAN_KEYSTORE_PASSWORD"
@@ -44,7 +47,9 @@ internal object AndroidRelease {
         project.tasks.configureEach { task ->
             if (task.name != "packageRelease" && task.name != "signReleaseBundle") return@configureEach
             task.doLast {
-                it.logger.lifecycle("Signed with the debug key, for trials only: $KEYSTORE names no keystore (docs/android.md).")
+                it.logger.lifecycle(
+                    "Signed with the debug key, for trials only: $KEYSTORE names no keystore (docs/android.md).",
+                )
             }
         }
     }

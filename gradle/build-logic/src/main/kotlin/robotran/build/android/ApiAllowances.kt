@@ -3,13 +3,15 @@ package robotran.build.android
 /**
  * What code may use although an Android does not have it, because it asks for `SDK_INT` first.
  *
- * A text has a line for each such place: a pattern of what uses it, `->`, a pattern of what is used, and behind a `#` why that is safe. In
- * a pattern `*` stands for anything. Lines that begin with `#` are remarks.
+ * A text has a line for each such place: a pattern of what uses it, `->`, a pattern of what is used, and behind a `#`
+ * why that is safe. In a pattern `*` stands for anything. Lines that begin with `#` are remarks.
  */
 internal class ApiAllowances(text: String) {
     private class Allowance(val line: String, val from: Regex, val used: Regex)
 
-    private val allowances = text.lines().map { it.trim() }.filter { it.isNotEmpty() && !it.startsWith('#') }.map(::allowanceIn)
+    private val allowances = text.lines().map {
+        it.trim()
+    }.filter { it.isNotEmpty() && !it.startsWith('#') }.map(::allowanceIn)
     private val unused = allowances.toMutableSet()
 
     /** Whether [use] is allowed. */

@@ -6,12 +6,13 @@ import java.io.ObjectInputStream
 import java.util.zip.GZIPInputStream
 
 /** Adds the public classes of a platform, from [file] with what Animal Sniffer calls its signatures. */
-internal fun UsedApi.declareSignatures(file: File) = ObjectInputStream(GZIPInputStream(file.inputStream())).use { input ->
-    // The list ends with a null.
-    while (true) {
-        val known = input.readObject() as Clazz? ?: break
-        // A field is written `out#Ljava/io/PrintStream;`.
-        val members = known.signatures.map { it.substringBefore('#') }.toSet()
-        declare(known.name, listOfNotNull(known.superClass) + known.superInterfaces.orEmpty(), members)
+internal fun UsedApi.declareSignatures(file: File) =
+    ObjectInputStream(GZIPInputStream(file.inputStream())).use { input ->
+        // The list ends with a null.
+        while (true) {
+            val known = input.readObject() as Clazz? ?: break
+            // A field is written `out#Ljava/io/PrintStream;`.
+            val members = known.signatures.map { it.substringBefore('#') }.toSet()
+            declare(known.name, listOfNotNull(known.superClass) + known.superInterfaces.orEmpty(), members)
+        }
     }
-}

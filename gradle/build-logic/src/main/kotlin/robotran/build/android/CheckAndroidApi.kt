@@ -16,7 +16,10 @@ import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 
-/** Fails if the code of an APK uses a class, method or field that the oldest or the newest Android it is for does not have. */
+/**
+ * Fails if the code of an APK uses a class, method or field that the oldest or the newest Android it is for does not
+ * have.
+ */
 @CacheableTask
 abstract class CheckAndroidApi : DefaultTask() {
     @get:InputDirectory
@@ -51,19 +54,22 @@ abstract class CheckAndroidApi : DefaultTask() {
         val missing = missing("API ${oldestApi.get()}") { declareSignatures(oldest.singleFile) } +
             missing("API ${newestApi.get()}") { classFiles(newest.singleFile).forEach(::declare) }
         val (guarded, unguarded) = missing.partition { (_, use) -> allowed.allows(use) }
-        val faults = unguarded.map { (api, use) -> "$api lacks $use" } + allowed.needless.map { "Nothing needs the allowance $it" }
+        val faults =
+            unguarded.map { (api, use) -> "$api lacks $use" } +
+                allowed.needless.map { "Nothing needs the allowance $it" }
         val lines = faults + guarded.map { (api, use) -> "Only after a look at SDK_INT: $api lacks $use" }
         report.get().asFile.writeText(lines.joinToString("\n", postfix = "\n"))
         if (faults.isNotEmpty()) {
-            throw GradleException("${faults.take(MAX_TOLD).joinToString("\n")}\n${faults.size} faults; all are in ${report.get()}")
+            throw GradleException(
+                "${faults.take(MAX_TOLD).joinToString("\n")}\n${faults.size} faults; all are in ${report.get()}",
+            )
         }
-        logger.lifecycle("Nothing that API ${oldestApi.get()} or ${newestApi.get()} lacks is used without a look at SDK_INT before")
+        logger.lifecycle(
+            "Nothing that API ${oldestApi.get()} or ${newestApi.get()} lacks is used without a look at SDK_INT before",
+        )
     }
 
-    private fun missing(
-        platform: String,
-        declarePlatform: UsedApi.() -> Unit,
-    ): List<Pair<String, UsedApi.Use>> {
+    private fun missing(platform: String, declarePlatform: UsedApi.() -> Unit): List<Pair<String, UsedApi.Use>> {
         val api = UsedApi().apply(declarePlatform)
         apkFolder.asFileTree.files.filter { it.extension == "apk" }.forEach(api::declareAndReadDex)
         return api.missing { OUTLINE in it }.map { platform to it }
@@ -72,7 +78,10 @@ abstract class CheckAndroidApi : DefaultTask() {
     private companion object {
         const val MAX_TOLD = 40
 
-        /** R8 takes calls of newer methods out of the classes they are in, so that older Androids need not look at them there. */
+        /**
+         * R8 takes calls of newer methods out of the classes they are in, so that older Androids need not look at them
+         * there.
+         */
         const val OUTLINE = "\$\$ExternalSyntheticApiModelOutline"
     }
 }

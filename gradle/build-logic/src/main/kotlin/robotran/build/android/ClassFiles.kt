@@ -33,13 +33,26 @@ private class Members(private val known: UsedApi) : ClassVisitor(Opcodes.ASM9) {
     private var supertypes = emptyList<String>()
     private val members = mutableSetOf<String>()
 
-    override fun visit(version: Int, access: Int, name: String, signature: String?, superName: String?, interfaces: Array<String>?) {
+    override fun visit(
+        version: Int,
+        access: Int,
+        name: String,
+        signature: String?,
+        superName: String?,
+        interfaces: Array<String>?,
+    ) {
         this.name = name
         // An interface has the methods of Object, too.
         supertypes = listOfNotNull(superName) + interfaces.orEmpty()
     }
 
-    override fun visitField(access: Int, name: String, descriptor: String, signature: String?, value: Any?): FieldVisitor? {
+    override fun visitField(
+        access: Int,
+        name: String,
+        descriptor: String,
+        signature: String?,
+        value: Any?,
+    ): FieldVisitor? {
         members += name
         return null
     }
@@ -61,7 +74,14 @@ private class Members(private val known: UsedApi) : ClassVisitor(Opcodes.ASM9) {
 private class Uses(private val known: UsedApi) : ClassVisitor(Opcodes.ASM9) {
     private var className = ""
 
-    override fun visit(version: Int, access: Int, name: String, signature: String?, superName: String?, interfaces: Array<String>?) {
+    override fun visit(
+        version: Int,
+        access: Int,
+        name: String,
+        signature: String?,
+        superName: String?,
+        interfaces: Array<String>?,
+    ) {
         className = name
         (listOfNotNull(superName) + interfaces.orEmpty()).forEach { known.use(it, null, name) }
     }
@@ -72,14 +92,19 @@ private class Uses(private val known: UsedApi) : ClassVisitor(Opcodes.ASM9) {
         descriptor: String,
         signature: String?,
         exceptions: Array<String>?,
-    ): MethodVisitor =
-        CodeUses("$className.$name")
+    ): MethodVisitor = CodeUses("$className.$name")
 
     private inner class CodeUses(private val from: String) : MethodVisitor(Opcodes.ASM9) {
-        override fun visitMethodInsn(opcode: Int, owner: String, name: String, descriptor: String, isInterface: Boolean) =
-            known.use(owner, name + descriptor, from)
+        override fun visitMethodInsn(
+            opcode: Int,
+            owner: String,
+            name: String,
+            descriptor: String,
+            isInterface: Boolean,
+        ) = known.use(owner, name + descriptor, from)
 
-        override fun visitFieldInsn(opcode: Int, owner: String, name: String, descriptor: String) = known.use(owner, name, from)
+        override fun visitFieldInsn(opcode: Int, owner: String, name: String, descriptor: String) =
+            known.use(owner, name, from)
 
         override fun visitTypeInsn(opcode: Int, type: String) = known.use(type, null, from)
     }

@@ -42,4 +42,5 @@ private fun UsedApi.use(instruction: ReferenceInstruction, from: String) {
 
 private fun nameOf(type: String) = type.removePrefix("L").removeSuffix(";")
 
-private fun nameOf(method: MethodReference) = method.name + method.parameterTypes.joinToString("", "(", ")") + method.returnType
+private fun nameOf(method: MethodReference) =
+    method.name + method.parameterTypes.joinToString("", "(", ")") + method.returnType

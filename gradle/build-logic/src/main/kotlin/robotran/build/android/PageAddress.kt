@@ -6,8 +6,8 @@ import org.gradle.api.Project
 import java.net.URI
 
 /**
- * Where Robotran's page is, as the Gradle property or environment variable `ROBOTRAN_PAGE` says: links that the app makes begin with it,
- * and such links open in the app. Without it they are the part behind the `#` alone.
+ * Where Robotran's page is, as the Gradle property or environment variable `ROBOTRAN_PAGE` says: links that the app
+ * makes begin with it, and such links open in the app. Without it they are the part behind the `#` alone.
  */
 internal object PageAddress {
     private const val PAGE = "ROBOTRAN_PAGE"

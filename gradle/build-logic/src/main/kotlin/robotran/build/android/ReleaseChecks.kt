@@ -12,10 +12,7 @@ import org.jetbrains.kotlin.gradle.plugin.KotlinPlatformType
 import robotran.build.catalog
 
 /** Looks whether the release, as R8 has left it, would run on every Android it is for. */
-internal class ReleaseChecks(
-    private val project: Project,
-    private val variant: ApplicationVariant,
-) {
+internal class ReleaseChecks(private val project: Project, private val variant: ApplicationVariant) {
     private val reports = project.layout.buildDirectory.dir("reports")
 
     /** All of it takes R8 several minutes, so it is not part of `check`. */
@@ -34,7 +31,10 @@ internal class ReleaseChecks(
             it.isTransitive = false
         }
         val library = catalog(project).findLibrary("android-oldest").get().get()
-        project.dependencies.add(signatures.name, "${library.module}:${library.versionConstraint.requiredVersion}@signature")
+        project.dependencies.add(
+            signatures.name,
+            "${library.module}:${library.versionConstraint.requiredVersion}@signature",
+        )
         return project.tasks.register("checkAndroidApi", CheckAndroidApi::class.java) {
             it.group = LifecycleBasePlugin.VERIFICATION_GROUP
             it.description = "Looks for classes and methods in the release that an Android it is for does not have."
@@ -64,7 +64,11 @@ internal class ReleaseChecks(
             // The Android plugin tells of R8's mapping, but not of the configuration beside it.
             val shrinking = "minify${variant.name.replaceFirstChar(Char::uppercase)}WithR8"
             task.dependsOn(shrinking)
-            task.configuration.set(project.layout.buildDirectory.file("intermediates/mapping/${variant.name}/$shrinking/configuration.txt"))
+            task.configuration.set(
+                project.layout.buildDirectory.file(
+                    "intermediates/mapping/${variant.name}/$shrinking/configuration.txt",
+                ),
+            )
             task.framework.from(framework())
             task.shrunk.set(project.layout.buildDirectory.file("shrunk/robotran.jar"))
             task.report.set(reports.map { folder -> folder.file("runShrunk.txt") })
@@ -76,7 +80,10 @@ internal class ReleaseChecks(
         val below = project.configurations.create("belowTheScreen") {
             it.isCanBeConsumed = false
             it.attributes { attributes ->
-                attributes.attribute(Usage.USAGE_ATTRIBUTE, project.objects.named(Usage::class.java, Usage.JAVA_RUNTIME))
+                attributes.attribute(
+                    Usage.USAGE_ATTRIBUTE,
+                    project.objects.named(Usage::class.java, Usage.JAVA_RUNTIME),
+                )
                 attributes.attribute(KotlinPlatformType.attribute, KotlinPlatformType.jvm)
             }
             it.dependencies.add(project.dependencies.project(mapOf("path" to ":shared:projects")))
@@ -86,6 +93,7 @@ internal class ReleaseChecks(
         return below
     }
 
-    private fun framework(): Provider<String> =
-        project.providers.environmentVariable("ANDROID_HOME").map { "$it/platforms/android-${AndroidPlugin.COMPILE_SDK}/android.jar" }
+    private fun framework(): Provider<String> = project.providers.environmentVariable("ANDROID_HOME").map {
+        "$it/platforms/android-${AndroidPlugin.COMPILE_SDK}/android.jar"
+    }
 }

@@ -26,15 +26,13 @@ import java.io.File
 import javax.inject.Inject
 
 /**
- * Lets R8 shrink what lies below the screen once more with the rules of the release, into class files this time, together with a program
- * that uses it; then runs that on a JVM. What R8 takes away too much is missing there, too.
+ * Lets R8 shrink what lies below the screen once more with the rules of the release, into class files this time,
+ * together with a program that uses it; then runs that on a JVM. What R8 takes away too much is missing there, too.
  */
 @CacheableTask
 abstract class RunR8Output
     @Inject
-    constructor(
-        private val processes: ExecOperations,
-    ) : DefaultTask() {
+    constructor(private val processes: ExecOperations) : DefaultTask() {
         /** Jars with what is to be shrunk. */
         @get:Classpath
         abstract val libraries: ConfigurableFileCollection

@@ -1,8 +1,8 @@
 package robotran.build.android
 
 /**
- * Classes with their members, and what code uses of them. Names are those of class files: `java/util/List`, `size()I` for a method, `out`
- * for a field.
+ * Classes with their members, and what code uses of them. Names are those of class files: `java/util/List`, `size()I`
+ * for a method, `out` for a field.
  */
 internal class UsedApi {
     private class Known(val supertypes: List<String>, val members: Set<String>)
@@ -33,13 +33,21 @@ internal class UsedApi {
     /**
      * What is referred to and is not there, each with a method that does so.
      *
-     * @param isOutline whether a class holds nothing but what R8 has taken out of others: then those that call it count as using what it
-     * uses.
+     * @param isOutline whether a class holds nothing but what R8 has taken out of others: then those that call it count
+     * as using what it uses.
      */
     fun missing(isOutline: (String) -> Boolean = { false }): List<Use> {
-        val callers = uses.filter { it.member != null && isOutline(it.owner) }.groupBy({ "${it.owner}.${it.member}" }, { it.from })
+        val callers = uses.filter {
+            it.member != null && isOutline(it.owner)
+        }.groupBy({ "${it.owner}.${it.member}" }, { it.from })
         val lacking = lacking().flatMap { use ->
-            if (isOutline(use.from.substringBefore('.'))) callers[use.from].orEmpty().map { use.copy(from = it) } else listOf(use)
+            if (isOutline(use.from.substringBefore('.'))) {
+                callers[use.from].orEmpty().map {
+                    use.copy(from = it)
+                }
+            } else {
+                listOf(use)
+            }
         }
         return lacking.distinct().sortedBy { it.toString() }
     }

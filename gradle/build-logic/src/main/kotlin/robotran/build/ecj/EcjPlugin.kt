@@ -10,7 +10,10 @@ import robotran.build.catalog
 import robotran.build.teavm.CompileToWasm
 import robotran.build.teavm.TeaVmPlugin
 
-/** The module that wraps the Eclipse compiler for Java: a jar for JVM and Android, and the same classes as a WebAssembly module. */
+/**
+ * The module that wraps the Eclipse compiler for Java: a jar for JVM and Android, and the same classes as a WebAssembly
+ * module.
+ */
 class EcjPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.pluginManager.apply(TeaVmPlugin::class.java)
@@ -35,7 +38,9 @@ class EcjPlugin : Plugin<Project> {
             task.group = LifecycleBasePlugin.VERIFICATION_GROUP
             task.description = "Looks for classes and methods that Android does not have."
             task.classes.from(rewrite.map { it.rewrittenLibrary })
-            task.classes.from(project.extensions.getByType(SourceSetContainer::class.java).getByName("main").output.classesDirs)
+            task.classes.from(
+                project.extensions.getByType(SourceSetContainer::class.java).getByName("main").output.classesDirs,
+            )
             val sdk = project.providers.environmentVariable("ANDROID_HOME")
             task.framework.from(sdk.map { "$it/platforms/android-${AndroidPlugin.COMPILE_SDK}/android.jar" })
             task.report.set(project.layout.buildDirectory.file("reports/androidReferences.txt"))

@@ -9,9 +9,9 @@ import org.objectweb.asm.Opcodes
 import org.objectweb.asm.Type
 
 /**
- * Fits ECJ's class files to a compiler that works in memory, on one thread, on untrusted sources and as WebAssembly: without monitors
- * and pauses, without the methods that need reflection or files, with constant texts kept short enough for a class file, and with
- * divisions and decimal numbers that are the same everywhere.
+ * Fits ECJ's class files to a compiler that works in memory, on one thread, on untrusted sources and as WebAssembly:
+ * without monitors and pauses, without the methods that need reflection or files, with constant texts kept short enough
+ * for a class file, and with divisions and decimal numbers that are the same everywhere.
  */
 internal class EcjRewriter {
     private val seen = mutableSetOf<String>()
@@ -26,7 +26,8 @@ internal class EcjRewriter {
         return writer.toByteArray()
     }
 
-    private inner class Fitting(private val className: String, writer: ClassWriter) : ClassVisitor(Opcodes.ASM9, writer) {
+    private inner class Fitting(private val className: String, writer: ClassWriter) :
+        ClassVisitor(Opcodes.ASM9, writer) {
         override fun visitMethod(
             access: Int,
             name: String,
@@ -34,24 +35,34 @@ internal class EcjRewriter {
             signature: String?,
             exceptions: Array<String>?,
         ): MethodVisitor {
-            val target = super.visitMethod(access and Opcodes.ACC_SYNCHRONIZED.inv(), name, descriptor, signature, exceptions)
+            val target = super.visitMethod(
+                access and Opcodes.ACC_SYNCHRONIZED.inv(),
+                name,
+                descriptor,
+                signature,
+                exceptions,
+            )
             val method = "$className.$name"
             seen += method
             return when (method) {
-                in EMPTIED_METHODS -> Emptied(target, Type.getArgumentsAndReturnSizes(descriptor) shr 2, Type.getReturnType(descriptor))
+                in EMPTIED_METHODS -> Emptied(
+                    target,
+                    Type.getArgumentsAndReturnSizes(descriptor) shr 2,
+                    Type.getReturnType(descriptor),
+                )
+
                 TEXT_CONSTANT -> BoundedText(target)
+
                 FILE_READING -> ReadingByByte(target)
+
                 else -> WithoutPlatform(if (className == CONSTANTS) SafeDivision(target) else target)
             }
         }
     }
 
     /** Leaves nothing of a method, except that it returns null if it has to return something. */
-    private class Emptied(
-        private val target: MethodVisitor,
-        private val parameters: Int,
-        private val result: Type,
-    ) : MethodVisitor(Opcodes.ASM9) {
+    private class Emptied(private val target: MethodVisitor, private val parameters: Int, private val result: Type) :
+        MethodVisitor(Opcodes.ASM9) {
         override fun visitCode() {
             target.visitCode()
             if (result == Type.VOID_TYPE) {
@@ -66,8 +77,8 @@ internal class EcjRewriter {
     }
 
     /**
-     * Reads a stream, the method's first parameter, byte by byte into a `ByteArrayOutputStream`: that of a TeaVM resource forgets some
-     * bytes if it is to put them anywhere but at the beginning of an array.
+     * Reads a stream, the method's first parameter, byte by byte into a `ByteArrayOutputStream`: that of a TeaVM
+     * resource forgets some bytes if it is to put them anywhere but at the beginning of an array.
      */
     private class ReadingByByte(private val target: MethodVisitor) : MethodVisitor(Opcodes.ASM9) {
         override fun visitCode() {
@@ -142,12 +153,28 @@ internal class EcjRewriter {
             super.visitInsn(if (monitor) Opcodes.POP else opcode)
         }
 
-        override fun visitMethodInsn(opcode: Int, owner: String, name: String, descriptor: String, isInterface: Boolean) {
+        override fun visitMethodInsn(
+            opcode: Int,
+            owner: String,
+            name: String,
+            descriptor: String,
+            isInterface: Boolean,
+        ) {
             val exact = EXACT_CALLS["$owner.$name$descriptor"]
             if (exact != null) {
                 super.visitMethodInsn(Opcodes.INVOKESTATIC, exact.first, exact.second, descriptor, false)
             } else if ("$owner.$name" in THREAD_CALLS) {
-                Type.getArgumentTypes(descriptor).forEach { super.visitInsn(if (it.size == 2) Opcodes.POP2 else Opcodes.POP) }
+                Type.getArgumentTypes(descriptor).forEach {
+                    super.visitInsn(
+                        if (it.size ==
+                            2
+                        ) {
+                            Opcodes.POP2
+                        } else {
+                            Opcodes.POP
+                        },
+                    )
+                }
                 if (opcode != Opcodes.INVOKESTATIC) super.visitInsn(Opcodes.POP)
             } else {
                 super.visitMethodInsn(opcode, owner, name, descriptor, isInterface)
@@ -160,25 +187,33 @@ internal class EcjRewriter {
         val EMPTIED_METHODS = setOf(
             "$COMPILER/lookup/ExternalAnnotationSuperimposer.apply",
             "$COMPILER/lookup/ProblemReferenceBinding.problemReasonString",
-            // What ECJ's command line says while it works, found by reflection; without it the fields of Messages stay null.
+            // What ECJ's command line says while it works, found by reflection; without it the fields of Messages stay
+            // null.
             "$COMPILER/util/Messages.bind",
             "$COMPILER/util/Messages.initializeMessages",
             "$COMPILER/util/Util.collectPlatformLibraries",
         )
 
         /**
-         * None of them gives a value back, and none is reached while the compiler works on one thread. A single one left would make TeaVM
-         * compile everything as coroutines, which exported functions cannot be.
+         * None of them gives a value back, and none is reached while the compiler works on one thread. A single one
+         * left would make TeaVM compile everything as coroutines, which exported functions cannot be.
          */
         val THREAD_CALLS = setOf(
-            "java/lang/Object.wait", "java/lang/Object.notify", "java/lang/Object.notifyAll", "java/lang/Thread.sleep",
-            "java/lang/Thread.start", "java/lang/Thread.yield", "java/lang/Thread.join",
+            "java/lang/Object.wait",
+            "java/lang/Object.notify",
+            "java/lang/Object.notifyAll",
+            "java/lang/Thread.sleep",
+            "java/lang/Thread.start",
+            "java/lang/Thread.yield",
+            "java/lang/Thread.join",
         )
 
         /** What is the same on every platform, in the place of what is not. */
         val EXACT_CALLS = mapOf(
-            "java/lang/Float.valueOf(Ljava/lang/String;)Ljava/lang/Float;" to ("robotran/ecj/DecimalReader" to "floatOf"),
-            "java/lang/Double.valueOf(Ljava/lang/String;)Ljava/lang/Double;" to ("robotran/ecj/DecimalReader" to "doubleOf"),
+            "java/lang/Float.valueOf(Ljava/lang/String;)Ljava/lang/Float;" to
+                ("robotran/ecj/DecimalReader" to "floatOf"),
+            "java/lang/Double.valueOf(Ljava/lang/String;)Ljava/lang/Double;" to
+                ("robotran/ecj/DecimalReader" to "doubleOf"),
             "java/lang/String.valueOf(F)Ljava/lang/String;" to ("robotran/ecj/DecimalText" to "of"),
             "java/lang/String.valueOf(D)Ljava/lang/String;" to ("robotran/ecj/DecimalText" to "of"),
         )

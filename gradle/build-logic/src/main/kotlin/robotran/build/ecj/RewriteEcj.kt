@@ -5,7 +5,10 @@ import org.gradle.api.tasks.CacheableTask
 import org.gradle.api.tasks.TaskAction
 import robotran.build.teavm.RewriteLibrary
 
-/** Copies ECJ's jar without what only its command line, Ant, Eclipse and annotation processors need, see [EcjRewriter] for the rest. */
+/**
+ * Copies ECJ's jar without what only its command line, Ant, Eclipse and annotation processors need, see [EcjRewriter]
+ * for the rest.
+ */
 @CacheableTask
 abstract class RewriteEcj : RewriteLibrary() {
     @TaskAction

@@ -13,14 +13,10 @@ import robotran.build.texts.GenerateTexts
 internal const val BRICK_CLASSES = "brickClasses"
 
 /** A list of files of the module called [name], to be filled with a dependency. */
-internal fun resolvable(
-    project: Project,
-    name: String,
-): Configuration =
-    project.configurations.maybeCreate(name).also {
-        it.isCanBeConsumed = false
-        it.isCanBeResolved = true
-    }
+internal fun resolvable(project: Project, name: String): Configuration = project.configurations.maybeCreate(name).also {
+    it.isCanBeConsumed = false
+    it.isCanBeResolved = true
+}
 
 /** A task that compiles [sources] with ECJ; what it makes lies below the build folder in `brick/` and [folder]. */
 internal fun compileForBrick(
@@ -31,7 +27,12 @@ internal fun compileForBrick(
     configure: (CompileForBrick) -> Unit,
 ): TaskProvider<CompileForBrick> {
     val compiler = resolvable(project, "brickCompiler")
-    if (compiler.dependencies.isEmpty()) project.dependencies.add(compiler.name, catalog(project).findLibrary("ecj").get())
+    if (compiler.dependencies.isEmpty()) {
+        project.dependencies.add(
+            compiler.name,
+            catalog(project).findLibrary("ecj").get(),
+        )
+    }
     return project.tasks.register(name, CompileForBrick::class.java) { task ->
         task.compiler.from(compiler)
         task.sources.set(sources)
@@ -42,7 +43,10 @@ internal fun compileForBrick(
     }
 }
 
-/** Gives [sourceSet] the constant [qualifiedName]: a map from the paths of the class files of [compiled] to them in Base64. */
+/**
+ * Gives [sourceSet] the constant [qualifiedName]: a map from the paths of the class files of [compiled] to them in
+ * Base64.
+ */
 internal fun generateClassFiles(
     project: Project,
     compiled: TaskProvider<CompileForBrick>,
@@ -56,5 +60,7 @@ internal fun generateClassFiles(
             task.qualifiedName.set(qualifiedName)
             task.outputFolder.set(project.layout.buildDirectory.dir("generated/texts/$name"))
         }
-    project.extensions.getByType(KotlinMultiplatformExtension::class.java).sourceSets.getByName(sourceSet).kotlin.srcDir(generate)
+    project.extensions.getByType(
+        KotlinMultiplatformExtension::class.java,
+    ).sourceSets.getByName(sourceSet).kotlin.srcDir(generate)
 }

@@ -20,18 +20,13 @@ class BrickProgramsPlugin : Plugin<Project> {
 }
 
 /** Which leJOS programs of the tree a module has as class files. */
-open class BrickProgramsExtension(
-    private val project: Project,
-) {
+open class BrickProgramsExtension(private val project: Project) {
     /**
-     * Gives [sourceSet] the constant [qualifiedName] with the class files, in Base64, of the programs in [folder], seen from the root: each
-     * source is a program of its own, and the path is the source's, a slash, and the class file's. Programs that tell mistakes are left out.
+     * Gives [sourceSet] the constant [qualifiedName] with the class files, in Base64, of the programs in [folder], seen
+     * from the root: each source is a program of its own, and the path is the source's, a slash, and the class file's.
+     * Programs that tell mistakes are left out.
      */
-    fun constant(
-        sourceSet: String,
-        qualifiedName: String,
-        folder: String,
-    ) {
+    fun constant(sourceSet: String, qualifiedName: String, folder: String) {
         val name = qualifiedName.substringAfterLast('.')
         val root = project.rootProject.layout.projectDirectory
         val sources = project.provider { project.fileTree(root.dir(folder)) { it.include("**/*.java") } }

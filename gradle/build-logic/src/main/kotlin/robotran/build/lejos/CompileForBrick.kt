@@ -18,8 +18,9 @@ import org.gradle.workers.WorkerExecutor
 import javax.inject.Inject
 
 /**
- * Compiles Java for a brick by ECJ into class files of version 45.3: a class library with its own `java.lang`, or programs against one. The
- * same sources give the same bytes. [textFolder] gets each class file once more, in Base64, as `NAME.class`, for generated Kotlin.
+ * Compiles Java for a brick by ECJ into class files of version 45.3: a class library with its own `java.lang`, or
+ * programs against one. The same sources give the same bytes. [textFolder] gets each class file once more, in Base64,
+ * as `NAME.class`, for generated Kotlin.
  */
 @CacheableTask
 abstract class CompileForBrick : DefaultTask() {
@@ -39,8 +40,8 @@ abstract class CompileForBrick : DefaultTask() {
     val files get() = sources.get()
 
     /**
-     * Whether each source is a program of its own, whose class files go into a folder called like the source, such as `robots/Square.java`.
-     * Those that tell mistakes, in a line `// error LINE`, are left out then.
+     * Whether each source is a program of its own, whose class files go into a folder called like the source, such as
+     * `robots/Square.java`. Those that tell mistakes, in a line `// error LINE`, are left out then.
      */
     @get:Input
     abstract val eachAlone: Property<Boolean>

@@ -48,15 +48,10 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
 
     private fun tellsMistakes(source: File) = source.readLines().any { it.startsWith(MISTAKE) }
 
-    private fun compileAlone(
-        source: File,
-        classes: File,
-    ) = compile(listOf(source), classes.resolve(source.relativeTo(parameters.sourceFolder.get().asFile).path))
+    private fun compileAlone(source: File, classes: File) =
+        compile(listOf(source), classes.resolve(source.relativeTo(parameters.sourceFolder.get().asFile).path))
 
-    private fun compile(
-        sources: List<File>,
-        classes: File,
-    ) {
+    private fun compile(sources: List<File>, classes: File) {
         val problems = StringWriter()
         val library = (parameters.library.files.singleOrNull() ?: parameters.noClasses.get().asFile).path
         val places = listOf("-bootclasspath", library, "-classpath", library, "-d", classes.path)
@@ -68,6 +63,18 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
 
     private companion object {
         const val MISTAKE = "// error "
-        val OPTIONS = listOf("-source", "1.3", "-target", "1.1", "-proc:none", "-g", "-preserveAllLocals", "-nowarn", "-encoding", "UTF-8")
+        val OPTIONS =
+            listOf(
+                "-source",
+                "1.3",
+                "-target",
+                "1.1",
+                "-proc:none",
+                "-g",
+                "-preserveAllLocals",
+                "-nowarn",
+                "-encoding",
+                "UTF-8",
+            )
     }
 }

@@ -9,8 +9,8 @@ import org.gradle.api.tasks.TaskAction
 import robotran.build.teavm.RewriteLibrary
 
 /**
- * Copies a jar and lets its calls of `java.lang.Math` functions whose last bit differs from platform to platform go to one
- * implementation in pure Java. Fails if the jar calls a function that is neither known to be exact nor replaced.
+ * Copies a jar and lets its calls of `java.lang.Math` functions whose last bit differs from platform to platform go to
+ * one implementation in pure Java. Fails if the jar calls a function that is neither known to be exact nor replaced.
  */
 @CacheableTask
 abstract class RewriteMathCalls : RewriteLibrary() {
@@ -31,7 +31,10 @@ abstract class RewriteMathCalls : RewriteLibrary() {
         val rewriter = MathCallRewriter(exactFunctions.get(), replacedFunctions.get(), replacement.get())
         copy(rewritten = rewriter::rewrite)
         if (rewriter.unknownCalls.isNotEmpty()) {
-            throw GradleException("${library.singleFile.name} calls functions that may differ between platforms: ${rewriter.unknownCalls}")
+            throw GradleException(
+                "${library.singleFile.name} calls functions that may differ between platforms: " +
+                    "${rewriter.unknownCalls}",
+            )
         }
     }
 }

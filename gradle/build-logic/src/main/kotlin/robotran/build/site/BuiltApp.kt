@@ -8,7 +8,9 @@ internal class BuiltApp(folder: File) {
     private val atTop = folder.listFiles().orEmpty().filter { it.isFile }.sorted()
 
     // Kotlin's plugin lays the modules beside the bundle that webpack has made of them already.
-    private val bundled = atTop.filter { it.extension == "mjs" }.flatMap { listOf(it.name, "${it.nameWithoutExtension}.wasm") }
+    private val bundled = atTop.filter {
+        it.extension == "mjs"
+    }.flatMap { listOf(it.name, "${it.nameWithoutExtension}.wasm") }
 
     /** The scripts and the WebAssembly modules. */
     val code: List<SiteFile> =
@@ -23,7 +25,10 @@ internal class BuiltApp(folder: File) {
         folder.resolve(RESOURCES).walk().filter { it.isFile }.sorted()
             .associate { it.relativeTo(folder).invariantSeparatorsPath to SiteFile.of(it) }
 
-    /** What the first picture cannot be drawn without; the compiler for Java and the font with emoji, for example, can wait. */
+    /**
+     * What the first picture cannot be drawn without; the compiler for Java and the font with emoji, for example, can
+     * wait.
+     */
     val neededFirst: List<SiteFile> =
         FIRST_MODULES.map { stem ->
             code.firstOrNull { it.name.startsWith("$stem.") && it.content.extension == "wasm" }

@@ -21,16 +21,18 @@ internal class SiteFile private constructor(
         private const val DIGITS = 16
         private val NAMED_BY_CONTENT = Regex(""".+\.[0-9a-f]{16}\.\w+""")
 
-        /** [file] under its own name if webpack has put into it what is in the file, else with the beginning of its SHA-256 in it. */
-        fun of(file: File): SiteFile =
-            SiteFile(
-                file,
-                if (NAMED_BY_CONTENT.matches(file.name)) {
-                    file.name
-                } else {
-                    "${file.nameWithoutExtension}.${hexOf(sha256(file.readBytes())).take(DIGITS)}.${file.extension}"
-                },
-            )
+        /**
+         * [file] under its own name if webpack has put into it what is in the file, else with the beginning of its
+         * SHA-256 in it.
+         */
+        fun of(file: File): SiteFile = SiteFile(
+            file,
+            if (NAMED_BY_CONTENT.matches(file.name)) {
+                file.name
+            } else {
+                "${file.nameWithoutExtension}.${hexOf(sha256(file.readBytes())).take(DIGITS)}.${file.extension}"
+            },
+        )
     }
 }
 

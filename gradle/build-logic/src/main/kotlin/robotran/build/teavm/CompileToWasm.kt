@@ -13,8 +13,8 @@ import org.gradle.workers.WorkerExecutor
 import javax.inject.Inject
 
 /**
- * Compiles Java class files with TeaVM to Wasm GC. [outputFolder] then holds `NAME.wasm`, TeaVM's loader `NAME-runtime.mjs`
- * and `NAME.mjs`, whose `loadModule()` gives the exported functions.
+ * Compiles Java class files with TeaVM to Wasm GC. [outputFolder] then holds `NAME.wasm`, TeaVM's loader
+ * `NAME-runtime.mjs` and `NAME.mjs`, whose `loadModule()` gives the exported functions.
  */
 @CacheableTask
 abstract class CompileToWasm : DefaultTask() {
@@ -33,7 +33,10 @@ abstract class CompileToWasm : DefaultTask() {
     @get:Input
     abstract val moduleName: Property<String>
 
-    /** Whether a null or an index out of bounds is an exception that the program may catch, as in Java, and does not end the module. */
+    /**
+     * Whether a null or an index out of bounds is an exception that the program may catch, as in Java, and does not end
+     * the module.
+     */
     @get:Input
     abstract val strict: Property<Boolean>
 

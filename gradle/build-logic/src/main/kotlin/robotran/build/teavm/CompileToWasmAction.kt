@@ -55,10 +55,15 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         }
     }
 
-    /** TeaVM's loader as an ES module that needs no `eval`; the mark keeps webpack from following the imports it makes for Node only. */
-    private fun runtime(): String =
-        CspSafeLoader.rewrite(resource(TeaVMTool::class.java, RUNTIME), resource(CompileToWasmAction::class.java, FUNCTIONS))
-            .replace("import(", "import(/* webpackIgnore: true */ ")
+    /**
+     * TeaVM's loader as an ES module that needs no `eval`; the mark keeps webpack from following the imports it makes
+     * for Node only.
+     */
+    private fun runtime(): String = CspSafeLoader.rewrite(
+        resource(TeaVMTool::class.java, RUNTIME),
+        resource(CompileToWasmAction::class.java, FUNCTIONS),
+    )
+        .replace("import(", "import(/* webpackIgnore: true */ ")
 
     /** The hand-written module that loads the other two and offers their functions. */
     private fun entry(name: String): String = resource(CompileToWasmAction::class.java, ENTRY).replace("NAME", name)

@@ -3,9 +3,9 @@ package robotran.build.teavm
 import org.gradle.api.GradleException
 
 /**
- * Rewrites TeaVM's loader so that it makes no code of texts: a page's security policy may then forbid it. TeaVM does so to give functions
- * exactly as many parameters as they have in Java, which nothing here looks at, and for scripts that are written in Java (`@JSBody`), which
- * are few and known.
+ * Rewrites TeaVM's loader so that it makes no code of texts: a page's security policy may then forbid it. TeaVM does so
+ * to give functions exactly as many parameters as they have in Java, which nothing here looks at, and for scripts that
+ * are written in Java (`@JSBody`), which are few and known.
  */
 internal object CspSafeLoader {
     /**
@@ -39,7 +39,11 @@ internal object CspSafeLoader {
         listOf(
             Triple("new Function(\"return \" + name", ");", "() => globalNamed(name);"),
             Triple("new Function(\"value\", name", ")(value);", "globalThis[name] = value;"),
-            Triple("return $FUNCTION_OF_JAVA", END_OF_IT, "return handingOn(fn, params.length, vararg, rethrowJavaAsJs);"),
+            Triple(
+                "return $FUNCTION_OF_JAVA",
+                END_OF_IT,
+                "return handingOn(fn, params.length, vararg, rethrowJavaAsJs);",
+            ),
             Triple("return new Function(\n      \"constructor\"", ")(c);", "return renamed(name, c);"),
             Triple("= $METHOD_OF_JAVA", END_OF_IT, "= handingOnWithThis(fn, params.length, vararg, rethrowJavaAsJs);"),
             Triple("new Function(\n      \"wrapCallFromJavaToJs\"", ").bind(null, wrapCallFromJavaToJs);", "scriptOf;"),
@@ -60,5 +64,9 @@ internal object CspSafeLoader {
         parameters: String,
         call: String,
         end: String = ").bind(null, rethrowJsAsJava);",
-    ) = Triple("${place}new Function(", end, "$place$parameters => { try { return $call; } catch (e) { rethrowJsAsJava(e); } };")
+    ) = Triple(
+        "${place}new Function(",
+        end,
+        "$place$parameters => { try { return $call; } catch (e) { rethrowJsAsJava(e); } };",
+    )
 }

@@ -9,8 +9,9 @@ import org.gradle.api.tasks.compile.JavaCompile
 import robotran.build.catalog
 
 /**
- * A module in Java: its source set `main` is a jar for the JVM and Android, and `browser` makes of it a WebAssembly module of exported
- * functions. The browser's files are offered to other modules as the configuration [WEB_FILES]; a [WebFilesPlugin] fetches them.
+ * A module in Java: its source set `main` is a jar for the JVM and Android, and `browser` makes of it a WebAssembly
+ * module of exported functions. The browser's files are offered to other modules as the configuration [WEB_FILES]; a
+ * [WebFilesPlugin] fetches them.
  */
 class TeaVmPlugin : Plugin<Project> {
     override fun apply(project: Project) {

@@ -5,9 +5,9 @@ import org.gradle.api.Project
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
 /**
- * Lays the files that a [TeaVmPlugin] module has for the browser beside the generated JavaScript, where the Kotlin code imports them
- * from. Kotlin hands a module's resources to its own executables and tests but not to the modules that use it, so every module that
- * links that code into a wasm test or executable applies the plugin too.
+ * Lays the files that a [TeaVmPlugin] module has for the browser beside the generated JavaScript, where the Kotlin code
+ * imports them from. Kotlin hands a module's resources to its own executables and tests but not to the modules that use
+ * it, so every module that links that code into a wasm test or executable applies the plugin too.
  *
  * @param module the path of the module in the build.
  */

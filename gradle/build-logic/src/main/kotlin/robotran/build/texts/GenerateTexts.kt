@@ -47,8 +47,6 @@ abstract class GenerateTexts : DefaultTask() {
         }
     }
 
-    private fun textsIn(
-        path: String,
-        text: String,
-    ): Map<String, String> = if (fence.isPresent) fencedBlocks(path, text, fence.get()) else mapOf(path to text)
+    private fun textsIn(path: String, text: String): Map<String, String> =
+        if (fence.isPresent) fencedBlocks(path, text, fence.get()) else mapOf(path to text)
 }

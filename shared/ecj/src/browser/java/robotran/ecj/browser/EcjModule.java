@@ -8,7 +8,10 @@ import robotran.ecj.EcjProblem;
 import robotran.ecj.EcjResult;
 import robotran.ecj.Library;
 
-/** What the WebAssembly module offers: {@link EcjCompiler} as plain functions, with one library, one compiler and its last result. */
+/**
+ * What the WebAssembly module offers: {@link EcjCompiler} as plain functions, with one library, one compiler and its
+ * last result.
+ */
 public final class EcjModule {
     private static Library library = new Library();
     private static EcjCompiler compiler = new EcjCompiler(library);

@@ -8,19 +8,39 @@ import robotran.javacompiler.messages.NewerJava
 /** What to tell about Java that is too new for a brick, or that its virtual machine has not. */
 internal class BrickAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem): ProblemExplanation? {
-        val newer = NEWER_JAVA[problem.number] ?: newerWord(problem.arguments.firstOrNull().orEmpty())?.takeIf { problem.isSyntax }
-        return if (newer != null) ProblemExplanation(messages.newerJava(newer), messages.insteadOf(newer)) else brickAdvice(problem)
+        val newer =
+            NEWER_JAVA[problem.number]
+                ?: newerWord(problem.arguments.firstOrNull().orEmpty())?.takeIf { problem.isSyntax }
+        return if (newer !=
+            null
+        ) {
+            ProblemExplanation(messages.newerJava(newer), messages.insteadOf(newer))
+        } else {
+            brickAdvice(problem)
+        }
     }
 
     private fun brickAdvice(problem: EcjProblem): ProblemExplanation? = when (problem.number) {
         ProblemNumber.SWITCH -> ProblemExplanation(messages.noSwitch(), messages.useIf())
+
         ProblemNumber.LONG_ARITHMETIC -> ProblemExplanation(messages.noLongArithmetic(), messages.useInt())
+
         ProblemNumber.FLOAT_REMAINDER -> ProblemExplanation(messages.noFloatRemainder(), messages.useIntRemainder())
+
         ProblemNumber.ARRAY_TYPE_TEST -> ProblemExplanation(messages.noArrayTypeTest(), messages.useArrayItself())
+
         ProblemNumber.CLASS_LITERAL -> ProblemExplanation(messages.noClassLiteral(), messages.useInstanceof())
+
         ProblemNumber.TEXT_JOINED_IN_LOOP -> ProblemExplanation(messages.textJoinedInLoop(), messages.makeTextOnce())
-        ProblemNumber.DIVISOR_TOO_LARGE -> ProblemExplanation(messages.divisorTooLarge(problem.arguments[0], problem.arguments[1]))
-        ProblemNumber.ARRAY_TOO_LONG -> ProblemExplanation(messages.arrayTooLong(problem.arguments[0], problem.arguments[1]))
+
+        ProblemNumber.DIVISOR_TOO_LARGE -> ProblemExplanation(
+            messages.divisorTooLarge(problem.arguments[0], problem.arguments[1]),
+        )
+
+        ProblemNumber.ARRAY_TOO_LONG -> ProblemExplanation(
+            messages.arrayTooLong(problem.arguments[0], problem.arguments[1]),
+        )
+
         else -> null
     }
 

@@ -22,7 +22,10 @@ internal fun causes(source: SourceText, problems: List<EcjProblem>): List<EcjPro
 
             problem.number == ProblemNumber.UNDEFINED_TYPE -> unknown.add(written)
 
-            problem.number == ProblemNumber.CLASS_MUST_BE_ABSTRACT -> problems.none { it.number == ProblemNumber.ABSTRACT_METHOD }
+            problem.number == ProblemNumber.CLASS_MUST_BE_ABSTRACT -> problems.none {
+                it.number ==
+                    ProblemNumber.ABSTRACT_METHOD
+            }
 
             else -> true
         }
@@ -37,7 +40,9 @@ private fun unread(source: SourceText, problems: List<EcjProblem>): Set<EcjProbl
     if (unclosed.isNotEmpty()) return unclosed.toSet()
     // A brace that stays open is told where it should be closed, and no brace is wrong if there are as many of both.
     val paired = source.bracesBefore(Int.MAX_VALUE) == 0
-    return all.filterNot { if (paired) isAboutBrace(it, source) else isOpeningBrace(it, source) }.ifEmpty { all }.toSet()
+    return all.filterNot {
+        if (paired) isAboutBrace(it, source) else isOpeningBrace(it, source)
+    }.ifEmpty { all }.toSet()
 }
 
 private fun isAboutBrace(problem: EcjProblem, source: SourceText) =
@@ -46,11 +51,13 @@ private fun isAboutBrace(problem: EcjProblem, source: SourceText) =
 private fun isOpeningBrace(problem: EcjProblem, source: SourceText) = source.words(problem.start, problem.end) == "{"
 
 /**
- * [problems] without the proposals to go on with `::`, which Java of a brick's time does not have, where ECJ also says what else is missing there:
- * behind a name that a statement ends with, that is its semicolon.
+ * [problems] without the proposals to go on with `::`, which Java of a brick's time does not have, where ECJ also says
+ * what else is missing there: behind a name that a statement ends with, that is its semicolon.
  */
 internal fun withoutMethodReferences(problems: List<EcjProblem>): List<EcjProblem> {
-    val (references, others) = problems.partition { it.isSyntax && it.arguments.firstOrNull()?.startsWith("::") == true }
+    val (references, others) = problems.partition {
+        it.isSyntax && it.arguments.firstOrNull()?.startsWith("::") == true
+    }
     if (references.isEmpty()) return problems
     val places = others.filter { it.isSyntax }.mapTo(mutableSetOf()) { it.start to it.end }
     return problems.filter { it !in references || (it.start to it.end) !in places }

@@ -16,7 +16,11 @@ internal class ClassAdvisor(private val messages: JavaMessages) {
             }
 
             ProblemNumber.MISSING_RETURN_TYPE -> {
-                ProblemExplanation(messages.missingReturnType(), messages.writeVoid(), source.insertion(problem.start, "void "))
+                ProblemExplanation(
+                    messages.missingReturnType(),
+                    messages.writeVoid(),
+                    source.insertion(problem.start, "void "),
+                )
             }
 
             ProblemNumber.CLASS_IS_ABSTRACT -> {
@@ -25,7 +29,10 @@ internal class ClassAdvisor(private val messages: JavaMessages) {
 
             ProblemNumber.METHOD_NOT_WRITTEN -> {
                 val method = shortened("${problem.arguments[0]}(${problem.arguments[1]})")
-                ProblemExplanation(messages.mustHaveMethod(argument(3), method, argument(2)), messages.writePublicMethod(method))
+                ProblemExplanation(
+                    messages.mustHaveMethod(argument(3), method, argument(2)),
+                    messages.writePublicMethod(method),
+                )
             }
 
             ProblemNumber.REDUCED_VISIBILITY -> {
@@ -46,6 +53,14 @@ internal class ClassAdvisor(private val messages: JavaMessages) {
         }
     }
 
-    private fun cannotBeMade(name: String) =
-        ProblemExplanation(messages.cannotBeMade(name), if (name == "Thread") messages.extendThread() else messages.extendIt(name))
+    private fun cannotBeMade(name: String) = ProblemExplanation(
+        messages.cannotBeMade(name),
+        if (name ==
+            "Thread"
+        ) {
+            messages.extendThread()
+        } else {
+            messages.extendIt(name)
+        },
+    )
 }

@@ -1,8 +1,8 @@
 package robotran.javacompiler.diagnose
 
 /**
- * A source without what is no code: spaces stand in the place of its comments and of what is between quotation marks, so that what is
- * left keeps its place.
+ * A source without what is no code: spaces stand in the place of its comments and of what is between quotation marks,
+ * so that what is left keeps its place.
  */
 internal class CodeOnly(private val source: String) {
     private val code = StringBuilder(source.length)

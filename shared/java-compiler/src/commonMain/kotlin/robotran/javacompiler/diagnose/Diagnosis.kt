@@ -11,9 +11,18 @@ private const val QUOTED_CHARACTERS = 40
 /** More is not told, so that a source of nothing but mistakes takes no longer than another; errors come first. */
 private const val MAX_PROBLEMS = 300
 
-internal fun shortened(text: String) = if (text.length <= QUOTED_CHARACTERS) text else text.take(QUOTED_CHARACTERS - 2) + ".."
+internal fun shortened(text: String) = if (text.length <=
+    QUOTED_CHARACTERS
+) {
+    text
+} else {
+    text.take(QUOTED_CHARACTERS - 2) + ".."
+}
 
-/** Turns what ECJ says about [sources] into what a pupil is told: one thing a line, nothing that only follows from another mistake. */
+/**
+ * Turns what ECJ says about [sources] into what a pupil is told: one thing a line, nothing that only follows from
+ * another mistake.
+ */
 internal class Diagnosis(
     sources: List<JavaSource>,
     library: Set<String>,
@@ -40,7 +49,8 @@ internal class Diagnosis(
     }
 
     /** Why there is no method to begin with; null if there is one. */
-    fun missingMain(): JavaDiagnostic? = if (compilation.mainClasses.isEmpty()) MainMethod(messages).missing(sources) else null
+    fun missingMain(): JavaDiagnostic? =
+        if (compilation.mainClasses.isEmpty()) MainMethod(messages).missing(sources) else null
 
     private fun undeclaredNames(): Set<String> = sources.flatMap { source ->
         byPath[source.path].orEmpty().filter { it.number in NameAdvisor.NUMBERS }.map { source.words(it.start, it.end) }

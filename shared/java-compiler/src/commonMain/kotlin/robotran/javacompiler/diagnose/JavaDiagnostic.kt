@@ -34,17 +34,14 @@ enum class JavaSeverity {
  * A piece of one line.
  *
  * @property line from 1.
- * @property column from 1, counted in UTF-16 characters, a tab being one; a byte order mark before the first line does not count.
+ * @property column from 1, counted in UTF-16 characters, a tab being one; a byte order mark before the first line does
+ * not count.
  * @property endColumn the column after the last character.
  */
-data class JavaRange(
-    val line: Int,
-    val column: Int,
-    val endColumn: Int,
-)
+data class JavaRange(val line: Int, val column: Int, val endColumn: Int)
 
-/** A change of the source that an editor can offer: [replacement] in place of [range], which is of no width where something is only put in. */
-data class JavaFix(
-    val range: JavaRange,
-    val replacement: String,
-)
+/**
+ * A change of the source that an editor can offer: [replacement] in place of [range], which is of no width where
+ * something is only put in.
+ */
+data class JavaFix(val range: JavaRange, val replacement: String)

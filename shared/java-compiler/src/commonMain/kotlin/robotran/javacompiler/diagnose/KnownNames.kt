@@ -8,7 +8,10 @@ private val ABSENT: Map<String, UnsupportedOnBrick> = buildMap {
     fun put(what: UnsupportedOnBrick, names: String) = names.split(' ').forEach { put(it, what) }
     put(UnsupportedOnBrick.PRINTING, "System.out System.err PrintStream")
     put(UnsupportedOnBrick.KEYBOARD, "System.in Scanner BufferedReader InputStreamReader Console")
-    put(UnsupportedOnBrick.COLLECTIONS, "ArrayList List LinkedList Collection Collections Map HashMap TreeMap LinkedHashMap")
+    put(
+        UnsupportedOnBrick.COLLECTIONS,
+        "ArrayList List LinkedList Collection Collections Map HashMap TreeMap LinkedHashMap",
+    )
     put(UnsupportedOnBrick.COLLECTIONS, "Set HashSet TreeSet Iterator Iterable")
     put(UnsupportedOnBrick.COLLECTIONS, "Enumeration Arrays Deque ArrayDeque Comparable Comparator")
     put(UnsupportedOnBrick.RUNNABLE, "Runnable Callable ExecutorService Executors")
@@ -30,7 +33,10 @@ private val ABSENT: Map<String, UnsupportedOnBrick> = buildMap {
     put(UnsupportedOnBrick.WRITING_NUMBERS, "Integer.toBinaryString Float.toString Integer.intValue")
     put(UnsupportedOnBrick.SYSTEM_METHODS, "System.nanoTime System.gc System.identityHashCode System.getProperty")
     put(UnsupportedOnBrick.ARRAY_COPYING, "System.arraycopy")
-    put(UnsupportedOnBrick.PARSING, "Integer.parseInt Integer.valueOf Integer.decode Float.parseFloat Double.parseDouble")
+    put(
+        UnsupportedOnBrick.PARSING,
+        "Integer.parseInt Integer.valueOf Integer.decode Float.parseFloat Double.parseDouble",
+    )
     put(UnsupportedOnBrick.WRAPPERS, "Boolean Byte Character Short Long Double Number BigInteger BigDecimal")
     put(UnsupportedOnBrick.FILES, "File FileReader FileWriter FileInputStream FileOutputStream PrintWriter")
     put(UnsupportedOnBrick.WINDOWS, "JFrame JPanel JButton JOptionPane Frame Graphics")

@@ -4,7 +4,10 @@ import robotran.javacompiler.messages.JavaMessages
 
 /** Why a program that can be compiled has no method to begin with. */
 internal class MainMethod(private val messages: JavaMessages) {
-    /** Told at the method that was probably meant, else at the first class, else at the beginning; null if there are no sources. */
+    /**
+     * Told at the method that was probably meant, else at the first class, else at the beginning; null if there are no
+     * sources.
+     */
     fun missing(sources: List<SourceText>): JavaDiagnostic? {
         val meant = sources.firstNotNullOfOrNull { source -> meantPlace(source)?.let { source to it } }
         val (source, place) = meant

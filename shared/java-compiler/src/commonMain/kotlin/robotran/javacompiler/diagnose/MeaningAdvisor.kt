@@ -16,13 +16,26 @@ internal class MeaningAdvisor(private val messages: JavaMessages) {
         fun argument(place: Int) = shortened(problem.arguments[place])
         return when (problem.number) {
             ProblemNumber.UNINITIALIZED_LOCAL_VARIABLE -> ProblemExplanation(messages.notInitialized(argument(0)))
-            ProblemNumber.REDEFINED_LOCAL, ProblemNumber.REDEFINED_ARGUMENT -> ProblemExplanation(messages.declaredTwice(argument(0)))
+
+            ProblemNumber.REDEFINED_LOCAL, ProblemNumber.REDEFINED_ARGUMENT -> ProblemExplanation(
+                messages.declaredTwice(argument(0)),
+            )
+
             ProblemNumber.FINAL_LOCAL_ASSIGNED -> ProblemExplanation(messages.neverChanges(argument(0)))
+
             ProblemNumber.FINAL_FIELD_ASSIGNED -> ProblemExplanation(messages.neverChanges(argument(1)))
-            ProblemNumber.NON_STATIC_FIELD -> ProblemExplanation(messages.staticNeeded(argument(0)), messages.makeItStatic())
+
+            ProblemNumber.NON_STATIC_FIELD -> ProblemExplanation(
+                messages.staticNeeded(argument(0)),
+                messages.makeItStatic(),
+            )
+
             ProblemNumber.THIS_IN_STATIC -> ProblemExplanation(messages.staticNeeded("this"))
+
             ProblemNumber.ASSIGNMENT_HAS_NO_EFFECT -> ProblemExplanation(messages.noEffect())
+
             ProblemNumber.POSSIBLE_ACCIDENTAL_BOOLEAN_ASSIGNMENT -> ProblemExplanation(messages.compareWithTwoSigns())
+
             else -> null
         }
     }
@@ -66,7 +79,13 @@ internal class MeaningAdvisor(private val messages: JavaMessages) {
         val owner = shortened(problem.arguments[0])
         val name = shortened(problem.arguments[1])
         val onClass = source.words(problem.start, problem.end).startsWith("$owner.")
-        return if (onClass) ProblemExplanation(messages.objectNeeded(name, owner)) else ProblemExplanation(messages.staticNeeded(name), messages.makeItStatic())
+        return if (onClass) {
+            ProblemExplanation(
+                messages.objectNeeded(name, owner),
+            )
+        } else {
+            ProblemExplanation(messages.staticNeeded(name), messages.makeItStatic())
+        }
     }
 
     private fun unhandled(problem: EcjProblem, source: SourceText): ProblemExplanation {

@@ -17,13 +17,17 @@ internal class MemberAdvisor(
 
             ProblemNumber.UNDEFINED_METHOD -> method(problem, source, name)
 
-            ProblemNumber.METHOD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[0]) ?: method(problem, source, name)
+            ProblemNumber.METHOD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[0])
+                ?: method(problem, source, name)
 
-            ProblemNumber.FIELD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[1]) ?: field(problem, source, name)
+            ProblemNumber.FIELD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[1])
+                ?: field(problem, source, name)
 
             ProblemNumber.NO_MESSAGE_SEND_ON_ARRAY -> onArray(problem, source, name)
 
-            ProblemNumber.NO_MESSAGE_SEND_ON_BASE_TYPE -> ProblemExplanation(messages.noMembers(shortened(problem.arguments[0])))
+            ProblemNumber.NO_MESSAGE_SEND_ON_BASE_TYPE -> ProblemExplanation(
+                messages.noMembers(shortened(problem.arguments[0])),
+            )
 
             ProblemNumber.ARRAY_NEEDED -> if (problem.arguments[0] ==
                 "String"
@@ -48,7 +52,11 @@ internal class MemberAdvisor(
         val owner = problem.arguments.first()
         val isUnqualified = source.codeBefore(problem.start) != '.'
         val called = absentCall(name).takeIf { isUnqualified }
-        if (called != null) return ProblemExplanation(messages.unknownMethodHere(name, shortened(owner)), messages.absent(called))
+        if (called !=
+            null
+        ) {
+            return ProblemExplanation(messages.unknownMethodHere(name, shortened(owner)), messages.absent(called))
+        }
         if (isUnqualified) command(problem, source, name)?.let { return it }
         val told = member(problem, source, name, owner, messages.unknownMethod(shortened(name), shortened(owner)))
         val isOwn = told.hint == null && owner !in library.simpleNames && isUnqualified
@@ -67,22 +75,49 @@ internal class MemberAdvisor(
         }
     }
 
-    private fun member(problem: EcjProblem, source: SourceText, name: String, owner: String?, message: String): ProblemExplanation {
+    private fun member(
+        problem: EcjProblem,
+        source: SourceText,
+        name: String,
+        owner: String?,
+        message: String,
+    ): ProblemExplanation {
         val absent = owner?.let { absent(name, it) }
         if (absent != null) return ProblemExplanation(message, messages.absent(absent))
         // A class of the program itself has no members that are known here, but their names are in the source.
-        return nearNames.suggested(problem, source, message, nearest(name, problem.members.ifEmpty { nearNames.namesIn(source) }))
+        return nearNames.suggested(
+            problem,
+            source,
+            message,
+            nearest(
+                name,
+                problem.members.ifEmpty {
+                    nearNames.namesIn(source)
+                },
+            ),
+        )
     }
 
     /** What the library keeps to itself is as good as not there, and its source is not the pupil's to change. */
     private fun hidden(problem: EcjProblem, source: SourceText, name: String, owner: String): ProblemExplanation? {
         val simpleName = owner.substringAfterLast('.')
         val isOwn = simpleName in source.names && simpleName !in library.simpleNames
-        return if (isOwn) ProblemExplanation(messages.isPrivate(shortened(name), shortened(owner)), messages.usePublic()) else null
+        return if (isOwn) {
+            ProblemExplanation(
+                messages.isPrivate(shortened(name), shortened(owner)),
+                messages.usePublic(),
+            )
+        } else {
+            null
+        }
     }
 
     private fun onArray(problem: EcjProblem, source: SourceText, words: String): ProblemExplanation {
-        if (problem.arguments.getOrNull(1) != LENGTH) return ProblemExplanation(messages.noMembers(shortened(problem.arguments[0])))
+        if (problem.arguments.getOrNull(1) !=
+            LENGTH
+        ) {
+            return ProblemExplanation(messages.noMembers(shortened(problem.arguments[0])))
+        }
         val fix = words.takeIf { it.endsWith("()") }?.let { JavaFix(source.range(problem.end - 2, problem.end), "") }
         return ProblemExplanation(messages.lengthOfArrayValue(), fix = fix)
     }

@@ -4,7 +4,10 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemNumber
 import robotran.javacompiler.messages.JavaMessages
 
-/** What to tell about classes, imports and variables that nothing declares: what the brick has instead, a missing import, or what was meant. */
+/**
+ * What to tell about classes, imports and variables that nothing declares: what the brick has instead, a missing
+ * import, or what was meant.
+ */
 internal class NameAdvisor(
     private val library: LibraryNames,
     private val nearNames: NameSuggestions,
@@ -35,7 +38,9 @@ internal class NameAdvisor(
             absent != null -> ProblemExplanation(message, messages.absent(absent))
 
             else -> nearNames.suggested(
-                problem, source, message,
+                problem,
+                source,
+                message,
                 home ?: nearest(name, library.packages + library.qualifiedNames, FORGIVEN_IN_IMPORT),
             )
         }
@@ -72,7 +77,15 @@ internal class NameAdvisor(
 
             else -> {
                 otherWord(problem, source, name, message)
-                    ?: nearNames.suggested(problem, source, message, nearest(name, library.simpleNames + nearNames.classesIn(source)))
+                    ?: nearNames.suggested(
+                        problem,
+                        source,
+                        message,
+                        nearest(
+                            name,
+                            library.simpleNames + nearNames.classesIn(source),
+                        ),
+                    )
             }
         }
     }

@@ -8,10 +8,7 @@ import robotran.javacompiler.messages.JavaMessages
  *
  * @param undeclared all names that nothing declares, since none of them can be meant by another.
  */
-internal class NameSuggestions(
-    private val undeclared: Set<String>,
-    private val messages: JavaMessages,
-) {
+internal class NameSuggestions(private val undeclared: Set<String>, private val messages: JavaMessages) {
     /** [message] with the advice to write [suggestion] in the place of the problem, if there is one. */
     fun suggested(problem: EcjProblem, source: SourceText, message: String, suggestion: String?): ProblemExplanation {
         if (suggestion == null) return ProblemExplanation(message)

@@ -3,7 +3,8 @@ package robotran.javacompiler.diagnose
 /**
  * What to tell about a problem.
  *
- * @property at the place in the source that it is about, if it is not the problem's own; of no width where something is missing.
+ * @property at the place in the source that it is about, if it is not the problem's own; of no width where something is
+ * missing.
  */
 internal class ProblemExplanation(
     val message: String,
@@ -13,7 +14,4 @@ internal class ProblemExplanation(
 )
 
 /** A piece of a source, from the character [start], counted from 0, to before [end]. */
-internal class SourceSpan(
-    val start: Int,
-    val end: Int = start,
-)
+internal class SourceSpan(val start: Int, val end: Int = start)

@@ -30,18 +30,33 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
 
     private fun misplaced(problem: EcjProblem, source: SourceText, expected: String): ProblemExplanation? {
         val isWhole =
-            problem.number == ProblemNumber.PARSING_ERROR_INSERT_BEFORE || problem.number == ProblemNumber.PARSING_ERROR_DELETE_SEVERAL
+            problem.number == ProblemNumber.PARSING_ERROR_INSERT_BEFORE ||
+                problem.number == ProblemNumber.PARSING_ERROR_DELETE_SEVERAL
         val isStatement = expected == "Identifier" || problem.arguments == listOf(";", ",")
         return when (source.bracesBefore(problem.start)) {
-            0 -> if (isWhole) ProblemExplanation(messages.outsideClass(), messages.beginWithClass(className(source))) else null
+            0 -> if (isWhole) {
+                ProblemExplanation(
+                    messages.outsideClass(),
+                    messages.beginWithClass(className(source)),
+                )
+            } else {
+                null
+            }
+
             1 -> if (isStatement) ProblemExplanation(messages.outsideMethod(), messages.moveIntoMethod()) else null
+
             else -> null
         }
     }
 
     private fun className(source: SourceText) = source.path.substringAfterLast('/').removeSuffix(".java")
 
-    private fun condition(word: String, problem: EcjProblem, source: SourceText, expected: String): ProblemExplanation? = when {
+    private fun condition(
+        word: String,
+        problem: EcjProblem,
+        source: SourceText,
+        expected: String,
+    ): ProblemExplanation? = when {
         word in CONDITIONAL && expected == "(" -> {
             ProblemExplanation(messages.conditionInBrackets(word))
         }
@@ -74,7 +89,10 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
         val missing = problem.arguments.first()
         return when {
             missing == "VariableDeclarators" && isName && endsHere -> {
-                ProblemExplanation(messages.callWithBrackets(shortened(word)), fix = source.insertion(problem.end, "()"))
+                ProblemExplanation(
+                    messages.callWithBrackets(shortened(word)),
+                    fix = source.insertion(problem.end, "()"),
+                )
             }
 
             missing.startsWith("AssignmentOperator") && endsHere -> {
@@ -91,13 +109,23 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
         }
     }
 
-    private fun nameOrArray(word: String, problem: EcjProblem, source: SourceText, expected: String): ProblemExplanation? {
+    private fun nameOrArray(
+        word: String,
+        problem: EcjProblem,
+        source: SourceText,
+        expected: String,
+    ): ProblemExplanation? {
         val isNumber = word.isNotEmpty() && word.all { it.isDigit() }
         val after = source.codeAt(problem.end)
         return when {
-            isNumber && source.codeBefore(problem.start) == '[' && after == ']' -> ProblemExplanation(messages.lengthOfArray())
+            isNumber && source.codeBefore(
+                problem.start,
+            ) == '[' && after == ']' -> ProblemExplanation(messages.lengthOfArray())
+
             isNumber && after?.isJavaLetter() == true -> ProblemExplanation(messages.nameBeginsWithLetter())
+
             word in KEYWORDS && expected == "VariableDeclaratorId" -> ProblemExplanation(messages.wordOfJava(word))
+
             else -> null
         }
     }

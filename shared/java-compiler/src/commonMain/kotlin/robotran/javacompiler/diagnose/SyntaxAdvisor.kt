@@ -12,7 +12,8 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
         if (problem.isSyntax) {
             source.unclosedText(problem.start)?.let {
                 return ProblemExplanation(
-                    messages.unclosedText(), messages.closeText(),
+                    messages.unclosedText(),
+                    messages.closeText(),
                     at = SourceSpan(
                         it,
                         it + 1,
@@ -24,15 +25,33 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
         val word = source.words(problem.start, problem.end)
         return when (problem.number) {
             ProblemNumber.PARSING_ERROR_INSERT_TO_COMPLETE -> missing(problem.arguments.first(), problem, source, word)
+
             ProblemNumber.PARSING_ERROR_INSERT_AFTER -> insertAfter(problem, source, word)
+
             ProblemNumber.PARSING_ERROR_DELETE, ProblemNumber.UNMATCHED_BRACKET -> extra(word)
+
             ProblemNumber.PARSING_ERROR, ProblemNumber.PARSING_ERROR_INSERT_BEFORE -> expected(problem, word)
+
             ProblemNumber.UNTERMINATED_STRING -> ProblemExplanation(messages.unclosedText(), messages.closeText())
+
             ProblemNumber.INVALID_CHARACTER_CONSTANT -> wrongCharacter(problem, source, word)
-            ProblemNumber.ARRAY_CONSTANT_OUTSIDE_INITIALIZER -> ProblemExplanation(messages.notUnderstood(shortened(word)), messages.arrayOfValues())
+
+            ProblemNumber.ARRAY_CONSTANT_OUTSIDE_INITIALIZER -> ProblemExplanation(
+                messages.notUnderstood(shortened(word)),
+                messages.arrayOfValues(),
+            )
+
             ProblemNumber.SOURCE_TOO_LONG -> ProblemExplanation(messages.sourceTooLong(problem.arguments.first()))
+
             ProblemNumber.NESTED_TOO_DEEPLY -> ProblemExplanation(messages.nestedTooDeeply())
-            else -> if (problem.isSyntax && word.isNotBlank()) ProblemExplanation(messages.notUnderstood(shortened(word))) else null
+
+            else -> if (problem.isSyntax &&
+                word.isNotBlank()
+            ) {
+                ProblemExplanation(messages.notUnderstood(shortened(word)))
+            } else {
+                null
+            }
         }
     }
 
@@ -83,13 +102,25 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
     private fun expected(problem: EcjProblem, word: String): ProblemExplanation {
         val expected = problem.arguments.last()
         val readable = isReadable(expected) && word.isNotBlank()
-        return ProblemExplanation(if (readable) messages.expectedInstead(shortened(word), expected) else messages.notUnderstood(shortened(word)))
+        return ProblemExplanation(
+            if (readable) {
+                messages.expectedInstead(
+                    shortened(word),
+                    expected,
+                )
+            } else {
+                messages.notUnderstood(shortened(word))
+            },
+        )
     }
 
     private fun wrongCharacter(problem: EcjProblem, source: SourceText, word: String): ProblemExplanation {
         val text = word.removeSurrounding("'")
         val isText = word.length > 2 && text.length == word.length - 2 && '"' !in text
-        return ProblemExplanation(messages.wrongCharacter(), fix = if (isText) JavaFix(source.range(problem.start, problem.end), "\"$text\"") else null)
+        return ProblemExplanation(
+            messages.wrongCharacter(),
+            fix = if (isText) JavaFix(source.range(problem.start, problem.end), "\"$text\"") else null,
+        )
     }
 
     /** The grammar's names for groups of words, such as `ReferenceType`, tell a pupil nothing. */

@@ -9,9 +9,15 @@ import robotran.javacompiler.messages.NewerJava
 internal class TypeAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? = when (problem.number) {
         ProblemNumber.TYPE_MISMATCH -> mismatch(problem, source)
+
         ProblemNumber.INVALID_OPERATOR -> operator(problem)
+
         ProblemNumber.PARAMETER_MISMATCH -> arguments(problem)
-        ProblemNumber.NUMERIC_VALUE_OUT_OF_RANGE -> ProblemExplanation(messages.numberTooLarge(shortened(source.words(problem.start, problem.end))))
+
+        ProblemNumber.NUMERIC_VALUE_OUT_OF_RANGE -> ProblemExplanation(
+            messages.numberTooLarge(shortened(source.words(problem.start, problem.end))),
+        )
+
         else -> null
     }
 
@@ -23,7 +29,10 @@ internal class TypeAdvisor(private val messages: JavaMessages) {
         val range = source.range(problem.start, problem.end)
         return when {
             needed == "boolean" && SINGLE_EQUALS_SIGN.containsMatchIn(text) -> {
-                ProblemExplanation(messages.compareWithTwoSigns(), fix = JavaFix(range, SINGLE_EQUALS_SIGN.replaceFirst(text, "==")))
+                ProblemExplanation(
+                    messages.compareWithTwoSigns(),
+                    fix = JavaFix(range, SINGLE_EQUALS_SIGN.replaceFirst(text, "==")),
+                )
             }
 
             given == "void" -> {
@@ -63,7 +72,17 @@ internal class TypeAdvisor(private val messages: JavaMessages) {
     private fun operator(problem: EcjProblem): ProblemExplanation {
         val types = problem.arguments[1]
         val message = messages.wrongOperator(problem.arguments[0], shortened(types))
-        return ProblemExplanation(message, if (types.split(", ").any { it in BOXES }) messages.insteadOf(NewerJava.AUTOBOXING) else null)
+        return ProblemExplanation(
+            message,
+            if (types.split(", ").any {
+                    it in BOXES
+                }
+            ) {
+                messages.insteadOf(NewerJava.AUTOBOXING)
+            } else {
+                null
+            },
+        )
     }
 
     /** ECJ's arguments: the class, the method, what it takes and what it is given. */
@@ -79,7 +98,8 @@ internal class TypeAdvisor(private val messages: JavaMessages) {
     }
 
     private fun isBoxing(given: String, needed: String) =
-        (given in SINGLE_VALUES && (needed == "Object" || needed in BOXES)) || (given in BOXES && needed in SINGLE_VALUES)
+        (given in SINGLE_VALUES && (needed == "Object" || needed in BOXES)) ||
+            (given in BOXES && needed in SINGLE_VALUES)
 
     private fun cast(text: String, type: String) = if (ONE_VALUE.matches(text)) "($type) $text" else "($type) ($text)"
 

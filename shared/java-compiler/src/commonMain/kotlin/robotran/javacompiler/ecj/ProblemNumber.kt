@@ -1,6 +1,9 @@
 package robotran.javacompiler.ecj
 
-/** The kinds of problems with words of their own: below 0 those of `BrickProblem`, above it those of ECJ's `IProblem` without their category. */
+/**
+ * The kinds of problems with words of their own: below 0 those of `BrickProblem`, above it those of ECJ's `IProblem`
+ * without their category.
+ */
 internal object ProblemNumber {
     const val SWITCH = -1
     const val LONG_ARITHMETIC = -2

@@ -20,7 +20,8 @@ internal object EnglishJavaNameMessages : JavaNameMessages {
 
     override fun didYouMean(suggestion: String) = "Did you mean ${quoted(suggestion)}?"
 
-    override fun lettersOf(suggestion: String) = "Write ${quoted(suggestion)}: Java tells small letters from capital ones."
+    override fun lettersOf(suggestion: String) =
+        "Write ${quoted(suggestion)}: Java tells small letters from capital ones."
 
     override fun importIt(line: String) = "Write ${quoted(line)} at the top."
 
@@ -28,13 +29,15 @@ internal object EnglishJavaNameMessages : JavaNameMessages {
 
     override fun writeMethod(name: String) = "Write the method: static void $name() { }"
 
-    override fun isPrivate(name: String, owner: String) = "${quoted(name)} is private: only ${quoted(owner)} itself may use it."
+    override fun isPrivate(name: String, owner: String) =
+        "${quoted(name)} is private: only ${quoted(owner)} itself may use it."
 
     override fun usePublic() = "Take \"private\" away where it is declared, or use a method that its class has for it."
 
     override fun lengthOfArrayValue() = "The length of an array has no brackets: values.length"
 
-    override fun lengthOfTextOrArray() = "The length of a text has brackets, word.length(), and that of an array has none, values.length."
+    override fun lengthOfTextOrArray() =
+        "The length of a text has brackets, word.length(), and that of an array has none, values.length."
 
     override fun noArray(type: String) = "Only an array has \"[...]\" behind it, and this is a ${quoted(type)}."
 

@@ -5,22 +5,69 @@ internal object GermanBrickMessages : UnsupportedOnBrickMessages {
     override fun newerJava(what: NewerJava) = "Das Java des Steins ist älter. Es hat ${name(what)}."
 
     override fun insteadOf(what: NewerJava) = when (what) {
-        NewerJava.GENERICS -> "Lass das \"<...>\" weg. Wenn du etwas herausholst, schreib seinen Typ davor: (String) list.elementAt(0)."
-        NewerJava.FOR_EACH -> "Zähl stattdessen: for (int i = 0; i < values.length; i++)."
-        NewerJava.VARARGS -> "Nimm ein Array, zum Beispiel int[]."
-        NewerJava.ANNOTATION -> "Lass sie weg."
-        NewerJava.ENUM -> "Nimm Zahlen mit Namen: static final int RED = 0, GREEN = 1;"
-        NewerJava.STATIC_IMPORT -> "Importier die Klasse und schreib ihren Namen vor die Methode."
-        NewerJava.INTERFACE_METHOD_BODY -> "Schreib die Methode in eine Klasse."
-        NewerJava.LAMBDA -> "Schreib dafür eine Klasse, zum Beispiel new Thread() { public void run() { ... } }."
-        NewerJava.MULTI_CATCH -> "Schreib für jede ein \"catch\"."
-        NewerJava.TRY_WITH_RESOURCES -> "Schreib die Anweisung vor das \"try\"."
-        NewerJava.SWITCH_EXPRESSION -> "Nimm \"if\" und \"else\"."
-        NewerJava.AUTOBOXING -> "Nimm \"int\", oder \"new Integer(...)\", um eine Zahl in einen Vector zu legen."
-        NewerJava.ASSERT -> "Nimm \"if\"."
-        NewerJava.VAR -> "Schreib den Typ, zum Beispiel \"int\"."
-        NewerJava.TEXT_BLOCK -> "Schreib den Text zwischen zwei Anführungszeichen, in eine Zeile."
-        NewerJava.NUMBER_STYLE -> "Schreib die Zahl nur mit Ziffern."
+        NewerJava.GENERICS -> {
+            "Lass das \"<...>\" weg. Wenn du etwas herausholst, schreib seinen Typ davor: (String) list.elementAt(0)."
+        }
+
+        NewerJava.FOR_EACH -> {
+            "Zähl stattdessen: for (int i = 0; i < values.length; i++)."
+        }
+
+        NewerJava.VARARGS -> {
+            "Nimm ein Array, zum Beispiel int[]."
+        }
+
+        NewerJava.ANNOTATION -> {
+            "Lass sie weg."
+        }
+
+        NewerJava.ENUM -> {
+            "Nimm Zahlen mit Namen: static final int RED = 0, GREEN = 1;"
+        }
+
+        NewerJava.STATIC_IMPORT -> {
+            "Importier die Klasse und schreib ihren Namen vor die Methode."
+        }
+
+        NewerJava.INTERFACE_METHOD_BODY -> {
+            "Schreib die Methode in eine Klasse."
+        }
+
+        NewerJava.LAMBDA -> {
+            "Schreib dafür eine Klasse, zum Beispiel new Thread() { public void run() { ... } }."
+        }
+
+        NewerJava.MULTI_CATCH -> {
+            "Schreib für jede ein \"catch\"."
+        }
+
+        NewerJava.TRY_WITH_RESOURCES -> {
+            "Schreib die Anweisung vor das \"try\"."
+        }
+
+        NewerJava.SWITCH_EXPRESSION -> {
+            "Nimm \"if\" und \"else\"."
+        }
+
+        NewerJava.AUTOBOXING -> {
+            "Nimm \"int\", oder \"new Integer(...)\", um eine Zahl in einen Vector zu legen."
+        }
+
+        NewerJava.ASSERT -> {
+            "Nimm \"if\"."
+        }
+
+        NewerJava.VAR -> {
+            "Schreib den Typ, zum Beispiel \"int\"."
+        }
+
+        NewerJava.TEXT_BLOCK -> {
+            "Schreib den Text zwischen zwei Anführungszeichen, in eine Zeile."
+        }
+
+        NewerJava.NUMBER_STYLE -> {
+            "Schreib die Zahl nur mit Ziffern."
+        }
     }
 
     private fun name(what: NewerJava) = when (what) {
@@ -132,12 +179,14 @@ internal object GermanBrickMessages : UnsupportedOnBrickMessages {
 
     override fun useInstanceof() = "Um herauszufinden, was etwas ist, nimm \"instanceof\"."
 
-    override fun textJoinedInLoop() = "Das macht immer wieder einen neuen Text, und der Stein bekommt den Speicher nie zurück."
+    override fun textJoinedInLoop() =
+        "Das macht immer wieder einen neuen Text, und der Stein bekommt den Speicher nie zurück."
 
     override fun makeTextOnce() = "Mach ihn einmal, vor der Schleife, oder zeig Zahlen mit LCD.showNumber."
 
     override fun divisorTooLarge(divisor: String, kept: String) =
         "Der Stein teilt nur durch Zahlen von -32768 bis 32767. Er nimmt $kept statt $divisor."
 
-    override fun arrayTooLong(length: String, limit: String) = "Ein Array hat auf dem Stein höchstens $limit Elemente, nicht $length."
+    override fun arrayTooLong(length: String, limit: String) =
+        "Ein Array hat auf dem Stein höchstens $limit Elemente, nicht $length."
 }

@@ -20,7 +20,8 @@ internal object GermanJavaNameMessages : JavaNameMessages {
 
     override fun didYouMean(suggestion: String) = "Meinst du ${quoted(suggestion)}?"
 
-    override fun lettersOf(suggestion: String) = "Schreib ${quoted(suggestion)}: Java unterscheidet kleine und große Buchstaben."
+    override fun lettersOf(suggestion: String) =
+        "Schreib ${quoted(suggestion)}: Java unterscheidet kleine und große Buchstaben."
 
     override fun importIt(line: String) = "Schreib ${quoted(line)} ganz nach oben."
 
@@ -28,18 +29,22 @@ internal object GermanJavaNameMessages : JavaNameMessages {
 
     override fun writeMethod(name: String) = "Schreib die Methode: static void $name() { }"
 
-    override fun isPrivate(name: String, owner: String) = "${quoted(name)} ist privat: Nur ${quoted(owner)} selbst darf es benutzen."
+    override fun isPrivate(name: String, owner: String) =
+        "${quoted(name)} ist privat: Nur ${quoted(owner)} selbst darf es benutzen."
 
-    override fun usePublic() = "Nimm dort, wo es angelegt wird, \"private\" weg, oder nimm eine Methode, die seine Klasse dafür hat."
+    override fun usePublic() =
+        "Nimm dort, wo es angelegt wird, \"private\" weg, oder nimm eine Methode, die seine Klasse dafür hat."
 
     override fun lengthOfArrayValue() = "Die Länge eines Arrays hat keine Klammern: values.length"
 
     override fun lengthOfTextOrArray() =
         "Die Länge eines Textes hat Klammern, word.length(), und die eines Arrays hat keine, values.length."
 
-    override fun noArray(type: String) = "Nur ein Array hat \"[...]\" hinter sich, und das hier ist ein ${quoted(type)}."
+    override fun noArray(type: String) =
+        "Nur ein Array hat \"[...]\" hinter sich, und das hier ist ein ${quoted(type)}."
 
     override fun charAt() = "Ein Buchstabe eines Textes ist word.charAt(0), wobei der erste die Nummer 0 hat."
 
-    override fun noMembers(type: String) = "Das ist vom Typ ${quoted(type)}, ein einzelner Wert, und hat keine Methoden."
+    override fun noMembers(type: String) =
+        "Das ist vom Typ ${quoted(type)}, ein einzelner Wert, und hat keine Methoden."
 }

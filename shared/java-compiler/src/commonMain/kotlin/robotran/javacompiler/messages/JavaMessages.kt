@@ -3,8 +3,8 @@ package robotran.javacompiler.messages
 import robotran.language.Language
 
 /**
- * The table of everything the Java compiler says to a pupil, one function a message. Another language is another implementation.
- * Words of the program arrive as they were typed, already shortened.
+ * The table of everything the Java compiler says to a pupil, one function a message. Another language is another
+ * implementation. Words of the program arrive as they were typed, already shortened.
  */
 interface JavaMessages :
     JavaSyntaxMessages,

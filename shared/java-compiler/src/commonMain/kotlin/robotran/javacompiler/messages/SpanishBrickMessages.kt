@@ -5,22 +5,69 @@ internal object SpanishBrickMessages : UnsupportedOnBrickMessages {
     override fun newerJava(what: NewerJava) = "El Java del ladrillo es más antiguo y no tiene ${name(what)}."
 
     override fun insteadOf(what: NewerJava) = when (what) {
-        NewerJava.GENERICS -> "Quita el \"<...>\". Cuando saques algo, escribe su tipo delante: (String) list.elementAt(0)."
-        NewerJava.FOR_EACH -> "Mejor cuenta: for (int i = 0; i < values.length; i++)."
-        NewerJava.VARARGS -> "Usa un array, como int[]."
-        NewerJava.ANNOTATION -> "Quítala."
-        NewerJava.ENUM -> "Usa números con nombre: static final int RED = 0, GREEN = 1;"
-        NewerJava.STATIC_IMPORT -> "Importa la clase y escribe su nombre delante del método."
-        NewerJava.INTERFACE_METHOD_BODY -> "Escribe el método en una clase."
-        NewerJava.LAMBDA -> "Escribe una clase para eso, como new Thread() { public void run() { ... } }."
-        NewerJava.MULTI_CATCH -> "Escribe un \"catch\" para cada una."
-        NewerJava.TRY_WITH_RESOURCES -> "Escribe la instrucción delante del \"try\"."
-        NewerJava.SWITCH_EXPRESSION -> "Usa \"if\" y \"else\"."
-        NewerJava.AUTOBOXING -> "Usa \"int\", o \"new Integer(...)\" para meter un número en un Vector."
-        NewerJava.ASSERT -> "Usa \"if\"."
-        NewerJava.VAR -> "Escribe el tipo, como \"int\"."
-        NewerJava.TEXT_BLOCK -> "Escribe el texto entre dos comillas, en una sola línea."
-        NewerJava.NUMBER_STYLE -> "Escribe el número solo con cifras."
+        NewerJava.GENERICS -> {
+            "Quita el \"<...>\". Cuando saques algo, escribe su tipo delante: (String) list.elementAt(0)."
+        }
+
+        NewerJava.FOR_EACH -> {
+            "Mejor cuenta: for (int i = 0; i < values.length; i++)."
+        }
+
+        NewerJava.VARARGS -> {
+            "Usa un array, como int[]."
+        }
+
+        NewerJava.ANNOTATION -> {
+            "Quítala."
+        }
+
+        NewerJava.ENUM -> {
+            "Usa números con nombre: static final int RED = 0, GREEN = 1;"
+        }
+
+        NewerJava.STATIC_IMPORT -> {
+            "Importa la clase y escribe su nombre delante del método."
+        }
+
+        NewerJava.INTERFACE_METHOD_BODY -> {
+            "Escribe el método en una clase."
+        }
+
+        NewerJava.LAMBDA -> {
+            "Escribe una clase para eso, como new Thread() { public void run() { ... } }."
+        }
+
+        NewerJava.MULTI_CATCH -> {
+            "Escribe un \"catch\" para cada una."
+        }
+
+        NewerJava.TRY_WITH_RESOURCES -> {
+            "Escribe la instrucción delante del \"try\"."
+        }
+
+        NewerJava.SWITCH_EXPRESSION -> {
+            "Usa \"if\" y \"else\"."
+        }
+
+        NewerJava.AUTOBOXING -> {
+            "Usa \"int\", o \"new Integer(...)\" para meter un número en un Vector."
+        }
+
+        NewerJava.ASSERT -> {
+            "Usa \"if\"."
+        }
+
+        NewerJava.VAR -> {
+            "Escribe el tipo, como \"int\"."
+        }
+
+        NewerJava.TEXT_BLOCK -> {
+            "Escribe el texto entre dos comillas, en una sola línea."
+        }
+
+        NewerJava.NUMBER_STYLE -> {
+            "Escribe el número solo con cifras."
+        }
     }
 
     private fun name(what: NewerJava) = when (what) {
@@ -132,12 +179,14 @@ internal object SpanishBrickMessages : UnsupportedOnBrickMessages {
 
     override fun useInstanceof() = "Para saber qué es algo, usa \"instanceof\"."
 
-    override fun textJoinedInLoop() = "Esto hace un texto nuevo una y otra vez, y el ladrillo nunca recupera su memoria."
+    override fun textJoinedInLoop() =
+        "Esto hace un texto nuevo una y otra vez, y el ladrillo nunca recupera su memoria."
 
     override fun makeTextOnce() = "Hazlo una sola vez, antes del bucle, o muestra números con LCD.showNumber."
 
     override fun divisorTooLarge(divisor: String, kept: String) =
         "El ladrillo solo divide entre números de -32768 a 32767. Toma $divisor por $kept."
 
-    override fun arrayTooLong(length: String, limit: String) = "Un array en el ladrillo tiene como mucho $limit elementos, no $length."
+    override fun arrayTooLong(length: String, limit: String) =
+        "Un array en el ladrillo tiene como mucho $limit elementos, no $length."
 }

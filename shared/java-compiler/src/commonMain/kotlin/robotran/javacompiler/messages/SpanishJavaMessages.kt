@@ -1,8 +1,9 @@
 package robotran.javacompiler.messages
 
 /**
- * The messages in Spanish. They call the pupil "tú". One thing has one word: array - array, braces - llaves, brackets - paréntesis,
- * brick - ladrillo, class - clase, declare - declarar, field - campo, loop - bucle, method - método, text - texto, type - tipo, value - valor.
+ * The messages in Spanish. They call the pupil "tú". One thing has one word: array - array, braces - llaves, brackets -
+ * paréntesis, brick - ladrillo, class - clase, declare - declarar, field - campo, loop - bucle, method - método, text -
+ * texto, type - tipo, value - valor.
  */
 object SpanishJavaMessages :
     JavaMessages,

@@ -20,7 +20,8 @@ internal object SpanishJavaNameMessages : JavaNameMessages {
 
     override fun didYouMean(suggestion: String) = "¿Querías decir ${quoted(suggestion)}?"
 
-    override fun lettersOf(suggestion: String) = "Escribe ${quoted(suggestion)}: Java distingue las minúsculas de las mayúsculas."
+    override fun lettersOf(suggestion: String) =
+        "Escribe ${quoted(suggestion)}: Java distingue las minúsculas de las mayúsculas."
 
     override fun importIt(line: String) = "Escribe ${quoted(line)} arriba del todo."
 
@@ -28,7 +29,8 @@ internal object SpanishJavaNameMessages : JavaNameMessages {
 
     override fun writeMethod(name: String) = "Escribe el método: static void $name() { }"
 
-    override fun isPrivate(name: String, owner: String) = "${quoted(name)} es privado: solo puede usarlo la propia ${quoted(owner)}."
+    override fun isPrivate(name: String, owner: String) =
+        "${quoted(name)} es privado: solo puede usarlo la propia ${quoted(owner)}."
 
     override fun usePublic() = "Quita \"private\" donde se declara, o usa un método que su clase tenga para eso."
 

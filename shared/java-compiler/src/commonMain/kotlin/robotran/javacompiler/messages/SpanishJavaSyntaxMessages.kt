@@ -10,23 +10,29 @@ internal object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun extraBracket(bracket: String) = "Este ${quoted(bracket)} sobra, o falta algo antes."
 
-    override fun expectedInstead(word: String, expected: String) = "Java espera aquí ${quoted(expected)}, no ${quoted(word)}."
+    override fun expectedInstead(word: String, expected: String) =
+        "Java espera aquí ${quoted(expected)}, no ${quoted(word)}."
 
-    override fun expectedAfter(word: String, expected: String) = "Java espera ${quoted(expected)} después de ${quoted(word)}."
+    override fun expectedAfter(word: String, expected: String) =
+        "Java espera ${quoted(expected)} después de ${quoted(word)}."
 
     override fun notUnderstood(word: String) = "Java no entiende qué hace aquí ${quoted(word)}."
 
     override fun somethingMissing(word: String) = "Falta algo después de ${quoted(word)}."
 
-    override fun compilerSays(english: String) = "Aquí hay algo que Java no admite. El compilador lo dice en inglés: $english"
+    override fun compilerSays(english: String) =
+        "Aquí hay algo que Java no admite. El compilador lo dice en inglés: $english"
 
     override fun unclosedText() = "A este texto le faltan las comillas del final."
 
-    override fun closeText() = "Pon unas comillas detrás de su última letra. Un texto no puede seguir en la línea siguiente."
+    override fun closeText() =
+        "Pon unas comillas detrás de su última letra. Un texto no puede seguir en la línea siguiente."
 
-    override fun wrongCharacter() = "Entre comillas simples va exactamente una letra o un signo. Un texto las lleva dobles."
+    override fun wrongCharacter() =
+        "Entre comillas simples va exactamente una letra o un signo. Un texto las lleva dobles."
 
-    override fun otherWord(word: String, javaWord: String) = "En Java se dice ${quoted(javaWord)} en lugar de ${quoted(word)}."
+    override fun otherWord(word: String, javaWord: String) =
+        "En Java se dice ${quoted(javaWord)} en lugar de ${quoted(word)}."
 
     override fun noSuchWord(word: String) = "Java no tiene ${quoted(word)}. Quítalo."
 
@@ -36,7 +42,8 @@ internal object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
     override fun semicolonsInFor() = "Las tres partes de un \"for\" se separan con \";\": for (int i = 0; i < 4; i++)"
 
     override fun elseWithoutIf() =
-        "Para este \"else\" no hay ningún \"if\". Mira si hay un \";\" justo después del \"if\", o si falta un \"{\" o un \"}\"."
+        "Para este \"else\" no hay ningún \"if\". Mira si hay un \";\" justo después del \"if\", o si falta un \"{\" " +
+            "o un \"}\"."
 
     override fun outsideMethod() = "Esta instrucción está en una clase, pero en ninguno de sus métodos."
 
@@ -47,7 +54,8 @@ internal object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
     override fun beginWithClass(className: String) =
         "Empieza con: public class $className { public static void main(String[] args) { y termina con: } }"
 
-    override fun callWithBrackets(name: String) = "Para llamar al método ${quoted(name)}, pon paréntesis detrás: $name()"
+    override fun callWithBrackets(name: String) =
+        "Para llamar al método ${quoted(name)}, pon paréntesis detrás: $name()"
 
     override fun noStatement() = "Esto calcula algo, pero luego no se hace nada con ello."
 
@@ -58,7 +66,8 @@ internal object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun nameBeginsWithLetter() = "Un nombre empieza por una letra, no por una cifra."
 
-    override fun typeOfParameter() = "Entre los paréntesis de un método, cada nombre lleva su tipo delante, así: (int speed)"
+    override fun typeOfParameter() =
+        "Entre los paréntesis de un método, cada nombre lleva su tipo delante, así: (int speed)"
 
     override fun lengthOfArray() = "Un array recibe su longitud donde se crea: int[] values = new int[3];"
 
@@ -71,7 +80,9 @@ internal object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
     override fun sourceTooLong(limit: String) =
         "Un programa puede tener como mucho $limit letras y signos y 100 archivos. No se ha leído nada de él."
 
-    override fun nestedTooDeeply() = "Aquí hay demasiadas cosas unas dentro de otras. Usa un método o una variable para una parte."
+    override fun nestedTooDeeply() =
+        "Aquí hay demasiadas cosas unas dentro de otras. Usa un método o una variable para una parte."
 
-    override fun compilerFailed() = "El compilador no ha podido con este programa. Quita lo último que has cambiado y prueba otra vez."
+    override fun compilerFailed() =
+        "El compilador no ha podido con este programa. Quita lo último que has cambiado y prueba otra vez."
 }

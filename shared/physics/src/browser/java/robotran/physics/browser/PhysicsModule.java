@@ -6,7 +6,10 @@ import org.teavm.jso.JSExport;
 import robotran.physics.RigidWorld;
 import robotran.physics.Trigonometry;
 
-/** What the WebAssembly module offers: {@link RigidWorld} and {@link Trigonometry} as plain functions, worlds being numbers too. */
+/**
+ * What the WebAssembly module offers: {@link RigidWorld} and {@link Trigonometry} as plain functions, worlds being
+ * numbers too.
+ */
 public final class PhysicsModule {
     private static final List<RigidWorld> worlds = new ArrayList<>();
 
@@ -16,8 +19,10 @@ public final class PhysicsModule {
     public static void main(String[] arguments) {}
 
     @JSExport
-    public static int createWorld(double stepSeconds, int stepParts, double lengthTolerance, int velocityIterations, int positionIterations) {
-        RigidWorld world = new RigidWorld(stepSeconds, stepParts, lengthTolerance, velocityIterations, positionIterations);
+    public static int createWorld(
+            double stepSeconds, int stepParts, double lengthTolerance, int velocityIterations, int positionIterations) {
+        RigidWorld world =
+            new RigidWorld(stepSeconds, stepParts, lengthTolerance, velocityIterations, positionIterations);
         int free = worlds.indexOf(null);
         if (free >= 0) {
             worlds.set(free, world);

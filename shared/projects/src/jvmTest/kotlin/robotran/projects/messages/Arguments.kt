@@ -10,8 +10,8 @@ import java.lang.reflect.Type
 import java.lang.reflect.WildcardType
 
 /**
- * What messages are called with: every text is another marker, every number another one of its own, each kind of thing and each yes or no is tried, and so
- * is what may be left out, but for leaving out all.
+ * What messages are called with: every text is another marker, every number another one of its own, each kind of thing
+ * and each yes or no is tried, and so is what may be left out, but for leaving out all.
  */
 internal fun argumentsOf(message: Method): List<List<Any?>> {
     val choices = message.genericParameterTypes.mapIndexed { number, type -> choicesOf(type, number) }
@@ -36,17 +36,31 @@ internal fun markersIn(arguments: List<Any?>): List<String> = arguments.flatMap 
 
 private fun choicesOf(type: Type, number: Int): List<Any?> = when (type) {
     String::class.java -> listOf(marker(number), null)
+
     Int::class.javaPrimitiveType -> listOf(LARGE + number, 1, 0)
+
     Int::class.javaObjectType -> listOf(LARGE + number, 1, null)
+
     Long::class.javaPrimitiveType -> listOf(LARGE.toLong() + number)
+
     Double::class.javaPrimitiveType -> listOf(0.5, 1.0, 2.5)
+
     Boolean::class.javaPrimitiveType -> listOf(true, false)
+
     Mover::class.java -> listOf(Mover.OwnRobot, Mover.OtherRobot("marker-robot"), Mover.Block("marker-block"))
+
     Region::class.java -> listOf(Region("marker-region", PaperPlace.TOP)) + PaperPlace.entries.map { Region(null, it) }
-    ProgramFailure::class.java -> listOf(null, "marker-file").map { ProgramFailure("marker-failure.", LARGE, sourceFile = it) }
+
+    ProgramFailure::class.java -> listOf(null, "marker-file").map {
+        ProgramFailure("marker-failure.", LARGE, sourceFile = it)
+    }
+
     is WildcardType -> choicesOf(type.upperBounds.single(), number)
+
     is ParameterizedType -> listsOf(type.actualTypeArguments.single(), number)
+
     is Class<*> -> type.enumConstants?.toList() ?: error("No argument of type $type is known.")
+
     else -> error("No argument of type $type is known.")
 }
 

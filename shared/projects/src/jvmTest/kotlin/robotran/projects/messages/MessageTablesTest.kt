@@ -52,7 +52,10 @@ class MessageTablesTest {
 
     @Test
     fun `Spanish and German are not the same`() {
-        val same = said.filter { it.of(Language.SPANISH) == it.of(Language.GERMAN) && it.of(Language.SPANISH) != it.of(Language.ENGLISH) }
+        val same = said.filter {
+            it.of(Language.SPANISH) == it.of(Language.GERMAN) &&
+                it.of(Language.SPANISH) != it.of(Language.ENGLISH)
+        }
         assertEquals(emptyList(), same.map { "${it.message.name}: ${it.of(Language.GERMAN)}" })
     }
 
@@ -67,7 +70,13 @@ class MessageTablesTest {
     @Test
     fun `sentences begin with a capital letter where they do in English`() = forEachTranslation { _, english, other ->
         val isSentence = english.first().isUpperCase() && english.last() == '.'
-        if (isSentence && other.first().isLetter() && !other.first().isUpperCase()) listOf("begins with a small letter") else emptyList()
+        if (isSentence && other.first().isLetter() &&
+            !other.first().isUpperCase()
+        ) {
+            listOf("begins with a small letter")
+        } else {
+            emptyList()
+        }
     }
 
     @Test
@@ -75,7 +84,9 @@ class MessageTablesTest {
         val wrong = said.flatMap { one ->
             Language.entries.flatMap { language ->
                 val text = one.of(language)
-                UNWANTED.filter { it.containsMatchIn(text) }.map { "${one.message.name} in $language has ${it.pattern}: $text" }
+                UNWANTED.filter {
+                    it.containsMatchIn(text)
+                }.map { "${one.message.name} in $language has ${it.pattern}: $text" }
             }
         }
         assertEquals(emptyList(), wrong)
@@ -107,7 +118,16 @@ class MessageTablesTest {
         /** The ROM's own names of its routines. */
         val SAME_EVERYWHERE = setOf("setUp")
 
-        val UNWANTED = listOf("!", "¡", "  ", " \\.(?!\\.)", "\\bnull\\.$", "\\bustedes?\\b", "\\bIhnen\\b", "\\$").map(::Regex)
+        val UNWANTED = listOf(
+            "!",
+            "¡",
+            "  ",
+            " \\.(?!\\.)",
+            "\\bnull\\.$",
+            "\\bustedes?\\b",
+            "\\bIhnen\\b",
+            "\\$",
+        ).map(::Regex)
 
         val said: List<Said> by lazy {
             tables.flatMap { (table, of) ->
@@ -115,18 +135,30 @@ class MessageTablesTest {
             }
         }
 
-        fun messagesOf(table: Class<*>): List<Method> = table.methods.filter { Modifier.isAbstract(it.modifiers) }.sortedBy { it.name }
+        fun messagesOf(table: Class<*>): List<Method> = table.methods.filter {
+            Modifier.isAbstract(it.modifiers)
+        }.sortedBy { it.name }
 
-        /** Null if the message may not be called with these arguments: what must not be left out is, or a number is out of its range. */
+        /**
+         * Null if the message may not be called with these arguments: what must not be left out is, or a number is out
+         * of its range.
+         */
         fun saidWith(message: Method, arguments: List<Any?>, of: (Language) -> Any): Said? = try {
             Said(
-                message, markersIn(arguments),
+                message,
+                markersIn(arguments),
                 Language.entries.associateWith {
                     message.invoke(of(it), *arguments.toTypedArray()) as String
                 },
             )
         } catch (refusal: InvocationTargetException) {
-            if (refusal.cause is NullPointerException || refusal.cause is IndexOutOfBoundsException) null else throw refusal
+            if (refusal.cause is NullPointerException ||
+                refusal.cause is IndexOutOfBoundsException
+            ) {
+                null
+            } else {
+                throw refusal
+            }
         }
     }
 

@@ -1,7 +1,8 @@
 package robotran.rcxrom.call
 
 /**
- * Where the ROM's routines begin, for [RomCall.address]. Sources: leJOS `rom.h` (Kekoa Proudfoot) and `josx.platform.rcx`.
+ * Where the ROM's routines begin, for [RomCall.address]. Sources: leJOS `rom.h` (Kekoa Proudfoot) and
+ * `josx.platform.rcx`.
  */
 object RomAddress {
     /** No arguments. The sensor ports can be powered from now on. */
@@ -43,7 +44,10 @@ object RomAddress {
     /** Arguments: [RomCode.ON_OFF_KEY] or [RomCode.BATTERY], pointer to a short. */
     const val READ_POWER_STATUS = 0x29F2
 
-    /** Arguments: [RomCode.TONE], hertz, hundredths of a second; or [RomCode.TONE_SYSTEM_SOUND], anything, system sound 0..5. */
+    /**
+     * Arguments: [RomCode.TONE], hertz, hundredths of a second; or [RomCode.TONE_SYSTEM_SOUND], anything, system sound
+     * 0..5.
+     */
     const val PLAY_TONE = 0x327C
 
     /** Arguments: 0x700c, pointer to a byte that gets 1 while sounds are played or wait, otherwise 0. */
@@ -71,7 +75,10 @@ object RomAddress {
     /** No arguments. The brick stands still until On-Off is pressed. */
     const val POWER_OFF = 0x2A62
 
-    /** Arguments: pointer to a byte whose bit 7 is set when a message comes, pointer to the receive timer, 1, 1. leJOS passes 0 and 0. */
+    /**
+     * Arguments: pointer to a byte whose bit 7 is set when a message comes, pointer to the receive timer, 1, 1. leJOS
+     * passes 0 and 0.
+     */
     const val INIT_SERIAL = 0x30D0
 
     /** No arguments. */
@@ -87,10 +94,16 @@ object RomAddress {
     /** Arguments: pointer to a buffer, its length, pointer to a byte that the number of bytes is added to. */
     const val RECEIVE_DATA = 0x33B0
 
-    /** Arguments: pointer to a byte that gets 1 if a message waits, pointer to a short that gets the transfer pointer, or 0. */
+    /**
+     * Arguments: pointer to a byte that gets 1 if a message waits, pointer to a short that gets the transfer pointer,
+     * or 0.
+     */
     const val CHECK_FOR_DATA = 0x3426
 
-    /** Arguments: [RomCode.SEND_SHORT] or [RomCode.SEND_LONG], opcode of the request that a long message answers, pointer to the bytes, how many. */
+    /**
+     * Arguments: [RomCode.SEND_SHORT] or [RomCode.SEND_LONG], opcode of the request that a long message answers,
+     * pointer to the bytes, how many.
+     */
     const val SEND_DATA = 0x343E
 
     /** No arguments. Nobody knows what this pin does. */
@@ -103,7 +116,10 @@ object RomAddress {
     /** Arguments: 0x7001..0x7003, pointer to two bytes: power and mode. */
     const val CONTROL_MOTOR_INTERNALLY = 0x3CE6
 
-    /** Arguments: [RomCode.OUTPUT_SENSORS], bits of the ports; or [RomCode.OUTPUT_SOUND], [RomCode.OUTPUT_SOUND_NOW], kind, value, control. */
+    /**
+     * Arguments: [RomCode.OUTPUT_SENSORS], bits of the ports; or [RomCode.OUTPUT_SOUND], [RomCode.OUTPUT_SOUND_NOW],
+     * kind, value, control.
+     */
     const val CONTROL_OUTPUT = 0x3DE0
 
     /** Arguments: [RomCode.OUTPUT_SENSORS], bits of the ports; or [RomCode.OUTPUT_MINUTE_TIMER]. */

@@ -1,8 +1,8 @@
 package robotran.rcxrom.call
 
 /**
- * The codes that choose among the things a ROM routine can do. Sources: leJOS `rom.h`, `LCDConstants.java`, `Segment.java`, `Sound.java`;
- * where `rom.h` contradicts its own comment on queued sounds, `Sound.java` is right.
+ * The codes that choose among the things a ROM routine can do. Sources: leJOS `rom.h`, `LCDConstants.java`,
+ * `Segment.java`, `Sound.java`; where `rom.h` contradicts its own comment on queued sounds, `Sound.java` is right.
  */
 object RomCode {
     /** [RomAddress.SET_LCD_NUMBER]: without leading zeros, from -9999 to 9999. */

@@ -1,8 +1,8 @@
 package robotran.rcxrom.call
 
 /**
- * Everything a real brick does when it is called and the virtual one does not: the one place where this is kept. A call that meets a gap
- * does nothing and is reported in the log with its [reason]; the run goes on.
+ * Everything a real brick does when it is called and the virtual one does not: the one place where this is kept. A call
+ * that meets a gap does nothing and is reported in the log with its [reason]; the run goes on.
  *
  * @property reason why it is so, as the end of a sentence.
  */

@@ -16,7 +16,10 @@ enum class RomGroup {
     ;
 
     companion object {
-        /** What a call of [address] is about. Routine 0x327c, which also sets the pointer of the infrared, counts as [SOUND]. */
+        /**
+         * What a call of [address] is about. Routine 0x327c, which also sets the pointer of the infrared, counts as
+         * [SOUND].
+         */
         fun of(address: Int): RomGroup = RomTable.find(address)?.group ?: UNKNOWN
     }
 }

@@ -20,8 +20,8 @@ internal data class RomSignature(
 )
 
 /**
- * The routines that leJOS and its virtual machine call, and those beside them. Source: leJOS `rom.h`; the groups of codes from the
- * re-implemented ROM of brickEmu.
+ * The routines that leJOS and its virtual machine call, and those beside them. Source: leJOS `rom.h`; the groups of
+ * codes from the re-implemented ROM of brickEmu.
  */
 internal object RomTable {
     private const val SENSOR_CODES = 0x10
@@ -45,11 +45,25 @@ internal object RomTable {
         routine(RomAddress.CONTROL_MOTOR, "control motor", RomGroup.MOTORS, MOTOR_CODES, code, number, number),
         routine(RomAddress.SHUTDOWN_MOTORS, "shutdown motors", RomGroup.MOTORS),
         routine(RomAddress.INIT_BUTTONS, "init buttons", RomGroup.BUTTONS),
-        routine(RomAddress.PLAY_VIEW_BUTTON_SOUND, "play view button sound", RomGroup.SOUND, BUTTON_AND_LCD_CODES, code),
+        routine(
+            RomAddress.PLAY_VIEW_BUTTON_SOUND,
+            "play view button sound",
+            RomGroup.SOUND,
+            BUTTON_AND_LCD_CODES,
+            code,
+        ),
         routine(RomAddress.SET_LCD_SEGMENT, "set LCD segment", RomGroup.DISPLAY, BUTTON_AND_LCD_CODES, code),
         routine(RomAddress.CLEAR_LCD_SEGMENT, "clear LCD segment", RomGroup.DISPLAY, BUTTON_AND_LCD_CODES, code),
         routine(RomAddress.READ_BUTTONS, "read buttons", RomGroup.BUTTONS, BUTTON_AND_LCD_CODES, code, pointer),
-        routine(RomAddress.SET_LCD_NUMBER, "set LCD number", RomGroup.DISPLAY, BUTTON_AND_LCD_CODES, code, number, code),
+        routine(
+            RomAddress.SET_LCD_NUMBER,
+            "set LCD number",
+            RomGroup.DISPLAY,
+            BUTTON_AND_LCD_CODES,
+            code,
+            number,
+            code,
+        ),
         routine(RomAddress.CLEAR_LCD, "clear LCD", RomGroup.DISPLAY),
         routine(RomAddress.REFRESH_LCD, "refresh LCD", RomGroup.DISPLAY),
         routine(RomAddress.SHUTDOWN_BUTTONS, "shutdown buttons", RomGroup.BUTTONS),
@@ -64,14 +78,30 @@ internal object RomTable {
         routine(RomAddress.RESET_MINUTE_TIMER, "reset minute timer", RomGroup.TIMER),
         routine(RomAddress.RECEIVE_DATA, "receive data", RomGroup.INFRARED, null, pointer, number, pointer),
         routine(RomAddress.CHECK_FOR_DATA, "check for data", RomGroup.INFRARED, null, pointer, pointer),
-        routine(RomAddress.SEND_DATA, "send data", RomGroup.INFRARED, SERIAL_AND_TONE_CODES, code, number, pointer, number),
+        routine(
+            RomAddress.SEND_DATA,
+            "send data",
+            RomGroup.INFRARED,
+            SERIAL_AND_TONE_CODES,
+            code,
+            number,
+            pointer,
+            number,
+        ),
         routine(RomAddress.SHUTDOWN_SERIAL, "shutdown serial", RomGroup.INFRARED),
         routine(RomAddress.INIT_PORT_6_BIT_3, "init port 6 bit 3", RomGroup.POWER),
         routine(RomAddress.SHUTDOWN_PORT_6_BIT_3, "shutdown port 6 bit 3", RomGroup.POWER),
         routine(0x36BA, "handle timer tick", RomGroup.TIMER).copy(gap = RomGap.TIMER_TICK),
         routine(RomAddress.INIT_TIMER, "init timer", RomGroup.TIMER, null, pointer, pointer),
         routine(RomAddress.READ_SOUND_PLAYING, "read sound playing", RomGroup.SOUND, INTERNAL_CODES, code, pointer),
-        routine(RomAddress.CONTROL_MOTOR_INTERNALLY, "control motor internally", RomGroup.MOTORS, INTERNAL_CODES, code, pointer),
+        routine(
+            RomAddress.CONTROL_MOTOR_INTERNALLY,
+            "control motor internally",
+            RomGroup.MOTORS,
+            INTERNAL_CODES,
+            code,
+            pointer,
+        ),
         routine(RomAddress.CONTROL_OUTPUT, "control output", RomGroup.TIMER, INTERNAL_CODES, code, number),
         routine(RomAddress.CLEAR_OUTPUT, "clear output", RomGroup.TIMER, INTERNAL_CODES, code),
         routine(RomAddress.SHUTDOWN_TIMER, "shutdown timer", RomGroup.TIMER),
@@ -85,6 +115,11 @@ internal object RomTable {
     /** The routine that begins at [address], if one is known. */
     fun find(address: Int): RomSignature? = byAddress[address]
 
-    private fun routine(address: Int, name: String, group: RomGroup, codeGroup: Int? = null, vararg parameters: RomParameter) =
-        RomSignature(address, name, group, codeGroup, parameters.toList(), gap = null)
+    private fun routine(
+        address: Int,
+        name: String,
+        group: RomGroup,
+        codeGroup: Int? = null,
+        vararg parameters: RomParameter,
+    ) = RomSignature(address, name, group, codeGroup, parameters.toList(), gap = null)
 }

@@ -11,8 +11,4 @@ enum class MotorMode(val code: Int) { FORWARD(1), BACKWARD(2), BRAKE(3), FLOAT(4
  *
  * @property power 0..7; the port is switched on in power + 1 of 8 milliseconds.
  */
-data class MotorState(
-    val port: MotorPort,
-    val mode: MotorMode,
-    val power: Int,
-)
+data class MotorState(val port: MotorPort, val mode: MotorMode, val power: Int)

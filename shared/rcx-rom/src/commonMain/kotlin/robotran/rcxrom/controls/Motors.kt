@@ -3,8 +3,9 @@ package robotran.rcxrom.controls
 import robotran.rcxrom.memory.RcxMemory
 
 /**
- * The three output ports. As in the ROM, each has two direction bits and a waveform of eight bits that is rotated by one bit a millisecond;
- * in the milliseconds of a 0 bit the port is let go, so the motor coasts. Source: the re-implemented ROM of brickEmu.
+ * The three output ports. As in the ROM, each has two direction bits and a waveform of eight bits that is rotated by
+ * one bit a millisecond; in the milliseconds of a 0 bit the port is let go, so the motor coasts. Source: the
+ * re-implemented ROM of brickEmu.
  */
 internal class Motors(private val memory: RcxMemory) {
     /** What the ports are told to do, in the order of [MotorPort]. */
@@ -23,8 +24,8 @@ internal class Motors(private val memory: RcxMemory) {
     }
 
     /**
-     * Sets the direction bits and the waveform of [port] as the ROM's inner routine does, which knows a mode by its two lowest bits only:
-     * 0, like 4, lets the motor go.
+     * Sets the direction bits and the waveform of [port] as the ROM's inner routine does, which knows a mode by its two
+     * lowest bits only: 0, like 4, lets the motor go.
      */
     fun control(port: MotorPort, modeBits: Int, power: Int) {
         val mode = MotorMode.entries[(modeBits + MODES - 1) % MODES]
@@ -53,13 +54,12 @@ internal class Motors(private val memory: RcxMemory) {
     }
 
     /** What the latch makes [port] do in this millisecond. */
-    fun output(port: MotorPort): MotorMode =
-        when (memory.readByte(OUTPUT_LATCH) shr shift(port) and DIRECTION_MASK) {
-            FORWARD_BITS -> MotorMode.FORWARD
-            BACKWARD_BITS -> MotorMode.BACKWARD
-            BRAKE_BITS -> MotorMode.BRAKE
-            else -> MotorMode.FLOAT
-        }
+    fun output(port: MotorPort): MotorMode = when (memory.readByte(OUTPUT_LATCH) shr shift(port) and DIRECTION_MASK) {
+        FORWARD_BITS -> MotorMode.FORWARD
+        BACKWARD_BITS -> MotorMode.BACKWARD
+        BRAKE_BITS -> MotorMode.BRAKE
+        else -> MotorMode.FLOAT
+    }
 
     private fun writeToMemory(state: MotorState) {
         val bits = when (state.mode) {

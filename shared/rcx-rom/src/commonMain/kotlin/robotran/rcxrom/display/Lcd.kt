@@ -27,7 +27,12 @@ internal class Lcd(private val memory: RcxMemory) {
     }
 
     fun writeDigit(position: Int, mask: Int) {
-        LcdLayout.digitSegments[position].forEachIndexed { bit, segment -> segment.set(memory, mask shr bit and 1 == 1) }
+        LcdLayout.digitSegments[position].forEachIndexed {
+            bit,
+            segment,
+            ->
+            segment.set(memory, mask shr bit and 1 == 1)
+        }
     }
 
     fun lightAll() {

@@ -20,13 +20,35 @@ internal object LcdLayout {
     /** The decimals that can be marked by a point: 1, 2 or 3 of the main number's four digits. */
     val POINTS = listOf(LcdIcon.POINT_1, LcdIcon.POINT_2, LcdIcon.POINT_3)
 
-    /** The segments of each digit, from the right, in the order of the seven mask bits described at [LcdGlass.digit]. */
+    /**
+     * The segments of each digit, from the right, in the order of the seven mask bits described at [LcdGlass.digit].
+     */
     val digitSegments: List<List<LcdSegment>> = listOf(
-        digit(middleTopBottom = 0xEF44 to listOf(5, 4, 7), right = 0xEF45 to listOf(5, 7), left = 0xEF47 to listOf(5, 7)),
-        digit(middleTopBottom = 0xEF43 to listOf(5, 4, 7), right = 0xEF47 to listOf(1, 3), left = 0xEF48 to listOf(5, 7)),
-        digit(middleTopBottom = 0xEF44 to listOf(1, 0, 3), right = 0xEF48 to listOf(1, 3), left = 0xEF49 to listOf(5, 7)),
-        digit(middleTopBottom = 0xEF46 to listOf(1, 0, 3), right = 0xEF4B to listOf(1, 3), left = 0xEF4B to listOf(5, 7)),
-        digit(middleTopBottom = 0xEF46 to listOf(5, 4, 7), right = 0xEF4A to listOf(1, 3), left = 0xEF4A to listOf(5, 7)),
+        digit(
+            middleTopBottom = 0xEF44 to listOf(5, 4, 7),
+            right = 0xEF45 to listOf(5, 7),
+            left = 0xEF47 to listOf(5, 7),
+        ),
+        digit(
+            middleTopBottom = 0xEF43 to listOf(5, 4, 7),
+            right = 0xEF47 to listOf(1, 3),
+            left = 0xEF48 to listOf(5, 7),
+        ),
+        digit(
+            middleTopBottom = 0xEF44 to listOf(1, 0, 3),
+            right = 0xEF48 to listOf(1, 3),
+            left = 0xEF49 to listOf(5, 7),
+        ),
+        digit(
+            middleTopBottom = 0xEF46 to listOf(1, 0, 3),
+            right = 0xEF4B to listOf(1, 3),
+            left = 0xEF4B to listOf(5, 7),
+        ),
+        digit(
+            middleTopBottom = 0xEF46 to listOf(5, 4, 7),
+            right = 0xEF4A to listOf(1, 3),
+            left = 0xEF4A to listOf(5, 7),
+        ),
     )
 
     /** Each argument is an address and the bits of its segments; those of the sides are the upper and the lower one. */

@@ -8,10 +8,7 @@ import robotran.rcxrom.memory.RcxMemory
  * @property address of its byte, 0xEF43..0xEF4B.
  * @property bit 0 (lowest) to 7.
  */
-internal data class LcdSegment(
-    val address: Int,
-    val bit: Int,
-) {
+internal data class LcdSegment(val address: Int, val bit: Int) {
     fun isSet(memory: RcxMemory): Boolean = memory.readByte(address) shr bit and 1 == 1
 
     fun set(memory: RcxMemory, on: Boolean) {

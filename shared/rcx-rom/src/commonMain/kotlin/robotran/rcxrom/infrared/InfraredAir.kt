@@ -1,8 +1,9 @@
 package robotran.rcxrom.infrared
 
 /**
- * The air between bricks: what one sends comes to all others that [reach] lets see it, a millisecond after its last bit. Bytes that
- * meet others on their way arrive damaged. All bricks and towers in the same air must be ticked together, once each a millisecond.
+ * The air between bricks: what one sends comes to all others that [reach] lets see it, a millisecond after its last
+ * bit. Bytes that meet others on their way arrive damaged. All bricks and towers in the same air must be ticked
+ * together, once each a millisecond.
  */
 class InfraredAir(private val reach: InfraredReach = InfraredReach.EVERYWHERE) {
     private val ports = mutableListOf<InfraredPort>()
@@ -36,9 +37,4 @@ class InfraredAir(private val reach: InfraredReach = InfraredReach.EVERYWHERE) {
  * @property begin the millisecond of its first bit.
  * @property end the millisecond of its last.
  */
-internal data class InfraredByte(
-    val value: Int,
-    val sender: Int,
-    val begin: Long,
-    val end: Long,
-)
+internal data class InfraredByte(val value: Int, val sender: Int, val begin: Long, val end: Long)

@@ -1,8 +1,9 @@
 package robotran.rcxrom.infrared
 
 /**
- * A message as it goes through the air: a header of three bytes, then each byte of the message followed by its complement, then the sum of
- * the message's bytes and the complement of that. Source: leJOS `rom.h`, the opcode reference of Kekoa Proudfoot.
+ * A message as it goes through the air: a header of three bytes, then each byte of the message followed by its
+ * complement, then the sum of the message's bytes and the complement of that. Source: leJOS `rom.h`, the opcode
+ * reference of Kekoa Proudfoot.
  */
 internal object InfraredPacket {
     val HEADER = listOf(0x55, 0xFF, 0x00)

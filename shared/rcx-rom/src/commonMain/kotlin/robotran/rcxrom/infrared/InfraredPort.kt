@@ -1,10 +1,7 @@
 package robotran.rcxrom.infrared
 
 /** Where a brick or a tower is in the air. */
-internal class InfraredPort(
-    private val air: InfraredAir,
-    val number: Int,
-) {
+internal class InfraredPort(private val air: InfraredAir, val number: Int) {
     var range = InfraredRange.SHORT
     private val arrived = ArrayDeque<InfraredByte>()
     private var lightBegin = 0L

@@ -11,7 +11,10 @@ enum class InfraredRange {
 
 /** Decides which bricks see each other's light; must answer the same whenever asked the same in one millisecond. */
 fun interface InfraredReach {
-    /** Whether the light of [sender] comes to [receiver]; both are numbers in the order in which they came into the air, from 0. */
+    /**
+     * Whether the light of [sender] comes to [receiver]; both are numbers in the order in which they came into the air,
+     * from 0.
+     */
     fun reaches(sender: Int, receiver: Int, range: InfraredRange): Boolean
 
     companion object {

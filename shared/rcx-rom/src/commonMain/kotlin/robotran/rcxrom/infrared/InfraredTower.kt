@@ -1,13 +1,10 @@
 package robotran.rcxrom.infrared
 
 /**
- * Something beside the bricks that sends and hears messages. Like a real tower it hears all messages, answers of bricks too, and
- * believes a message to be over when the light stays away for a while.
+ * Something beside the bricks that sends and hears messages. Like a real tower it hears all messages, answers of bricks
+ * too, and believes a message to be over when the light stays away for a while.
  */
-class InfraredTower internal constructor(
-    private val port: InfraredPort,
-    private val echoes: Boolean,
-) {
+class InfraredTower internal constructor(private val port: InfraredPort, private val echoes: Boolean) {
     private val sender = InfraredSender(port)
     private val hearing = mutableListOf<Int>()
     private val messages = ArrayDeque<List<Int>>()
@@ -15,10 +12,16 @@ class InfraredTower internal constructor(
     private var silence = 0
     private var now = 0L
 
-    /** The messages heard so far, the oldest first, each of bytes 0..255; only the newest hundred, and none that came damaged. */
+    /**
+     * The messages heard so far, the oldest first, each of bytes 0..255; only the newest hundred, and none that came
+     * damaged.
+     */
     val heard: List<List<Int>> get() = messages.toList()
 
-    /** Sends a message of bytes 0..255, the first of them the opcode; false if the one before is still on its way or there are none. */
+    /**
+     * Sends a message of bytes 0..255, the first of them the opcode; false if the one before is still on its way or
+     * there are none.
+     */
     fun send(message: List<Int>): Boolean {
         if (sender.remaining > 0 || message.isEmpty()) return false
         val packet = InfraredPacket.encode(message)

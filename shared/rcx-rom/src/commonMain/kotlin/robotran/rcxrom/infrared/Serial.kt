@@ -6,16 +6,13 @@ import robotran.rcxrom.memory.Registers
 import robotran.rcxrom.memory.SerialMemory
 
 /**
- * The infrared of a brick: what is sent, what is received, and the state of both in the ROM's memory, where leJOS and josx look at it.
- * A brick does not hear its own light: while it sends, what comes is thrown away. Source: the re-implemented ROM of brickEmu.
+ * The infrared of a brick: what is sent, what is received, and the state of both in the ROM's memory, where leJOS and
+ * josx look at it. A brick does not hear its own light: while it sends, what comes is thrown away. Source: the
+ * re-implemented ROM of brickEmu.
  *
  * @param clock the brick's milliseconds.
  */
-internal class Serial(
-    private val memory: RcxMemory,
-    private val port: InfraredPort,
-    private val clock: () -> Long,
-) {
+internal class Serial(private val memory: RcxMemory, private val port: InfraredPort, private val clock: () -> Long) {
     private val sender = InfraredSender(port)
     private val receiver = SerialReceiver(memory)
     private var runs = true
@@ -27,7 +24,13 @@ internal class Serial(
     val isSending: Boolean get() = memory.readByte(SerialMemory.SEND_STATE) != SerialMemory.IDLE
 
     val range: InfraredRange
-        get() = if (memory.readByte(Registers.PORT_4) and Registers.RANGE_SHORT_BIT != 0) InfraredRange.SHORT else InfraredRange.LONG
+        get() = if (memory.readByte(Registers.PORT_4) and Registers.RANGE_SHORT_BIT !=
+            0
+        ) {
+            InfraredRange.SHORT
+        } else {
+            InfraredRange.LONG
+        }
 
     /** Begins anew, with nothing received or to be sent. */
     fun begin(flagPointer: Int, timerPointer: Int, usesHeader: Int, usesComplements: Int) {
@@ -52,7 +55,11 @@ internal class Serial(
         runs = false
     }
 
-    fun setRange(range: InfraredRange) = memory.setBits(Registers.PORT_4, Registers.RANGE_SHORT_BIT, range == InfraredRange.SHORT)
+    fun setRange(range: InfraredRange) = memory.setBits(
+        Registers.PORT_4,
+        Registers.RANGE_SHORT_BIT,
+        range == InfraredRange.SHORT,
+    )
 
     /** What came of the wish to send. */
     enum class Sending { BEGUN, BUSY, OFF }
@@ -67,7 +74,9 @@ internal class Serial(
         return Sending.BEGUN
     }
 
-    /** Begins to send an answer to [opcode] with the [length] bytes at [address], which are read when their time comes. */
+    /**
+     * Begins to send an answer to [opcode] with the [length] bytes at [address], which are read when their time comes.
+     */
     fun sendLong(opcode: Int, address: Int, length: Int): Sending {
         if (!isFree()) return whyNot()
         val reply = opcode.inv() and BYTE
@@ -143,7 +152,11 @@ internal class Serial(
         val isComplement = place % sumBytes == 1
         val number = place / sumBytes
         val value = if (number < length) memory.readByte(address + number) else memory.readByte(SerialMemory.SEND_SUM)
-        if (number < length && !isComplement) memory.writeByte(SerialMemory.SEND_SUM, memory.readByte(SerialMemory.SEND_SUM) + value)
+        if (number < length &&
+            !isComplement
+        ) {
+            memory.writeByte(SerialMemory.SEND_SUM, memory.readByte(SerialMemory.SEND_SUM) + value)
+        }
         return if (isComplement) value.inv() and BYTE else value
     }
 

@@ -4,8 +4,8 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.SerialMemory
 
 /**
- * Puts received bytes together to messages, byte by byte as the ROM's interrupt does; everything it has to remember is in memory. How long
- * a message is follows from its opcode. Source: the re-implemented ROM of brickEmu.
+ * Puts received bytes together to messages, byte by byte as the ROM's interrupt does; everything it has to remember is
+ * in memory. How long a message is follows from its opcode. Source: the re-implemented ROM of brickEmu.
  */
 internal class SerialReceiver(private val memory: RcxMemory) {
     /** Waits for the next message. */
@@ -22,7 +22,11 @@ internal class SerialReceiver(private val memory: RcxMemory) {
 
     /** A byte came damaged. */
     fun damaged() {
-        if (memory.readByte(SerialMemory.RECEIVE_STATE) !in TRANSFER_SUM..TRANSFER) memory.writeByte(SerialMemory.RECEIVE_STATE, HEADER)
+        if (memory.readByte(SerialMemory.RECEIVE_STATE) !in
+            TRANSFER_SUM..TRANSFER
+        ) {
+            memory.writeByte(SerialMemory.RECEIVE_STATE, HEADER)
+        }
         restartTimer()
     }
 
@@ -101,8 +105,8 @@ internal class SerialReceiver(private val memory: RcxMemory) {
     }
 
     /**
-     * A block that comes again, since its answer was not heard, goes to the same place again. The two sums take the place of the length, as
-     * leJOS `main.c` and `rom.h` have it; brickEmu keeps both.
+     * A block that comes again, since its answer was not heard, goes to the same place again. The two sums take the
+     * place of the length, as leJOS `main.c` and `rom.h` have it; brickEmu keeps both.
      */
     private fun beginTransferData() {
         val sequence = littleWord(SerialMemory.INCOMING + 1)
@@ -164,10 +168,16 @@ internal class SerialReceiver(private val memory: RcxMemory) {
     private fun littleWord(address: Int): Int = memory.readByte(address) or (memory.readByte(address + 1) shl 8)
 
     companion object {
-        /** How many bytes follow an opcode. The opcode for transferred data has as many as it says itself, see [isTransfer]. */
+        /**
+         * How many bytes follow an opcode. The opcode for transferred data has as many as it says itself, see
+         * [isTransfer].
+         */
         fun operandsOf(opcode: Int): Int = (opcode and 7).let { if (it > 5) it - 6 else it }
 
-        /** Whether a message brings data of any length: 0x45 and, since bit 3 only tells a message from its repetition, 0x4d. */
+        /**
+         * Whether a message brings data of any length: 0x45 and, since bit 3 only tells a message from its repetition,
+         * 0x4d.
+         */
         fun isTransfer(opcode: Int): Boolean = opcode and TOGGLE_BIT.inv() == 0x45
 
         /** Differs between two messages with the same opcode that are not a repetition. */

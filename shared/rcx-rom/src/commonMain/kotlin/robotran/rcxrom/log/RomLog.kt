@@ -1,8 +1,8 @@
 package robotran.rcxrom.log
 
 /**
- * Every ROM call of a brick, in the order made. The newest [CAPACITY] or a little more are kept, so that a run of hours does not
- * fill the memory; [total] counts them all.
+ * Every ROM call of a brick, in the order made. The newest [CAPACITY] or a little more are kept, so that a run of hours
+ * does not fill the memory; [total] counts them all.
  */
 class RomLog {
     private var chunks: List<Array<RomLogEntry?>> = emptyList()
@@ -12,10 +12,16 @@ class RomLog {
     var total: Long = 0L
         private set
 
-    /** The calls that are kept, the oldest first; a list that never changes, made at no cost, so it can be read every frame. */
+    /**
+     * The calls that are kept, the oldest first; a list that never changes, made at no cost, so it can be read every
+     * frame.
+     */
     val entries: List<RomLogEntry> get() = Entries(chunks, (total - firstKept).toInt())
 
-    /** The call with this [number], counted from 0 over all calls ever made; null if it is no longer kept or not made yet. */
+    /**
+     * The call with this [number], counted from 0 over all calls ever made; null if it is no longer kept or not made
+     * yet.
+     */
     operator fun get(number: Long): RomLogEntry? {
         if (number < firstKept || number >= total) return null
         val place = (number - firstKept).toInt()
@@ -45,10 +51,8 @@ class RomLog {
     }
 
     /** A view of the first [size] entries of [chunks], whose filled places are never written again. */
-    private class Entries(
-        private val chunks: List<Array<RomLogEntry?>>,
-        override val size: Int,
-    ) : AbstractList<RomLogEntry>() {
+    private class Entries(private val chunks: List<Array<RomLogEntry?>>, override val size: Int) :
+        AbstractList<RomLogEntry>() {
         override fun get(index: Int): RomLogEntry {
             if (index !in 0..<size) throw IndexOutOfBoundsException("entry $index of $size")
             return checkNotNull(chunks[index / CHUNK][index % CHUNK])

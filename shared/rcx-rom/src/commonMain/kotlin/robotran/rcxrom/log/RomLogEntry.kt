@@ -21,9 +21,9 @@ data class RomLogEntry(
     val sourceFile: String? = null,
 ) {
     /**
-     * The entry as a line of a written log, `1204 0x1a4e 0x2000 1 3 ; motor A forward 3 ; 7`: milliseconds, address and arguments,
-     * meaning, source line. Codes and pointers are hexadecimal, numbers decimal and signed; the line of a firmware call is `firmware`, that
-     * of a program with several files has the file before it, as in `Robot.java:7`.
+     * The entry as a line of a written log, `1204 0x1a4e 0x2000 1 3 ; motor A forward 3 ; 7`: milliseconds, address and
+     * arguments, meaning, source line. Codes and pointers are hexadecimal, numbers decimal and signed; the line of a
+     * firmware call is `firmware`, that of a program with several files has the file before it, as in `Robot.java:7`.
      */
     val text: String
         get() = "$milliseconds ${RomCallText.of(call)} ; $meaning ; ${sourcePlace.ifEmpty { "firmware" }}"

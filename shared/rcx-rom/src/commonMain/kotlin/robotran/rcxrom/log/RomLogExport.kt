@@ -7,8 +7,9 @@ import robotran.rcxrom.call.RomGroup
 fun Iterable<RomLogEntry>.toLogText(): String = joinToString("") { it.text + "\n" }
 
 /**
- * The entries as a table for a spreadsheet: comma-separated values after RFC 4180, the first line names the columns. The line of a
- * firmware call is empty, that of a program with several files has the file before it, as in `Robot.java:7`; codes and pointers are hexadecimal.
+ * The entries as a table for a spreadsheet: comma-separated values after RFC 4180, the first line names the columns.
+ * The line of a firmware call is empty, that of a program with several files has the file before it, as in
+ * `Robot.java:7`; codes and pointers are hexadecimal.
  */
 fun Iterable<RomLogEntry>.toCsv(): String =
     (listOf(COLUMNS) + map(::cells)).joinToString("") { row -> row.joinToString(",") { quoted(it) } + CSV_LINE_END }

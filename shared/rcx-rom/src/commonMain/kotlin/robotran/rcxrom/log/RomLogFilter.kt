@@ -19,10 +19,9 @@ data class RomLogFilter(
     val onlyReported: Boolean = false,
 ) {
     /** Whether [entry] is one of those wanted. */
-    fun accepts(entry: RomLogEntry): Boolean =
-        (!onlyReported || entry.outcome != RomOutcome.DONE) &&
-            (sourceLines == null || entry.sourceLine in sourceLines) &&
-            (milliseconds == null || entry.milliseconds in milliseconds) &&
-            RomGroup.of(entry.call.address) in groups &&
-            (text.isEmpty() || entry.text.contains(text, ignoreCase = true))
+    fun accepts(entry: RomLogEntry): Boolean = (!onlyReported || entry.outcome != RomOutcome.DONE) &&
+        (sourceLines == null || entry.sourceLine in sourceLines) &&
+        (milliseconds == null || entry.milliseconds in milliseconds) &&
+        RomGroup.of(entry.call.address) in groups &&
+        (text.isEmpty() || entry.text.contains(text, ignoreCase = true))
 }

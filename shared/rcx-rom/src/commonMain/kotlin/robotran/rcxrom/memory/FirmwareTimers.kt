@@ -1,8 +1,9 @@
 package robotran.rcxrom.memory
 
 /**
- * The counters that the ROM's millisecond handler keeps: its own, and those of the firmware at the address given to routine 0x3b9a. leJOS
- * only uses the clock it counts itself. Source of places and periods: leJOS `rom.h`, the re-implemented ROM of brickEmu.
+ * The counters that the ROM's millisecond handler keeps: its own, and those of the firmware at the address given to
+ * routine 0x3b9a. leJOS only uses the clock it counts itself. Source of places and periods: leJOS `rom.h`, the
+ * re-implemented ROM of brickEmu.
  */
 internal class FirmwareTimers(private val memory: RcxMemory) {
     private val timers: Int get() = memory.readWord(TIMERS_POINTER)
@@ -12,7 +13,10 @@ internal class FirmwareTimers(private val memory: RcxMemory) {
         begin(FirmwareMemory.TIMERS, FirmwareMemory.HANDLER_FLAGS)
     }
 
-    /** Keeps the timers at [timers] and the flags of handlers at [flags] from now on, and begins the ROM's own counters anew. */
+    /**
+     * Keeps the timers at [timers] and the flags of handlers at [flags] from now on, and begins the ROM's own counters
+     * anew.
+     */
     fun begin(timers: Int, flags: Int) {
         memory.writeShort(TIMERS_POINTER, timers)
         memory.writeShort(FLAGS_POINTER, flags)
@@ -72,7 +76,10 @@ internal class FirmwareTimers(private val memory: RcxMemory) {
         const val TIMERS_POINTER = 0xEFC6
         const val FLAGS_POINTER = 0xEFC8
 
-        /** The ROM's own counters: 1..30 milliseconds, milliseconds of a tenth, hundredths of a minute, hundredths until handlers run. */
+        /**
+         * The ROM's own counters: 1..30 milliseconds, milliseconds of a tenth, hundredths of a minute, hundredths until
+         * handlers run.
+         */
         const val MILLISECONDS = 0xEFCF
         const val TENTH = 0xEFD0
         const val HUNDREDTHS_OF_MINUTE = 0xEFD2

@@ -18,11 +18,17 @@ enum class MemoryRegion(val addresses: IntRange) {
     /** Per sensor: where a rotation sensor stands, and what counting edges needs. */
     SENSOR_COUNTERS(0xEF32..0xEF3D),
 
-    /** What will be on the display after the next refresh, with the bytes sent before it and the counters of circle and dots. */
+    /**
+     * What will be on the display after the next refresh, with the bytes sent before it and the counters of circle and
+     * dots.
+     */
     DISPLAY(0xEF3E..0xEF4F),
     INFRARED(0xEF50..0xEFC5),
 
-    /** Pointers to the firmware's timers, directions and waveforms of the motors, the ROM's own counters, powered sensors. */
+    /**
+     * Pointers to the firmware's timers, directions and waveforms of the motors, the ROM's own counters, powered
+     * sensors.
+     */
     MOTORS_AND_TIMERS(0xEFC6..0xEFD5),
 
     /** The queue of sounds and the note that is played. */

@@ -1,8 +1,9 @@
 package robotran.rcxrom.memory
 
 /**
- * The RCX's 64 KB of memory, big-endian like its H8/300 processor. Addresses wrap at 0x10000. What is below [FIRST_WRITABLE] is ROM: it
- * cannot be written, and of its content only the first word is there, where leJOS lets the infrared look for a timer.
+ * The RCX's 64 KB of memory, big-endian like its H8/300 processor. Addresses wrap at 0x10000. What is below
+ * [FIRST_WRITABLE] is ROM: it cannot be written, and of its content only the first word is there, where leJOS lets the
+ * infrared look for a timer.
  */
 class RcxMemory {
     private val bytes = ByteArray(ADDRESS_SPACE)

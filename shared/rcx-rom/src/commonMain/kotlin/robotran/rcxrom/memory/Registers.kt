@@ -1,15 +1,18 @@
 package robotran.rcxrom.memory
 
 /**
- * The processor's pins and settings as far as something is connected with them here. The settings of pins are kept in memory, since the
- * processor cannot read its own. Sources: leJOS `rom.h`, the re-implemented ROM of brickEmu.
+ * The processor's pins and settings as far as something is connected with them here. The settings of pins are kept in
+ * memory, since the processor cannot read its own. Sources: leJOS `rom.h`, the re-implemented ROM of brickEmu.
  */
 internal object Registers {
     /** Which pins of the ports 5 and 6 are outputs. */
     const val PORT_5_DIRECTIONS = 0xFD84
     const val PORT_6_DIRECTIONS = 0xFD85
 
-    /** Bits of [PORT_6_DIRECTIONS]: the power of the sensors 3, 2 and 1; an unknown pin; the loudspeaker; the display's two wires. */
+    /**
+     * Bits of [PORT_6_DIRECTIONS]: the power of the sensors 3, 2 and 1; an unknown pin; the loudspeaker; the display's
+     * two wires.
+     */
     const val SENSOR_PINS = 0x07
     const val UNKNOWN_PIN = 0x08
     const val SPEAKER_PIN = 0x10
@@ -29,7 +32,10 @@ internal object Registers {
     const val VIEW_BIT = 0x40
     const val PRGM_BIT = 0x80
 
-    /** The 10-bit results of the analogue converter, in the upper bits of a word: ports 1, 2 and 3 go downwards, the battery is behind them. */
+    /**
+     * The 10-bit results of the analogue converter, in the upper bits of a word: ports 1, 2 and 3 go downwards, the
+     * battery is behind them.
+     */
     const val CONVERTER_OF_PORT_1 = 0xFFE4
     const val CONVERTER_OF_BATTERY = 0xFFE6
     const val CONVERTER_SHIFT = 6

@@ -1,6 +1,9 @@
 package robotran.rcxrom.memory
 
-/** Where the ROM keeps the state of the infrared. Source: the re-implemented ROM of brickEmu; josx looks at several of these itself. */
+/**
+ * Where the ROM keeps the state of the infrared. Source: the re-implemented ROM of brickEmu; josx looks at several of
+ * these itself.
+ */
 internal object SerialMemory {
     val ALL = 0xEF50..0xEFC5
 

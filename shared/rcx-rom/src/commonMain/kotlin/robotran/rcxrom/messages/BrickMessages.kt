@@ -11,8 +11,8 @@ import robotran.rcxrom.infrared.InfraredRange
 import robotran.rcxrom.program.ProgramFailure
 
 /**
- * What is said of a brick, in some language: of its ROM calls in the log, which may be part of a sentence and has no full stop; and of
- * what its display cannot say.
+ * What is said of a brick, in some language: of its ROM calls in the log, which may be part of a sentence and has no
+ * full stop; and of what its display cannot say.
  */
 interface BrickMessages {
     /**

@@ -22,12 +22,14 @@ object EnglishBrickMessages : BrickMessages {
 
     private fun placed(failure: ProgramFailure) = listOfNotNull(failure.place(this), failure.message).joinToString(": ")
 
-    override fun motorsBrakedAtEnd() = "The program has come to its end, so the brick stopped the motors, as a real one does. " +
-        "To let the robot drive on, let the program go on, too: with a wait, or with a loop that never ends."
+    override fun motorsBrakedAtEnd() =
+        "The program has come to its end, so the brick stopped the motors, as a real one does. " +
+            "To let the robot drive on, let the program go on, too: with a wait, or with a loop that never ends."
 
     override fun unknownRoutine() = "nothing happens, no routine is known here"
 
-    override fun tooFewArguments(routine: String, needed: Int, given: Int) = "nothing happens, $routine needs $needed arguments, not $given"
+    override fun tooFewArguments(routine: String, needed: Int, given: Int) =
+        "nothing happens, $routine needs $needed arguments, not $given"
 
     override fun wrongCodeGroup(routine: String, group: Int) =
         "nothing happens, $routine wants a code that begins with 0x${group.toString(radix = 16)}"
@@ -40,11 +42,12 @@ object EnglishBrickMessages : BrickMessages {
 
     override fun setUp(routine: String) = routine
 
-    override fun motor(port: MotorPort, mode: MotorMode, power: Int, ignoredMode: Int?, countedPower: Int?) = buildString {
-        append("motor ${port.name} ${mode.name.lowercase()} $power")
-        if (ignoredMode != null) append(", mode $ignoredMode is ignored")
-        if (countedPower != null) append(", power $countedPower counts as $power")
-    }
+    override fun motor(port: MotorPort, mode: MotorMode, power: Int, ignoredMode: Int?, countedPower: Int?) =
+        buildString {
+            append("motor ${port.name} ${mode.name.lowercase()} $power")
+            if (ignoredMode != null) append(", mode $ignoredMode is ignored")
+            if (countedPower != null) append(", power $countedPower counts as $power")
+        }
 
     override fun readSensor(port: Int) = "read sensor $port"
 
@@ -53,7 +56,8 @@ object EnglishBrickMessages : BrickMessages {
     override fun sensorPowers(ports: List<Int>, active: Boolean) =
         if (ports.isEmpty()) "no sensor changes" else ports.joinToString { sensorPower(it, active) }
 
-    override fun buttons(held: List<BrickButton>) = "buttons held down: ${held.joinToString { buttonName(it) }.ifEmpty { "none" }}"
+    override fun buttons(held: List<BrickButton>) =
+        "buttons held down: ${held.joinToString { buttonName(it) }.ifEmpty { "none" }}"
 
     override fun onOffKey(held: Boolean) = "the On-Off key is ${if (held) "held down" else "up"}"
 
@@ -121,7 +125,8 @@ object EnglishBrickMessages : BrickMessages {
 
     override fun infraredOff() = "nothing is sent, the infrared is switched off"
 
-    override fun wrongMessageLength(bytes: Int, longest: Int) = "nothing is sent, a message has 1 to $longest bytes, not $bytes"
+    override fun wrongMessageLength(bytes: Int, longest: Int) =
+        "nothing is sent, a message has 1 to $longest bytes, not $bytes"
 
     private fun segmentName(code: Int): String = when (code) {
         RomCode.SEGMENT_DATALOG -> "datalog circle"

@@ -10,7 +10,9 @@ import robotran.rcxrom.display.SegmentIcons
 import robotran.rcxrom.infrared.InfraredRange
 import robotran.rcxrom.program.ProgramFailure
 
-/** The messages in German; one thing has one word: brick - Stein, display - Anzeige, thread - Thread, power - Leistung. */
+/**
+ * The messages in German; one thing has one word: brick - Stein, display - Anzeige, thread - Thread, power - Leistung.
+ */
 object GermanBrickMessages : BrickMessages {
     override fun place(line: Int, file: String?) = if (file == null) "Zeile $line" else "$file, Zeile $line"
 
@@ -18,11 +20,13 @@ object GermanBrickMessages : BrickMessages {
         "Das Programm kann nicht weiter. ${placed(failure)} Drück auf On-Off, um zum Anfang zurückzukommen."
 
     override fun threadFailureShown(failure: ProgramFailure) =
-        "Ein Thread des Programms kann nicht weiter. ${placed(failure)} Drück auf On-Off, damit die anderen weitermachen."
+        "Ein Thread des Programms kann nicht weiter. ${placed(failure)} Drück auf On-Off, damit die anderen " +
+            "weitermachen."
 
     override fun motorsBrakedAtEnd() =
         "Das Programm ist zu Ende, also hat der Stein die Motoren angehalten, wie ein echter. " +
-            "Wenn der Roboter weiterfahren soll, muss auch das Programm weitergehen: mit Warten oder mit einer Schleife, die nie endet."
+            "Wenn der Roboter weiterfahren soll, muss auch das Programm weitergehen: mit Warten oder mit einer " +
+            "Schleife, die nie endet."
 
     override fun unknownRoutine() = "nichts passiert, hier ist keine Routine bekannt"
 
@@ -34,17 +38,19 @@ object GermanBrickMessages : BrickMessages {
 
     override fun unknownCode(code: Int) = "nichts passiert, hier gibt es keinen Code ${hexadecimal(code)}"
 
-    override fun notModelled(routine: String, gap: RomGap) = "nichts passiert, $routine ist nicht nachgebaut: ${reason(gap)}"
+    override fun notModelled(routine: String, gap: RomGap) =
+        "nichts passiert, $routine ist nicht nachgebaut: ${reason(gap)}"
 
     override fun messageNotModelled(received: String, gap: RomGap) = "$received, aber nichts passiert: ${reason(gap)}"
 
     override fun setUp(routine: String) = routine
 
-    override fun motor(port: MotorPort, mode: MotorMode, power: Int, ignoredMode: Int?, countedPower: Int?) = buildString {
-        append("Motor ${port.name} ${modeName(mode)} $power")
-        if (ignoredMode != null) append(", die Betriebsart $ignoredMode zählt nicht")
-        if (countedPower != null) append(", die Leistung $countedPower zählt als $power")
-    }
+    override fun motor(port: MotorPort, mode: MotorMode, power: Int, ignoredMode: Int?, countedPower: Int?) =
+        buildString {
+            append("Motor ${port.name} ${modeName(mode)} $power")
+            if (ignoredMode != null) append(", die Betriebsart $ignoredMode zählt nicht")
+            if (countedPower != null) append(", die Leistung $countedPower zählt als $power")
+        }
 
     override fun readSensor(port: Int) = "Sensor $port lesen"
 
@@ -53,7 +59,8 @@ object GermanBrickMessages : BrickMessages {
     override fun sensorPowers(ports: List<Int>, active: Boolean) =
         if (ports.isEmpty()) "kein Sensor ändert sich" else ports.joinToString { sensorPower(it, active) }
 
-    override fun buttons(held: List<BrickButton>) = "gedrückte Tasten: ${held.joinToString { buttonName(it) }.ifEmpty { "keine" }}"
+    override fun buttons(held: List<BrickButton>) =
+        "gedrückte Tasten: ${held.joinToString { buttonName(it) }.ifEmpty { "keine" }}"
 
     override fun onOffKey(held: Boolean) = "die Taste On-Off ist ${if (held) "gedrückt" else "losgelassen"}"
 
@@ -63,7 +70,8 @@ object GermanBrickMessages : BrickMessages {
 
     override fun refreshDisplay() = "Anzeige auffrischen"
 
-    override fun segment(code: Int, shown: Boolean) = "Anzeige: ${segmentName(code)} ${if (shown) "zeigen" else "verbergen"}"
+    override fun segment(code: Int, shown: Boolean) =
+        "Anzeige: ${segmentName(code)} ${if (shown) "zeigen" else "verbergen"}"
 
     override fun icon(icon: LcdIcon) = when (icon) {
         LcdIcon.STANDING_MAN -> "stehendes Männchen"
@@ -140,10 +148,16 @@ object GermanBrickMessages : BrickMessages {
 
     override fun stopInfrared() = "Infrarot ausschalten"
 
-    override fun infraredRange(range: InfraredRange) = "Reichweite von Infrarot: ${if (range == InfraredRange.LONG) "weit" else "kurz"}"
+    override fun infraredRange(range: InfraredRange) =
+        "Reichweite von Infrarot: ${if (range == InfraredRange.LONG) "weit" else "kurz"}"
 
-    override fun transferPointer(address: Int) =
-        if (address == 0) "empfangene Daten werden nicht behalten" else "empfangene Daten kommen nach ${hexadecimal(address)}"
+    override fun transferPointer(address: Int) = if (address ==
+        0
+    ) {
+        "empfangene Daten werden nicht behalten"
+    } else {
+        "empfangene Daten kommen nach ${hexadecimal(address)}"
+    }
 
     override fun dataWaiting(waiting: Boolean) = if (waiting) "eine Nachricht wartet" else "keine Nachricht wartet"
 

@@ -4,9 +4,17 @@ import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.program.RuntimeWarning
 
 /** Where the program failed in words, such as `Line 7` or `Robot.java, line 7`; null if there is no line. */
-fun ProgramFailure.place(messages: BrickMessages = EnglishBrickMessages): String? = placeText(sourceLine, sourceFile, messages)
+fun ProgramFailure.place(messages: BrickMessages = EnglishBrickMessages): String? =
+    placeText(sourceLine, sourceFile, messages)
 
 /** Where it happened in words, as [ProgramFailure.place]. */
-fun RuntimeWarning.place(messages: BrickMessages = EnglishBrickMessages): String? = placeText(sourceLine, sourceFile, messages)
+fun RuntimeWarning.place(messages: BrickMessages = EnglishBrickMessages): String? =
+    placeText(sourceLine, sourceFile, messages)
 
-private fun placeText(line: Int, file: String?, messages: BrickMessages): String? = if (line == 0) null else messages.place(line, file)
+private fun placeText(line: Int, file: String?, messages: BrickMessages): String? = if (line ==
+    0
+) {
+    null
+} else {
+    messages.place(line, file)
+}

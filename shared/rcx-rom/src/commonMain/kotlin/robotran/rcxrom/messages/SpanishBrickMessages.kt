@@ -10,7 +10,10 @@ import robotran.rcxrom.display.SegmentIcons
 import robotran.rcxrom.infrared.InfraredRange
 import robotran.rcxrom.program.ProgramFailure
 
-/** The messages in Spanish; one thing has one word: brick - ladrillo, display - pantalla, thread - hilo, power - potencia. */
+/**
+ * The messages in Spanish; one thing has one word: brick - ladrillo, display - pantalla, thread - hilo, power -
+ * potencia.
+ */
 object SpanishBrickMessages : BrickMessages {
     override fun place(line: Int, file: String?) = if (file == null) "Línea $line" else "$file, línea $line"
 
@@ -22,7 +25,8 @@ object SpanishBrickMessages : BrickMessages {
 
     override fun motorsBrakedAtEnd() =
         "El programa ha llegado a su final, así que el ladrillo ha parado los motores, como hace uno de verdad. " +
-            "Para que el robot siga andando, el programa también tiene que seguir: con una espera o con un bucle que no termina nunca."
+            "Para que el robot siga andando, el programa también tiene que seguir: con una espera o con un bucle que " +
+            "no termina nunca."
 
     override fun unknownRoutine() = "no pasa nada, aquí no hay ninguna rutina conocida"
 
@@ -40,20 +44,23 @@ object SpanishBrickMessages : BrickMessages {
 
     override fun setUp(routine: String) = routine
 
-    override fun motor(port: MotorPort, mode: MotorMode, power: Int, ignoredMode: Int?, countedPower: Int?) = buildString {
-        append("motor ${port.name} ${modeName(mode)} $power")
-        if (ignoredMode != null) append(", el modo $ignoredMode no cuenta")
-        if (countedPower != null) append(", la potencia $countedPower cuenta como $power")
-    }
+    override fun motor(port: MotorPort, mode: MotorMode, power: Int, ignoredMode: Int?, countedPower: Int?) =
+        buildString {
+            append("motor ${port.name} ${modeName(mode)} $power")
+            if (ignoredMode != null) append(", el modo $ignoredMode no cuenta")
+            if (countedPower != null) append(", la potencia $countedPower cuenta como $power")
+        }
 
     override fun readSensor(port: Int) = "leer el sensor $port"
 
-    override fun sensorPower(port: Int, active: Boolean) = "sensor $port ${if (active) "con corriente" else "sin corriente"}"
+    override fun sensorPower(port: Int, active: Boolean) =
+        "sensor $port ${if (active) "con corriente" else "sin corriente"}"
 
     override fun sensorPowers(ports: List<Int>, active: Boolean) =
         if (ports.isEmpty()) "no cambia ningún sensor" else ports.joinToString { sensorPower(it, active) }
 
-    override fun buttons(held: List<BrickButton>) = "botones pulsados: ${held.joinToString { buttonName(it) }.ifEmpty { "ninguno" }}"
+    override fun buttons(held: List<BrickButton>) =
+        "botones pulsados: ${held.joinToString { buttonName(it) }.ifEmpty { "ninguno" }}"
 
     override fun onOffKey(held: Boolean) = "el botón On-Off está ${if (held) "pulsado" else "suelto"}"
 
@@ -63,7 +70,8 @@ object SpanishBrickMessages : BrickMessages {
 
     override fun refreshDisplay() = "renovar la pantalla"
 
-    override fun segment(code: Int, shown: Boolean) = "${if (shown) "mostrar" else "ocultar"} en la pantalla ${segmentName(code)}"
+    override fun segment(code: Int, shown: Boolean) =
+        "${if (shown) "mostrar" else "ocultar"} en la pantalla ${segmentName(code)}"
 
     override fun icon(icon: LcdIcon) = when (icon) {
         LcdIcon.STANDING_MAN -> "muñeco parado"
@@ -140,12 +148,19 @@ object SpanishBrickMessages : BrickMessages {
 
     override fun stopInfrared() = "apagar el infrarrojo"
 
-    override fun infraredRange(range: InfraredRange) = "alcance del infrarrojo: ${if (range == InfraredRange.LONG) "largo" else "corto"}"
+    override fun infraredRange(range: InfraredRange) =
+        "alcance del infrarrojo: ${if (range == InfraredRange.LONG) "largo" else "corto"}"
 
-    override fun transferPointer(address: Int) =
-        if (address == 0) "los datos recibidos no se guardarán" else "los datos recibidos irán a ${hexadecimal(address)}"
+    override fun transferPointer(address: Int) = if (address ==
+        0
+    ) {
+        "los datos recibidos no se guardarán"
+    } else {
+        "los datos recibidos irán a ${hexadecimal(address)}"
+    }
 
-    override fun dataWaiting(waiting: Boolean) = if (waiting) "hay un mensaje esperando" else "no hay ningún mensaje esperando"
+    override fun dataWaiting(waiting: Boolean) =
+        if (waiting) "hay un mensaje esperando" else "no hay ningún mensaje esperando"
 
     override fun received(bytes: Int) = "recibir ${bytes(bytes)}"
 
@@ -183,5 +198,12 @@ object SpanishBrickMessages : BrickMessages {
     private fun bytes(count: Int) = if (count == 1) "1 byte" else "$count bytes"
 
     private val SYSTEM_SOUNDS =
-        listOf("pitido", "dos pitidos", "melodía hacia abajo", "melodía hacia arriba", "zumbido", "melodía rápida hacia arriba")
+        listOf(
+            "pitido",
+            "dos pitidos",
+            "melodía hacia abajo",
+            "melodía hacia arriba",
+            "zumbido",
+            "melodía rápida hacia arriba",
+        )
 }

@@ -12,7 +12,14 @@ interface DebuggableRun : ProgramRun {
     val threads: List<ThreadView>
         get() {
             val callStack = callStack
-            return listOf(ThreadView(FIRST_THREAD, callStack.lastOrNull()?.name.orEmpty(), callStack = callStack, isCurrent = true))
+            return listOf(
+                ThreadView(
+                    FIRST_THREAD,
+                    callStack.lastOrNull()?.name.orEmpty(),
+                    callStack = callStack,
+                    isCurrent = true,
+                ),
+            )
         }
 
     /** What the thread with this number is doing, null if it does not live; the same as in [threads], but cheaper. */
@@ -22,7 +29,8 @@ interface DebuggableRun : ProgramRun {
      * The variables that a routine knows, its own first.
      *
      * @param thread the number of one of [threads].
-     * @param frame a place in its call stack, 0 for the innermost. Where there is nothing to be seen, the list is empty.
+     * @param frame a place in its call stack, 0 for the innermost. Where there is nothing to be seen, the list is
+     * empty.
      */
     fun variablesOf(thread: Int, frame: Int): List<VariableScope> =
         if (thread == FIRST_THREAD && frame == 0) variables else emptyList()
@@ -45,8 +53,8 @@ interface DebuggableRun : ProgramRun {
 /** Decides where a [DebuggableRun] stops; as long as it does not, it changes nothing about the run. */
 fun interface StatementWatch {
     /**
-     * Whether the run is to stop: [ProgramRun.resume] returns [ProgramStatus.Paused], and goes on with [statement], which is about to be
-     * executed, when called again.
+     * Whether the run is to stop: [ProgramRun.resume] returns [ProgramStatus.Paused], and goes on with [statement],
+     * which is about to be executed, when called again.
      */
     fun pausesBefore(statement: Statement): Boolean
 }

@@ -9,7 +9,10 @@ interface RcxProgram {
     fun start(rom: Rom): ProgramRun
 }
 
-/** One run of an [RcxProgram]: it advances only when it is told to, so it can be paused, stepped and stopped at any time. */
+/**
+ * One run of an [RcxProgram]: it advances only when it is told to, so it can be paused, stepped and stopped at any
+ * time.
+ */
 interface ProgramRun {
     /** The line about to be executed, or the last one once the run is over; from 1, 0 if there is none. */
     val sourceLine: Int
@@ -21,8 +24,8 @@ interface ProgramRun {
     val remarks: List<RuntimeWarning> get() = emptyList()
 
     /**
-     * Executes at most [steps] steps (a step is a statement or a bytecode) and returns early when the program waits, ends or fails.
-     * Must not be called again after [ProgramStatus.Ended] or [ProgramStatus.Failed].
+     * Executes at most [steps] steps (a step is a statement or a bytecode) and returns early when the program waits,
+     * ends or fails. Must not be called again after [ProgramStatus.Ended] or [ProgramStatus.Failed].
      */
     fun resume(steps: Int): ProgramStatus
 }
@@ -39,8 +42,8 @@ sealed interface ProgramStatus {
     data class Waiting(val untilMilliseconds: Long) : ProgramStatus
 
     /**
-     * One of the program's threads cannot go on; the others can. A brick shows the failure and waits for On-Off first; its motors go on
-     * meanwhile.
+     * One of the program's threads cannot go on; the others can. A brick shows the failure and waits for On-Off first;
+     * its motors go on meanwhile.
      */
     data class ThreadFailed(val failure: ProgramFailure) : ProgramStatus
 
@@ -56,8 +59,10 @@ sealed interface ProgramStatus {
  *
  * @property message one sentence in a learner's words.
  * @property sourceLine the line it happened on, from 1; 0 if there is none.
- * @property methodNumber what the display shows as its number: in leJOS that of the method's signature, else the line. 0 or more.
- * @property exceptionNumber what the program digit shows, by its last figure: in leJOS that of the exception's class. 0 or more.
+ * @property methodNumber what the display shows as its number: in leJOS that of the method's signature, else the line.
+ * 0 or more.
+ * @property exceptionNumber what the program digit shows, by its last figure: in leJOS that of the exception's class. 0
+ * or more.
  * @property sourceFile the file it happened in; null if the program has only one.
  */
 data class ProgramFailure(

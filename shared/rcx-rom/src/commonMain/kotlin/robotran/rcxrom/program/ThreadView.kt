@@ -3,7 +3,8 @@ package robotran.rcxrom.program
 /**
  * A thread of a program.
  *
- * @property number its own as long as the run lasts; the thread that a program begins with has [DebuggableRun.FIRST_THREAD].
+ * @property number its own as long as the run lasts; the thread that a program begins with has
+ * [DebuggableRun.FIRST_THREAD].
  * @property name what a pupil knows it by; several may have the same.
  * @property priority 1..10, in leJOS; of threads that could go on, one of the highest does.
  * @property isDaemon whether the program ends without waiting for it.

@@ -18,10 +18,7 @@ import robotran.rcxrom.sensors.Sensors
 import robotran.rcxrom.sound.Speaker
 
 /** The parts of a brick and the ROM that works them, with no firmware that acts of itself. */
-internal class Hardware(
-    air: InfraredAir = InfraredAir(),
-    messages: BrickMessages = EnglishBrickMessages,
-) {
+internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessages = EnglishBrickMessages) {
     /** Virtual time, which passes only in [tick]. */
     var milliseconds = 0L
         private set
@@ -48,9 +45,14 @@ internal class Hardware(
         memory,
         log,
         MotorRoutines(memory, motors, messages).routines + LcdRoutines(lcd, messages).routines +
-            LcdSegmentRoutines(memory, lcd, messages).routines + ButtonRoutines(memory, buttons, lcd, messages).routines +
+            LcdSegmentRoutines(
+                memory,
+                lcd,
+                messages,
+            ).routines + ButtonRoutines(memory, buttons, lcd, messages).routines +
             PowerRoutines(memory, ::sleep, messages).routines + sounds.routines +
-            SensorRoutines(memory, sensors, messages).routines + SerialRoutines(memory, serial, sounds, messages).routines +
+            SensorRoutines(memory, sensors, messages).routines +
+            SerialRoutines(memory, serial, sounds, messages).routines +
             TimerRoutines(this, messages).routines,
         sensors,
         buttons,
@@ -67,7 +69,10 @@ internal class Hardware(
 
     /** What the converter of the battery measures from now on, 0..1023. */
     fun measureBattery(raw: Int) {
-        memory.writeShort(Registers.CONVERTER_OF_BATTERY, raw.coerceIn(0, SensorCode.OPEN_RAW) shl Registers.CONVERTER_SHIFT)
+        memory.writeShort(
+            Registers.CONVERTER_OF_BATTERY,
+            raw.coerceIn(0, SensorCode.OPEN_RAW) shl Registers.CONVERTER_SHIFT,
+        )
     }
 
     /** The raw value that the battery has. */

@@ -9,10 +9,7 @@ import robotran.rcxrom.display.LcdLayout
 import robotran.rcxrom.messages.BrickMessages
 
 /** The routines that write numbers to the LCD, clear it and make it visible. */
-internal class LcdRoutines(
-    private val lcd: Lcd,
-    private val messages: BrickMessages,
-) {
+internal class LcdRoutines(private val lcd: Lcd, private val messages: BrickMessages) {
     val routines: Map<Int, RomRoutine> = mapOf(
         RomAddress.SET_LCD_NUMBER to ::setNumber,
         RomAddress.CLEAR_LCD to {

@@ -10,8 +10,9 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.messages.BrickMessages
 
 /**
- * The routines that show and hide the LCD's icons. Most codes are one segment; the men, the range of the infrared, the circle and the row
- * of dots change together or step by step. Source: leJOS `rom.h`, the re-implemented ROM of brickEmu.
+ * The routines that show and hide the LCD's icons. Most codes are one segment; the men, the range of the infrared, the
+ * circle and the row of dots change together or step by step. Source: leJOS `rom.h`, the re-implemented ROM of
+ * brickEmu.
  */
 internal class LcdSegmentRoutines(
     private val memory: RcxMemory,
@@ -41,10 +42,17 @@ internal class LcdSegmentRoutines(
     private fun clear(code: Int): RomEffect {
         when (code) {
             RomCode.SEGMENT_STANDING_MAN -> lcd.light(LcdIcon.STANDING_MAN, on = false)
+
             RomCode.SEGMENT_WALKING_MAN -> lcd.light(LcdIcon.WALKING_MAN, on = false)
+
             RomCode.SEGMENT_DATALOG -> restart(LcdLayout.CIRCLE_STEP, CIRCLE)
+
             RomCode.SEGMENT_DOWNLOAD, RomCode.SEGMENT_UPLOAD -> restart(LcdLayout.DOTS_STEP, DOTS)
-            RomCode.SEGMENT_INFRARED_SHORT, RomCode.SEGMENT_INFRARED_LONG -> INFRARED.forEach { lcd.light(it, on = false) }
+
+            RomCode.SEGMENT_INFRARED_SHORT, RomCode.SEGMENT_INFRARED_LONG -> INFRARED.forEach {
+                lcd.light(it, on = false)
+            }
+
             else -> lcd.light(SegmentIcons.single(code) ?: return refused(messages.unknownCode(code)), on = false)
         }
         return RomEffect(messages.segment(code, shown = false))
@@ -78,7 +86,10 @@ internal class LcdSegmentRoutines(
         private val MEN = listOf(LcdIcon.STANDING_MAN, LcdIcon.WALKING_MAN)
         private val INFRARED = listOf(LcdIcon.INFRARED_SHORT, LcdIcon.INFRARED_LONG)
         private val CIRCLE = listOf(
-            LcdIcon.DATALOG_TOP_RIGHT, LcdIcon.DATALOG_BOTTOM_RIGHT, LcdIcon.DATALOG_BOTTOM_LEFT, LcdIcon.DATALOG_TOP_LEFT,
+            LcdIcon.DATALOG_TOP_RIGHT,
+            LcdIcon.DATALOG_BOTTOM_RIGHT,
+            LcdIcon.DATALOG_BOTTOM_LEFT,
+            LcdIcon.DATALOG_TOP_LEFT,
         )
         private val DOTS = listOf(LcdIcon.DOT_1, LcdIcon.DOT_2, LcdIcon.DOT_3, LcdIcon.DOT_4, LcdIcon.DOT_5)
     }

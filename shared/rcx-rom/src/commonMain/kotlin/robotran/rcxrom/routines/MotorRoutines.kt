@@ -32,7 +32,8 @@ internal class MotorRoutines(
 
     private fun controlInternally(arguments: List<Int>): RomEffect {
         val (code, pointer) = arguments
-        val port = MotorPort.entries.getOrNull(code - RomCode.INTERNAL_MOTOR_A) ?: return refused(messages.unknownCode(code))
+        val port =
+            MotorPort.entries.getOrNull(code - RomCode.INTERNAL_MOTOR_A) ?: return refused(messages.unknownCode(code))
         val power = memory.readByte(pointer)
         motors.control(port, modeBits = memory.readByte(pointer + 1), power % POWERS)
         return said(port, ignoredMode = null, power)
@@ -40,7 +41,18 @@ internal class MotorRoutines(
 
     private fun said(port: MotorPort, ignoredMode: Int?, givenPower: Int): RomEffect {
         val state = motors.states[port.ordinal]
-        return RomEffect(messages.motor(port, state.mode, state.power, ignoredMode, givenPower.takeIf { it != state.power }))
+        return RomEffect(
+            messages.motor(
+                port,
+                state.mode,
+                state.power,
+                ignoredMode,
+                givenPower.takeIf {
+                    it !=
+                        state.power
+                },
+            ),
+        )
     }
 
     private companion object {

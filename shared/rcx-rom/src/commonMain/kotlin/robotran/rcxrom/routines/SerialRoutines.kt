@@ -79,7 +79,13 @@ internal class SerialRoutines(
         val longest = if (code == RomCode.SEND_LONG) LONGEST_LONG else SerialMemory.LONGEST_SHORT
         if (code != RomCode.SEND_SHORT && code != RomCode.SEND_LONG) return refused(messages.unknownCode(code))
         if (length !in 1..longest) return refused(messages.wrongMessageLength(length, longest))
-        val sending = if (code == RomCode.SEND_SHORT) serial.sendShort(pointer, length) else serial.sendLong(opcode, pointer, length)
+        val sending = if (code ==
+            RomCode.SEND_SHORT
+        ) {
+            serial.sendShort(pointer, length)
+        } else {
+            serial.sendLong(opcode, pointer, length)
+        }
         return RomEffect(
             when (sending) {
                 Serial.Sending.BEGUN -> messages.sent(length)

@@ -45,12 +45,11 @@ internal class SoundRoutines(
         }
     }
 
-    private fun playViewButtonSound(arguments: List<Int>): RomEffect =
-        if (arguments[0] == RomCode.VIEW_BUTTON_SOUND) {
-            playNow(Sound.system(SystemSounds.TWO_BEEPS))
-        } else {
-            refused(messages.unknownCode(arguments[0]))
-        }
+    private fun playViewButtonSound(arguments: List<Int>): RomEffect = if (arguments[0] == RomCode.VIEW_BUTTON_SOUND) {
+        playNow(Sound.system(SystemSounds.TWO_BEEPS))
+    } else {
+        refused(messages.unknownCode(arguments[0]))
+    }
 
     private fun readPlaying(arguments: List<Int>): RomEffect {
         val (code, pointer) = arguments
@@ -81,7 +80,8 @@ internal class SoundRoutines(
 
     private fun milliseconds(sound: Sound): Int = sound.value * Speaker.LOOK_MILLISECONDS
 
-    private fun systemSoundName(number: Int): String = messages.systemSound(number.toShort().toInt(), SystemSounds.played(number))
+    private fun systemSoundName(number: Int): String =
+        messages.systemSound(number.toShort().toInt(), SystemSounds.played(number))
 
     private companion object {
         /** The ROM keeps the duration in a byte. */

@@ -9,10 +9,7 @@ import robotran.rcxrom.sensors.Sensors
 import robotran.rcxrom.sound.Sound
 
 /** The routines of the timer that drives motors, sounds and sensors. */
-internal class TimerRoutines(
-    private val hardware: Hardware,
-    private val messages: BrickMessages,
-) {
+internal class TimerRoutines(private val hardware: Hardware, private val messages: BrickMessages) {
     val routines: Map<Int, RomRoutine> = mapOf(
         RomAddress.INIT_TIMER to ::init,
         RomAddress.SHUTDOWN_TIMER to { shutdown() },
@@ -58,12 +55,25 @@ internal class TimerRoutines(
         else -> refused(messages.unknownCode(code))
     }
 
-    private fun clearSensors(arguments: List<Int>): RomEffect =
-        if (arguments.size < 2) tooFew("clear output", needed = 2, arguments) else setSensors(arguments[1], active = false)
+    private fun clearSensors(arguments: List<Int>): RomEffect = if (arguments.size <
+        2
+    ) {
+        tooFew("clear output", needed = 2, arguments)
+    } else {
+        setSensors(arguments[1], active = false)
+    }
 
     private fun setSensors(bits: Int, active: Boolean): RomEffect {
         hardware.sensors.setActive(bits, active)
-        return RomEffect(messages.sensorPowers((0..<SensorCode.PORTS).filter { bits and Sensors.portBit(it) != 0 }.map { it + 1 }, active))
+        return RomEffect(
+            messages.sensorPowers(
+                (0..<SensorCode.PORTS).filter { bits and Sensors.portBit(it) != 0 }.map {
+                    it +
+                        1
+                },
+                active,
+            ),
+        )
     }
 
     private fun play(arguments: List<Int>, play: (Sound) -> RomEffect): RomEffect {

@@ -52,8 +52,13 @@ internal class VirtualRom(
     override fun setSensorValue(port: Int, value: Int, field: SensorField) = sensors.set(port, field, value)
 
     private fun perform(call: RomCall): RomEffect {
-        val signature = RomTable.find(call.address) ?: return RomEffect(messages.unknownRoutine(), RomOutcome.UNKNOWN_ROUTINE)
-        if (signature.gap != null) return RomEffect(messages.notModelled(signature.name, signature.gap), RomOutcome.NOT_MODELLED)
+        val signature =
+            RomTable.find(call.address) ?: return RomEffect(messages.unknownRoutine(), RomOutcome.UNKNOWN_ROUTINE)
+        if (signature.gap !=
+            null
+        ) {
+            return RomEffect(messages.notModelled(signature.name, signature.gap), RomOutcome.NOT_MODELLED)
+        }
         val arguments = call.arguments.map { it and WORD }
         return refusal(signature, arguments) ?: routines.getValue(call.address)(arguments)
     }

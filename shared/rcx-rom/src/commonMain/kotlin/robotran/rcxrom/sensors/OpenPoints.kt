@@ -8,9 +8,15 @@ internal object OpenPoints {
      */
     const val EDGE_DEBOUNCE_READINGS = 100
 
-    /** The lowest raw value that is false without a slope; LEGO's papers say 55 percent, which is 562 or 563. Source: brickEmu. */
+    /**
+     * The lowest raw value that is false without a slope; LEGO's papers say 55 percent, which is 562 or 563. Source:
+     * brickEmu.
+     */
     const val FALSE_FROM = 564
 
-    /** Where the ROM keeps the places of rotation sensors. Source: leJOS's linker script; brickEmu says 0xEF35, which edges need. */
+    /**
+     * Where the ROM keeps the places of rotation sensors. Source: leJOS's linker script; brickEmu says 0xEF35, which
+     * edges need.
+     */
     const val ANGLE_STATES = 0xEF32
 }

@@ -1,8 +1,8 @@
 package robotran.rcxrom.sensors
 
 /**
- * The LEGO rotation sensor as something that a port measures: its axle has sixteen places a turn, and each has one of four raw values.
- * Source: brickOS `dsensor.c` and measurements of its users.
+ * The LEGO rotation sensor as something that a port measures: its axle has sixteen places a turn, and each has one of
+ * four raw values. Source: brickOS `dsensor.c` and measurements of its users.
  */
 object RotationSensor {
     /** How many counts a turn has. */
@@ -17,5 +17,6 @@ object RotationSensor {
      * @param count where the axle stands, in sixteenths of a turn; forwards it grows.
      * @param active whether the port is powered. If it is not, it measures as if nothing were connected.
      */
-    fun raw(count: Int, active: Boolean): Int = if (active) RAW_OF_PLACE[count.mod(RAW_OF_PLACE.size)] else SensorCode.OPEN_RAW
+    fun raw(count: Int, active: Boolean): Int =
+        if (active) RAW_OF_PLACE[count.mod(RAW_OF_PLACE.size)] else SensorCode.OPEN_RAW
 }

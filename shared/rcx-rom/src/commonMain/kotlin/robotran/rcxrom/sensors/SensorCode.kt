@@ -1,6 +1,8 @@
 package robotran.rcxrom.sensors
 
-/** The numbers of sensors: types, modes and what the ports measure. Source: leJOS `SensorConstants.java`, `sensors.c`. */
+/**
+ * The numbers of sensors: types, modes and what the ports measure. Source: leJOS `SensorConstants.java`, `sensors.c`.
+ */
 object SensorCode {
     const val TYPE_TOUCH = 1
     const val TYPE_LIGHT = 3

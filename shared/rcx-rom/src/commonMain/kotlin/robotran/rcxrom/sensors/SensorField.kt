@@ -1,6 +1,9 @@
 package robotran.rcxrom.sensors
 
-/** What of the firmware's table of sensors can be set; [code] is josx's number for it. Source: leJOS `native.c`, `Sensor.java`. */
+/**
+ * What of the firmware's table of sensors can be set; [code] is josx's number for it. Source: leJOS `native.c`,
+ * `Sensor.java`.
+ */
 enum class SensorField(val code: Int) {
     /** How to read it, see [SensorMode]; a slope 0..31 may be added. */
     MODE(0),

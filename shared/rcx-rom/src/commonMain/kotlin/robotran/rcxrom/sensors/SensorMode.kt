@@ -1,7 +1,8 @@
 package robotran.rcxrom.sensors
 
 /**
- * What the ROM makes of a raw value; [code] is its number, to which a slope of 0..31 may be added. Source: leJOS `SensorConstants.java`.
+ * What the ROM makes of a raw value; [code] is its number, to which a slope of 0..31 may be added. Source: leJOS
+ * `SensorConstants.java`.
  */
 enum class SensorMode(val code: Int) {
     /** The raw value itself. */

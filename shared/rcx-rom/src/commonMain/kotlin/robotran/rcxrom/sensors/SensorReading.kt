@@ -18,8 +18,13 @@ internal object SensorReading {
 
     /** For raw values below the first number: slope and offset of hundredths of tenths of a degree. */
     private val TEMPERATURE_PIECES = listOf(
-        Triple(340, -261, 145_200), Triple(390, -194, 123_000), Triple(478, -144, 103_500), Triple(520, -123, 93_600),
-        Triple(790, -107, 85_200), Triple(886, -134, 106_600), Triple(COLDEST_FROM, -175, 142_600),
+        Triple(340, -261, 145_200),
+        Triple(390, -194, 123_000),
+        Triple(478, -144, 103_500),
+        Triple(520, -123, 93_600),
+        Triple(790, -107, 85_200),
+        Triple(886, -134, 106_600),
+        Triple(COLDEST_FROM, -175, 142_600),
     )
     private const val HUNDREDTHS = 100
 
@@ -28,7 +33,8 @@ internal object SensorReading {
     private val ANGLE_BANDS = listOf(320..511, 512..767, 768..959, 960..1023)
 
     /**
-     * 1 or 0. Without a slope a low value is true and a high one false; with one, a jump of [raw] by so much. In between it stays as it was.
+     * 1 or 0. Without a slope a low value is true and a high one false; with one, a jump of [raw] by so much. In
+     * between it stays as it was.
      */
     fun boolean(raw: Int, before: Int, rawBefore: Int, modeAndSlope: Int): Int {
         val slope = modeAndSlope and SLOPES
@@ -72,6 +78,9 @@ internal object SensorReading {
     /** Which of its four places, 0..3, a rotation sensor is in; null if it cannot be one. */
     fun anglePlace(raw: Int): Int? = ANGLE_BANDS.indexOfFirst { raw in it }.takeIf { it >= 0 }
 
-    /** How far a rotation sensor has turned from one place to another, each 0..3: 1, -1, or 0 for a jump of two, which tells no direction. */
+    /**
+     * How far a rotation sensor has turned from one place to another, each 0..3: 1, -1, or 0 for a jump of two, which
+     * tells no direction.
+     */
     fun angleStep(from: Int, to: Int): Int = ANGLE_STEPS[from][to]
 }

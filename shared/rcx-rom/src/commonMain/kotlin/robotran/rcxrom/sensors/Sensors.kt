@@ -5,9 +5,10 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
 
 /**
- * The three input ports and the firmware's table of what they measure. The table lies in the firmware's part of the memory, a `sensor_t` a
- * port: type, mode, raw value (2 bytes), value (2 bytes), boolean. Programs read the table, not the ports, so they see
- * a change only after the firmware's next reading. Sources: leJOS `sensors.c`, the re-implemented ROM of brickEmu.
+ * The three input ports and the firmware's table of what they measure. The table lies in the firmware's part of the
+ * memory, a `sensor_t` a port: type, mode, raw value (2 bytes), value (2 bytes), boolean. Programs read the table, not
+ * the ports, so they see a change only after the firmware's next reading. Sources: leJOS `sensors.c`, the
+ * re-implemented ROM of brickEmu.
  */
 internal class Sensors(private val memory: RcxMemory) {
     /** Where each rotation sensor was when it was last seen there twice running. */
@@ -94,7 +95,10 @@ internal class Sensors(private val memory: RcxMemory) {
         }
     }
 
-    /** Like leJOS, believes a rotation sensor's place only when it is read twice running, and counts itself instead of the ROM. */
+    /**
+     * Like leJOS, believes a rotation sensor's place only when it is read twice running, and counts itself instead of
+     * the ROM.
+     */
     private fun poll(port: Int) {
         val address = tableAddress(port)
         if (SensorMode.of(memory.readByte(address + MODE_OFFSET)) != SensorMode.ANGLE) return read(port, address)
@@ -132,7 +136,14 @@ internal class Sensors(private val memory: RcxMemory) {
         if (wait <= 0 && boolean != memory.readByte(address + BOOLEAN_OFFSET)) {
             memory.writeByte(EDGE_DEBOUNCE + port, OpenPoints.EDGE_DEBOUNCE_READINGS)
             memory.writeByte(address + BOOLEAN_OFFSET, boolean)
-            if (!everySecond || isFirstOfTwo(port)) memory.writeShort(address + VALUE_OFFSET, memory.readShort(address + VALUE_OFFSET) + 1)
+            if (!everySecond ||
+                isFirstOfTwo(port)
+            ) {
+                memory.writeShort(
+                    address + VALUE_OFFSET,
+                    memory.readShort(address + VALUE_OFFSET) + 1,
+                )
+            }
         } else {
             memory.writeByte(EDGE_DEBOUNCE + port, maxOf(1, wait))
         }
@@ -152,7 +163,10 @@ internal class Sensors(private val memory: RcxMemory) {
         /** The ROM's own byte of the active ports: 4, 2 and 1 for the ports 1, 2 and 3. */
         const val ACTIVE_PORTS = 0xEFD5
 
-        /** A byte a port: whether edges have been looked for, for how many readings they are not, whether half a pulse is over. */
+        /**
+         * A byte a port: whether edges have been looked for, for how many readings they are not, whether half a pulse
+         * is over.
+         */
         const val EDGE_BEGUN = 0xEF35
         const val EDGE_DEBOUNCE = 0xEF38
         const val PULSE_HALF = 0xEF3B

@@ -29,7 +29,10 @@ internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
         call(RomAddress.POWER_OFF)
     }
 
-    /** Shows the battery's volts and the number of the program that Run will start, with the standing man if there is one. */
+    /**
+     * Shows the battery's volts and the number of the program that Run will start, with the standing man if there is
+     * one.
+     */
     fun showReady(slot: Int, programIsLoaded: Boolean) {
         call(RomAddress.CLEAR_LCD)
         call(RomAddress.READ_POWER_STATUS, RomCode.BATTERY, FirmwareMemory.RESULT)
@@ -72,13 +75,16 @@ internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
     }
 
     /** Queues a system sound. */
-    fun play(systemSound: Int) = speaker.askedByFirmware { call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, systemSound) }
+    fun play(systemSound: Int) =
+        speaker.askedByFirmware { call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, systemSound) }
 
     /** Plays a system sound instead of all others. */
-    fun playNow(systemSound: Int) = speaker.askedByFirmware { call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_NOW, systemSound) }
+    fun playNow(systemSound: Int) =
+        speaker.askedByFirmware { call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_NOW, systemSound) }
 
     /** Tells all motors to do [mode] with power 0. */
-    fun controlMotors(mode: MotorMode) = MotorPort.entries.forEach { call(RomAddress.CONTROL_MOTOR, it.code, mode.code, 0) }
+    fun controlMotors(mode: MotorMode) =
+        MotorPort.entries.forEach { call(RomAddress.CONTROL_MOTOR, it.code, mode.code, 0) }
 
     /** Takes a received message, of which up to [longest] bytes will be at [FirmwareMemory.MESSAGE]. */
     fun receive(longest: Int) {
@@ -91,7 +97,8 @@ internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
         call(RomAddress.SEND_DATA, RomCode.SEND_SHORT, 0, FirmwareMemory.MESSAGE, message.size)
     }
 
-    private fun call(address: Int, vararg arguments: Int) = rom.call(RomCall(address, arguments.toList()), NO_SOURCE_LINE)
+    private fun call(address: Int, vararg arguments: Int) =
+        rom.call(RomCall(address, arguments.toList()), NO_SOURCE_LINE)
 
     private companion object {
         const val NO_SOURCE_LINE = 0

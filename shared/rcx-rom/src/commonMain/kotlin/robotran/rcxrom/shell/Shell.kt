@@ -14,7 +14,8 @@ import robotran.rcxrom.sound.SystemSounds
 import robotran.rcxrom.state.RunState
 
 /**
- * The leJOS shell: what the buttons do, how a program's run begins and ends, and what happens to messages meanwhile. Source: leJOS `main.c`.
+ * The leJOS shell: what the buttons do, how a program's run begins and ends, and what happens to messages meanwhile.
+ * Source: leJOS `main.c`.
  */
 internal class Shell(
     private val programs: List<RcxProgram?>,
@@ -97,7 +98,10 @@ internal class Shell(
     /** Whether the program stopped in the middle of its share of this millisecond. */
     val isPaused: Boolean get() = pausedSteps > 0
 
-    /** What the shell itself does in a millisecond: looks for messages, and switches the brick off when nobody has used it for long. */
+    /**
+     * What the shell itself does in a millisecond: looks for messages, and switches the brick off when nobody has used
+     * it for long.
+     */
     fun tick() {
         when {
             isSwitchingOff -> if (hardware.isSilent) finishSwitchingOff()
@@ -108,8 +112,8 @@ internal class Shell(
     }
 
     /**
-     * The program's share of one millisecond, or what is left of it after a pause: at most [steps], none while it waits, and none while
-     * On-Off is held down, for then leJOS waits until it is let go.
+     * The program's share of one millisecond, or what is left of it after a pause: at most [steps], none while it
+     * waits, and none while On-Off is held down, for then leJOS waits until it is let go.
      */
     fun resumeProgram(steps: Int) {
         val standsStill = BrickButton.ON_OFF in buttons.pressed && !isPaused
@@ -195,7 +199,15 @@ internal class Shell(
     private fun answerMessage() {
         when (mailbox.answer()) {
             ShellMailbox.ShellAction.NONE -> startIdleTime()
-            ShellMailbox.ShellAction.START -> if (selectedProgram == null) showReady(SystemSounds.TWO_BEEPS) else startProgram()
+
+            ShellMailbox.ShellAction.START -> if (selectedProgram ==
+                null
+            ) {
+                showReady(SystemSounds.TWO_BEEPS)
+            } else {
+                startProgram()
+            }
+
             ShellMailbox.ShellAction.UNKNOWN -> showReady(SystemSounds.TWO_BEEPS)
         }
     }

@@ -27,9 +27,19 @@ internal class ShellMailbox(
         val opcode = memory.readByte(FirmwareMemory.MESSAGE)
         return when (opcode and SerialReceiver.TOGGLE_BIT.inv()) {
             ALIVE -> reply(opcode)
+
             GET_VERSIONS -> reply(opcode, VERSIONS)
-            REMOTE_COMMAND -> if (memory.readByte(FirmwareMemory.MESSAGE + 1) and PROGRAM_1 != 0) ShellAction.START else ShellAction.UNKNOWN
+
+            REMOTE_COMMAND -> if (memory.readByte(FirmwareMemory.MESSAGE + 1) and PROGRAM_1 !=
+                0
+            ) {
+                ShellAction.START
+            } else {
+                ShellAction.UNKNOWN
+            }
+
             GET_VALUE, TRANSFER_DATA, DELETE_FIRMWARE -> report()
+
             else -> ShellAction.UNKNOWN
         }
     }
@@ -40,7 +50,12 @@ internal class ShellMailbox(
     }
 
     private fun report(): ShellAction {
-        log.amendLast { it.copy(meaning = messages.messageNotModelled(it.meaning, RomGap.DOWNLOAD), outcome = RomOutcome.NOT_MODELLED) }
+        log.amendLast {
+            it.copy(
+                meaning = messages.messageNotModelled(it.meaning, RomGap.DOWNLOAD),
+                outcome = RomOutcome.NOT_MODELLED,
+            )
+        }
         return ShellAction.UNKNOWN
     }
 

@@ -4,14 +4,11 @@ package robotran.rcxrom.sound
  * An entry of the ROM's sound queue, as routine 0x3de0 takes it.
  *
  * @property kind 0 a pause, 1 a system sound, else a tone: how far the timer counts for half a wave, 2..255.
- * @property value of a pause or a tone its duration in [Speaker.LOOK_MILLISECONDS], of a system sound its number; 0..255.
+ * @property value of a pause or a tone its duration in [Speaker.LOOK_MILLISECONDS], of a system sound its number;
+ * 0..255.
  * @property control which divided clock the timer counts, see [ToneTimer].
  */
-internal data class Sound(
-    val kind: Int,
-    val value: Int,
-    val control: Int,
-) {
+internal data class Sound(val kind: Int, val value: Int, val control: Int) {
     companion object {
         const val PAUSE = 0
         const val SYSTEM_SOUND = 1
@@ -26,10 +23,7 @@ internal data class Sound(
  * @property hertz null for a pause.
  * @property duration in [Speaker.LOOK_MILLISECONDS], 0..255.
  */
-internal data class Note(
-    val hertz: Double?,
-    val duration: Int,
-)
+internal data class Note(val hertz: Double?, val duration: Int)
 
 /** The sounds the ROM knows by number. Source of pitches and lengths: the tables of brickEmu's re-implemented ROM. */
 internal object SystemSounds {

@@ -1,10 +1,11 @@
 package robotran.rcxrom.sound
 
 /**
- * Something the brick's loudspeaker does that can be heard; in the order of time. Who plays them on a real loudspeaker begins each
- * [Tone] at its moment and lets it sound for its duration, unless a [Cut] or another tone comes before.
+ * Something the brick's loudspeaker does that can be heard; in the order of time. Who plays them on a real loudspeaker
+ * begins each [Tone] at its moment and lets it sound for its duration, unless a [Cut] or another tone comes before.
  *
- * @property milliseconds when it happens, on the brick's clock ([BrickState.milliseconds]): virtual time, whatever the speed of the run.
+ * @property milliseconds when it happens, on the brick's clock ([BrickState.milliseconds]): virtual time, whatever the
+ * speed of the run.
  */
 sealed interface SoundEvent {
     val milliseconds: Long
@@ -12,9 +13,11 @@ sealed interface SoundEvent {
     /**
      * A tone begins. Pauses are no events: a melody is its tones, each with its own moment.
      *
-     * @property hertz the frequency the RCX really gives, after the rounding of its timer; nearly the one asked for. 31 to 20,000.
+     * @property hertz the frequency the RCX really gives, after the rounding of its timer; nearly the one asked for. 31
+     * to 20,000.
      * @property durationMilliseconds how long it lasts, 10 to 2,550.
-     * @property ofFirmware whether the firmware plays it by itself, as when a program has ended; otherwise a program has asked for it.
+     * @property ofFirmware whether the firmware plays it by itself, as when a program has ended; otherwise a program
+     * has asked for it.
      */
     data class Tone(
         override val milliseconds: Long,

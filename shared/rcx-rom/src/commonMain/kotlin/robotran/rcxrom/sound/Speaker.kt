@@ -3,15 +3,12 @@ package robotran.rcxrom.sound
 import robotran.rcxrom.memory.RcxMemory
 
 /**
- * The loudspeaker and the sounds that wait for it, in the ROM's own ring in memory. Like the ROM it looks for something new to play every
- * ten milliseconds. Source of the places in memory: the re-implemented ROM of brickEmu.
+ * The loudspeaker and the sounds that wait for it, in the ROM's own ring in memory. Like the ROM it looks for something
+ * new to play every ten milliseconds. Source of the places in memory: the re-implemented ROM of brickEmu.
  *
  * @param clock the brick's milliseconds.
  */
-internal class Speaker(
-    private val memory: RcxMemory,
-    private val clock: () -> Long,
-) {
+internal class Speaker(private val memory: RcxMemory, private val clock: () -> Long) {
     val track = SoundTrack()
     private var notesToPlay: List<Note> = emptyList()
 

@@ -1,8 +1,9 @@
 package robotran.rcxrom.sound
 
 /**
- * The timer that makes tones: it counts a divided clock up to a whole number, so only some frequencies are possible, and few of them
- * at the top of each band. Sources: the table at `play_sound_or_set_data_pointer` in leJOS `rom.h`, the re-implemented ROM of brickEmu.
+ * The timer that makes tones: it counts a divided clock up to a whole number, so only some frequencies are possible,
+ * and few of them at the top of each band. Sources: the table at `play_sound_or_set_data_pointer` in leJOS `rom.h`, the
+ * re-implemented ROM of brickEmu.
  */
 internal object ToneTimer {
     /** The processor's clock divided by two. */
@@ -16,17 +17,37 @@ internal object ToneTimer {
     const val CONTROL_OF_PAUSE = 7
 
     /** The divisors that the timer's control numbers choose; with any other number it stands still. */
-    private val DIVISOR_OF_CONTROL = mapOf(2 to 8, 3 to 2, CONTROL_OF_64 to 64, CONTROL_OF_32 to 32, CONTROL_OF_1024 to 1024, 7 to 256)
+    private val DIVISOR_OF_CONTROL = mapOf(
+        2 to 8,
+        3 to 2,
+        CONTROL_OF_64 to 64,
+        CONTROL_OF_32 to 32,
+        CONTROL_OF_1024 to 1024,
+        7 to 256,
+    )
 
     private val CONTROL_OF_BAND =
-        listOf(31..122 to CONTROL_OF_1024, 123..489 to 7, 490..979 to CONTROL_OF_64, 980..3921 to CONTROL_OF_32, 3922..20_000 to 2)
+        listOf(
+            31..122 to CONTROL_OF_1024,
+            123..489 to 7,
+            490..979 to CONTROL_OF_64,
+            980..3921 to CONTROL_OF_32,
+            3922..20_000 to 2,
+        )
 
     /** The frequency of a timer that counts to [counts], 1..255; null if [control] lets it stand still. */
-    fun hertz(counts: Int, control: Int): Double? = DIVISOR_OF_CONTROL[control]?.let { CLOCK_HERTZ.toDouble() / it / counts }
+    fun hertz(counts: Int, control: Int): Double? = DIVISOR_OF_CONTROL[control]?.let {
+        CLOCK_HERTZ.toDouble() / it /
+            counts
+    }
 
-    /** What the tone routine puts into the queue for [hertz] and a duration of 0..255: a silent pause beyond the timer's range. */
+    /**
+     * What the tone routine puts into the queue for [hertz] and a duration of 0..255: a silent pause beyond the timer's
+     * range.
+     */
     fun sound(hertz: Int, duration: Int): Sound {
-        val (_, control) = CONTROL_OF_BAND.find { (band, _) -> hertz in band } ?: return Sound(Sound.PAUSE, duration, CONTROL_OF_PAUSE)
+        val (_, control) = CONTROL_OF_BAND.find { (band, _) -> hertz in band }
+            ?: return Sound(Sound.PAUSE, duration, CONTROL_OF_PAUSE)
         return Sound(CLOCK_HERTZ / DIVISOR_OF_CONTROL.getValue(control) / hertz, duration, control)
     }
 }

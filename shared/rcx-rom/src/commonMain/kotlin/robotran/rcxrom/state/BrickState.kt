@@ -19,7 +19,8 @@ import robotran.rcxrom.sensors.SensorState
  * @property sensors the input ports 1, 2 and 3, in this order, as the firmware read them last.
  * @property batteryMillivolts what the batteries give.
  * @property infrared what the infrared does.
- * @property explanation what the display's numbers mean, or why the robot stands still, and what to do now, in whole sentences, where a pupil could not know; otherwise null.
+ * @property explanation what the display's numbers mean, or why the robot stands still, and what to do now, in whole
+ * sentences, where a pupil could not know; otherwise null.
  */
 data class BrickState(
     val milliseconds: Long,

@@ -10,10 +10,7 @@ import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.shortened
 
 /** Finds the assignments that give a variable what it cannot hold. */
-internal class AssignmentChecker(
-    private val context: CheckContext,
-    private val expressions: ExpressionChecker,
-) {
+internal class AssignmentChecker(private val context: CheckContext, private val expressions: ExpressionChecker) {
     private val messages = context.messages
 
     fun check(statement: Statement.Assign) {
@@ -38,7 +35,12 @@ internal class AssignmentChecker(
             }
 
             needed == ValueType.WHOLE && given == ValueType.DECIMAL -> {
-                context.report(DiagnosticCode.TYPE_CHANGED, value.range, messages.decimalForWhole(text), fixOfDeclaration(draft))
+                context.report(
+                    DiagnosticCode.TYPE_CHANGED,
+                    value.range,
+                    messages.decimalForWhole(text),
+                    fixOfDeclaration(draft),
+                )
             }
 
             !canHold(needed, given) -> {
@@ -57,13 +59,18 @@ internal class AssignmentChecker(
         val list = context.draftsByName[target.list.range] ?: return
         val type = list.type.type
         if (!type.isList && type != ValueType.NOTHING) {
-            context.report(DiagnosticCode.LIST_NEEDED, target.list.range, messages.listNeeded(shortened(target.list.text)))
+            context.report(
+                DiagnosticCode.LIST_NEEDED,
+                target.list.range,
+                messages.listNeeded(shortened(target.list.text)),
+            )
         }
         expressions.needElement(target.list, target.index)
         expressions.needType(type.element, value)
     }
 
     /** What cannot be known has been told of where it stands. */
-    private fun canHold(needed: ValueType, given: ValueType): Boolean = given == ValueType.NOTHING || needed == ValueType.NOTHING ||
-        given == needed || (needed == ValueType.DECIMAL && given == ValueType.WHOLE)
+    private fun canHold(needed: ValueType, given: ValueType): Boolean =
+        given == ValueType.NOTHING || needed == ValueType.NOTHING ||
+            given == needed || (needed == ValueType.DECIMAL && given == ValueType.WHOLE)
 }

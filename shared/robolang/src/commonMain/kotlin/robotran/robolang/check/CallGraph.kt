@@ -15,12 +15,16 @@ internal class CallGraph(private val context: CheckContext) {
     fun latestGlobal(routine: Routine): UnresolvedSymbol? = latestGlobals[places.getValue(routine.range)]
 
     /**
-     * Where the routines begin that are done again and again: those that call themselves, directly or by way of others, those that are
-     * called [repeatedly], and all that these call.
+     * Where the routines begin that are done again and again: those that call themselves, directly or by way of others,
+     * those that are called [repeatedly], and all that these call.
      */
     fun repeated(repeatedly: List<Routine>): Set<SourceRange> {
         val recursive = routines.indices.filter { it in reached(callees[it]) }
-        return reached(recursive + repeatedly.map { places.getValue(it.range) }).mapTo(mutableSetOf()) { routines[it].range }
+        return reached(
+            recursive + repeatedly.map {
+                places.getValue(it.range)
+            },
+        ).mapTo(mutableSetOf()) { routines[it].range }
     }
 
     private val latestGlobals: Map<Int, UnresolvedSymbol> by lazy {
@@ -56,5 +60,6 @@ internal class CallGraph(private val context: CheckContext) {
 }
 
 /** The variable or constant of the main program, declared outside all blocks, that [name] stands for. */
-internal fun CheckContext.globalOf(name: Name): UnresolvedSymbol? =
-    draftsByName[name.range]?.takeIf { it.isGlobal && it.kind != SymbolKind.PROCEDURE && it.kind != SymbolKind.FUNCTION }
+internal fun CheckContext.globalOf(name: Name): UnresolvedSymbol? = draftsByName[name.range]?.takeIf {
+    it.isGlobal && it.kind != SymbolKind.PROCEDURE && it.kind != SymbolKind.FUNCTION
+}

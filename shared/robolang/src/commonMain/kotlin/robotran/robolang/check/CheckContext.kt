@@ -15,11 +15,11 @@ import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.lowercaseKeyword
 import robotran.robolang.syntax.shortened
 
-/** What the parts of the checker know in common: the program, what its names and expressions are so far, and what is wrong. */
-internal class CheckContext(
-    val parsed: ParsedProgram,
-    val diagnostics: DiagnosticSink,
-) {
+/**
+ * What the parts of the checker know in common: the program, what its names and expressions are so far, and what is
+ * wrong.
+ */
+internal class CheckContext(val parsed: ParsedProgram, val diagnostics: DiagnosticSink) {
     val messages = diagnostics.messages
     val tree = parsed.tree
     val drafts = mutableListOf<UnresolvedSymbol>()
@@ -50,7 +50,13 @@ internal class CheckContext(
 
     private fun declaredSomewhere(): Set<String> = parsed.lines.flatMapTo(mutableSetOf()) { line ->
         val first = line.tokens.firstOrNull()
-        if (first?.keyword in DECLARING) line.tokens.filter { it.canBeName }.map { lowercaseKeyword(it.text) } else emptyList()
+        if (first?.keyword in
+            DECLARING
+        ) {
+            line.tokens.filter { it.canBeName }.map { lowercaseKeyword(it.text) }
+        } else {
+            emptyList()
+        }
     }
 
     /** The routine that [name] stands for, if there is one. */
@@ -58,7 +64,10 @@ internal class CheckContext(
 
     fun typeOf(expression: Expression): ValueType = nodes[expression.range]?.type ?: ValueType.NOTHING
 
-    fun textOf(range: SourceRange): String = parsed.lines[range.line - 1].text.substring(range.column - 1, range.endColumn - 1)
+    fun textOf(range: SourceRange): String = parsed.lines[range.line - 1].text.substring(
+        range.column - 1,
+        range.endColumn - 1,
+    )
 
     fun quotable(expression: Expression): String = shortened(textOf(expression.range))
 
@@ -73,9 +82,19 @@ internal class CheckContext(
     /** The number that [expression] always is, null if that is not plain to see. */
     fun constantOf(expression: Expression): NumberValue? = when (expression) {
         is Expression.Number -> expression.value
+
         is Expression.Brackets -> constantOf(expression.inner)
+
         is Expression.Variable -> draftsByName[expression.name.range]?.constant
-        is Expression.Unary -> if (expression.operator == UnaryOperator.MINUS) constantOf(expression.operand)?.let(::negated) else null
+
+        is Expression.Unary -> if (expression.operator ==
+            UnaryOperator.MINUS
+        ) {
+            constantOf(expression.operand)?.let(::negated)
+        } else {
+            null
+        }
+
         else -> null
     }
 

@@ -7,11 +7,11 @@ import robotran.robolang.robot.Calibration
 import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.shortened
 
-/** Finds what is well written but makes no sense: names, types, values, the way through the program and the limits of the brick. */
-internal class Checker(
-    private val calibration: Calibration,
-    private val diagnostics: DiagnosticSink,
-) {
+/**
+ * Finds what is well written but makes no sense: names, types, values, the way through the program and the limits of
+ * the brick.
+ */
+internal class Checker(private val calibration: Calibration, private val diagnostics: DiagnosticSink) {
     fun check(parsed: ParsedProgram): CheckedProgram {
         val context = CheckContext(parsed, diagnostics)
         NameResolver(context).resolve()
@@ -31,7 +31,10 @@ internal class Checker(
         )
     }
 
-    /** What no call gives a value has the type that it is used as; that and what only calls itself is otherwise taken for whole. */
+    /**
+     * What no call gives a value has the type that it is used as; that and what only calls itself is otherwise taken
+     * for whole.
+     */
     private fun settleUnusedTypes(context: CheckContext) {
         ParameterTypeInference(context).settle()
         val open = context.drafts.filter { it.kind == SymbolKind.PARAMETER || it.kind == SymbolKind.FUNCTION }
@@ -52,14 +55,25 @@ internal class Checker(
         }.toMap()
     }
 
-    private fun builtInSymbol(function: BuiltIn) =
-        Symbol(function.text, SymbolKind.BUILT_IN, ValueType.NOTHING, declaredAt = null, owner = null, function.ordinal, isGlobal = true)
+    private fun builtInSymbol(function: BuiltIn) = Symbol(
+        function.text,
+        SymbolKind.BUILT_IN,
+        ValueType.NOTHING,
+        declaredAt = null,
+        owner = null,
+        function.ordinal,
+        isGlobal = true,
+    )
 
     private fun warnOfUnusedVariables(context: CheckContext) {
         for (draft in context.drafts) {
             val counts = draft.kind == SymbolKind.VARIABLE || draft.kind == SymbolKind.CONSTANT
             if (counts && !draft.isRead) {
-                context.warn(DiagnosticCode.UNUSED_VARIABLE, draft.name.range, context.messages.unusedVariable(shortened(draft.name.text)))
+                context.warn(
+                    DiagnosticCode.UNUSED_VARIABLE,
+                    draft.name.range,
+                    context.messages.unusedVariable(shortened(draft.name.text)),
+                )
             }
         }
     }

@@ -94,11 +94,19 @@ internal class CommandChecker(
         val strange = statement.text.firstOrNull { !isShown(it) }
         when {
             statement.text.length > RobolangLimits.TEXT_CHARACTERS -> {
-                context.report(DiagnosticCode.TEXT_TOO_LONG, statement.textRange, messages.textTooLong(RobolangLimits.TEXT_CHARACTERS))
+                context.report(
+                    DiagnosticCode.TEXT_TOO_LONG,
+                    statement.textRange,
+                    messages.textTooLong(RobolangLimits.TEXT_CHARACTERS),
+                )
             }
 
             strange != null -> {
-                context.report(DiagnosticCode.TEXT_NOT_SHOWN, statement.textRange, messages.textNotShown(strange.toString()))
+                context.report(
+                    DiagnosticCode.TEXT_NOT_SHOWN,
+                    statement.textRange,
+                    messages.textNotShown(strange.toString()),
+                )
             }
         }
     }

@@ -10,7 +10,10 @@ import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
 import robotran.robolang.syntax.shortened
 
-/** Follows the ways through the program: what leads nowhere, what is never reached and what goes round without a purpose. */
+/**
+ * Follows the ways through the program: what leads nowhere, what is never reached and what goes round without a
+ * purpose.
+ */
 internal class ControlFlowChecker(private val context: CheckContext) {
     private val messages = context.messages
     private var routine: Routine? = null
@@ -81,7 +84,13 @@ internal class ControlFlowChecker(private val context: CheckContext) {
     private fun leaveRound(statement: Statement): Boolean {
         if (left.isEmpty()) {
             val word = context.textOf(statement.range)
-            if (!context.parsed.isDoubtful) context.report(DiagnosticCode.OUTSIDE_LOOP, statement.range, messages.outsideLoop(word))
+            if (!context.parsed.isDoubtful) {
+                context.report(
+                    DiagnosticCode.OUTSIDE_LOOP,
+                    statement.range,
+                    messages.outsideLoop(word),
+                )
+            }
         } else if (statement is Statement.Break) {
             left[left.lastIndex] = true
         }
@@ -92,11 +101,25 @@ internal class ControlFlowChecker(private val context: CheckContext) {
         val routine = routine
         val value = statement.value
         if (routine == null) {
-            if (!context.parsed.isDoubtful) context.report(DiagnosticCode.OUTSIDE_ROUTINE, statement.range, messages.outsideRoutine())
+            if (!context.parsed.isDoubtful) {
+                context.report(
+                    DiagnosticCode.OUTSIDE_ROUTINE,
+                    statement.range,
+                    messages.outsideRoutine(),
+                )
+            }
         } else if (routine.isFunction && value == null) {
-            report(statement.range, DiagnosticCode.RETURN_WITHOUT_VALUE, messages.returnWithoutValue(shortened(routine.name.text)))
+            report(
+                statement.range,
+                DiagnosticCode.RETURN_WITHOUT_VALUE,
+                messages.returnWithoutValue(shortened(routine.name.text)),
+            )
         } else if (!routine.isFunction && value != null) {
-            report(value.range, DiagnosticCode.RETURN_WITH_VALUE, messages.returnWithValue(shortened(routine.name.text)))
+            report(
+                value.range,
+                DiagnosticCode.RETURN_WITH_VALUE,
+                messages.returnWithValue(shortened(routine.name.text)),
+            )
         }
         return false
     }
@@ -111,8 +134,10 @@ private object BlockingLoops {
     fun isRestful(statements: List<Statement>): Boolean = statements.any(::isRestful)
 
     private fun isRestful(statement: Statement): Boolean =
-        statement is Statement.Move || statement is Statement.Turn || statement is Statement.Wait || statement is Statement.WaitUntil ||
-            statement is Statement.Pen || statement is Statement.Call || statement is Statement.Halt || statement is Statement.Return ||
+        statement is Statement.Move || statement is Statement.Turn || statement is Statement.Wait ||
+            statement is Statement.WaitUntil ||
+            statement is Statement.Pen || statement is Statement.Call || statement is Statement.Halt ||
+            statement is Statement.Return ||
             statement is Statement.StartMoving || statement is Statement.StartTurning || statement is Statement.Motor ||
             statement.expressions.any(::isSensing) || statement.bodies.any(::isRestful)
 

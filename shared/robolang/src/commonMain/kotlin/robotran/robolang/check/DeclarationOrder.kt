@@ -7,8 +7,9 @@ import robotran.robolang.syntax.leadingDeclarations
 import robotran.robolang.syntax.shortened
 
 /**
- * Finds what may use a variable of the main program before it is declared: a call of a routine that uses one declared further down,
- * and a behaviour, which may be done as soon as the declarations at the beginning are. Every way that a call could go counts.
+ * Finds what may use a variable of the main program before it is declared: a call of a routine that uses one declared
+ * further down, and a behaviour, which may be done as soon as the declarations at the beginning are. Every way that a
+ * call could go counts.
  */
 internal class DeclarationOrder(private val context: CheckContext, private val graph: CallGraph) {
     private val messages = context.messages
@@ -47,7 +48,11 @@ internal class DeclarationOrder(private val context: CheckContext, private val g
             val called = uses.calls.map { call -> call to context.routineOf(call)?.let(graph::latestGlobal) }
             for ((name, global) in direct + called) {
                 if (global != null && lineOf(global) > declared && toldOfBehaviours.add(global)) {
-                    report(name.range, global, messages.neededBeforeDeclaration(shortened(global.name.text), lineOf(global)))
+                    report(
+                        name.range,
+                        global,
+                        messages.neededBeforeDeclaration(shortened(global.name.text), lineOf(global)),
+                    )
                 }
             }
         }

@@ -50,14 +50,18 @@ internal class EndlessRecursion(private val context: CheckContext) {
 
         private fun isCertainIn(expression: Expression): Boolean = when (expression) {
             is Expression.Call -> isSelf(expression.name) || expression.arguments.any(::isCertainIn)
-            is Expression.Binary -> isCertainIn(expression.left) || (expression.operator !in DECIDING && isCertainIn(expression.right))
+
+            is Expression.Binary -> isCertainIn(expression.left) ||
+                (expression.operator !in DECIDING && isCertainIn(expression.right))
+
             else -> expression.parts.any(::isCertainIn)
         }
 
         private fun isSelf(name: Name): Boolean = context.routineOf(name)?.range == routine.range
 
-        private fun mayLeave(statement: Statement): Boolean = statement is Statement.Return || statement is Statement.Break ||
-            statement is Statement.Continue || statement.bodies.any { body -> body.any(::mayLeave) }
+        private fun mayLeave(statement: Statement): Boolean =
+            statement is Statement.Return || statement is Statement.Break ||
+                statement is Statement.Continue || statement.bodies.any { body -> body.any(::mayLeave) }
     }
 
     private companion object {

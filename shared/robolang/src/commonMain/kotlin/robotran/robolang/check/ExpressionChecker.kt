@@ -20,18 +20,32 @@ internal class ExpressionChecker(private val context: CheckContext) {
         expression.parts.forEach(::check)
         when (expression) {
             is Expression.ListOf -> list(expression)
+
             is Expression.ListElement -> element(expression)
+
             is Expression.Unary -> unary(expression)
+
             is Expression.Binary -> binary(expression)
+
             is Expression.Call -> call(expression)
-            is Expression.Number, is Expression.BooleanLiteral, is Expression.Variable, is Expression.Sense, is Expression.Brackets -> Unit
+
+            is Expression.Number,
+            is Expression.BooleanLiteral,
+            is Expression.Variable,
+            is Expression.Sense,
+            is Expression.Brackets,
+            -> Unit
         }
     }
 
     fun needNumber(expression: Expression) {
         val type = context.typeOf(expression)
         if (!type.isNumber && isKnown(expression)) {
-            context.report(DiagnosticCode.NUMBER_NEEDED, expression.range, messages.numberNeeded(context.quotable(expression)))
+            context.report(
+                DiagnosticCode.NUMBER_NEEDED,
+                expression.range,
+                messages.numberNeeded(context.quotable(expression)),
+            )
         }
     }
 
@@ -46,13 +60,21 @@ internal class ExpressionChecker(private val context: CheckContext) {
 
     fun needCondition(expression: Expression) {
         if (context.typeOf(expression) != ValueType.TRUTH && isKnown(expression)) {
-            context.report(DiagnosticCode.CONDITION_NEEDED, expression.range, messages.conditionNeeded(context.quotable(expression)))
+            context.report(
+                DiagnosticCode.CONDITION_NEEDED,
+                expression.range,
+                messages.conditionNeeded(context.quotable(expression)),
+            )
         }
     }
 
     fun needList(expression: Expression) {
         if (!context.typeOf(expression).isList && isKnown(expression)) {
-            context.report(DiagnosticCode.LIST_NEEDED, expression.range, messages.listNeeded(context.quotable(expression)))
+            context.report(
+                DiagnosticCode.LIST_NEEDED,
+                expression.range,
+                messages.listNeeded(context.quotable(expression)),
+            )
         }
     }
 
@@ -91,7 +113,11 @@ internal class ExpressionChecker(private val context: CheckContext) {
         needList(expression)
         val given = context.typeOf(expression)
         if (given.isList && given != type) {
-            context.report(DiagnosticCode.TYPE_CHANGED, expression.range, messages.typeChanged(context.quotable(expression)))
+            context.report(
+                DiagnosticCode.TYPE_CHANGED,
+                expression.range,
+                messages.typeChanged(context.quotable(expression)),
+            )
         }
     }
 
@@ -99,9 +125,19 @@ internal class ExpressionChecker(private val context: CheckContext) {
     private fun isKnown(expression: Expression): Boolean = context.typeOf(expression) != ValueType.NOTHING
 
     private fun list(expression: Expression.ListOf) {
-        if (expression.elements.isEmpty()) context.report(DiagnosticCode.EMPTY_LIST, expression.range, messages.emptyList())
+        if (expression.elements.isEmpty()) {
+            context.report(
+                DiagnosticCode.EMPTY_LIST,
+                expression.range,
+                messages.emptyList(),
+            )
+        }
         if (expression.elements.size > RobolangLimits.LIST_ELEMENTS) {
-            context.report(DiagnosticCode.LIST_TOO_LONG, expression.range, messages.listTooLong(RobolangLimits.LIST_ELEMENTS))
+            context.report(
+                DiagnosticCode.LIST_TOO_LONG,
+                expression.range,
+                messages.listTooLong(RobolangLimits.LIST_ELEMENTS),
+            )
         }
         for (element in expression.elements) {
             if (!context.typeOf(element).isNumber && isKnown(element)) {
@@ -120,7 +156,11 @@ internal class ExpressionChecker(private val context: CheckContext) {
     }
 
     private fun reportBeyond(index: Expression, place: Int, length: Int) {
-        if (place !in 0 until length) context.report(DiagnosticCode.INDEX_OUT_OF_RANGE, index.range, messages.indexOutOfRange(length - 1))
+        if (place !in
+            0 until length
+        ) {
+            context.report(DiagnosticCode.INDEX_OUT_OF_RANGE, index.range, messages.indexOutOfRange(length - 1))
+        }
     }
 
     private fun unary(expression: Expression.Unary) {
@@ -137,15 +177,20 @@ internal class ExpressionChecker(private val context: CheckContext) {
             BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> equality(expression)
             else -> if (!isChained(expression)) operands.forEach(::needNumber)
         }
-        if (expression.operator == BinaryOperator.DIVIDE || expression.operator == BinaryOperator.MOD) division(expression)
+        if (expression.operator == BinaryOperator.DIVIDE ||
+            expression.operator == BinaryOperator.MOD
+        ) {
+            division(expression)
+        }
     }
 
     /** Reports `3 < x < 5`, which is no condition in Robolang or Java. */
     private fun isChained(expression: Expression.Binary): Boolean {
         val first = expression.left as? Expression.Binary ?: return false
         if (!first.operator.isComparison || !expression.operator.isComparison) return false
-        val right = "${context.textOf(first.range)} and ${context.textOf(first.right.range)} ${expression.operator.text} " +
-            context.textOf(expression.right.range)
+        val right =
+            "${context.textOf(first.range)} and ${context.textOf(first.right.range)} ${expression.operator.text} " +
+                context.textOf(expression.right.range)
         val message = messages.chainedComparison(shortened(right))
         context.report(DiagnosticCode.NUMBER_NEEDED, expression.range, message, SourceFix(expression.range, right))
         return true
@@ -162,7 +207,15 @@ internal class ExpressionChecker(private val context: CheckContext) {
     private fun division(expression: Expression.Binary) {
         val divisor = context.constantOf(expression.right) ?: return
         if (divisor !is NumberValue.Whole || context.typeOf(expression) != ValueType.WHOLE) return
-        if (divisor.value == 0) return context.report(DiagnosticCode.DIVISION_BY_ZERO, expression.right.range, messages.divisionByZero())
+        if (divisor.value ==
+            0
+        ) {
+            return context.report(
+                DiagnosticCode.DIVISION_BY_ZERO,
+                expression.right.range,
+                messages.divisionByZero(),
+            )
+        }
         val isTooLarge = divisor.value !in Short.MIN_VALUE..Short.MAX_VALUE
         if (isTooLarge) warnOfDivisor(expression.right, divisor.value)
         val dividend = (context.constantOf(expression.left) as? NumberValue.Whole)?.value ?: return

@@ -35,7 +35,8 @@ internal class LimitChecker(private val context: CheckContext, private val graph
     }
 
     private fun statement(statement: Statement, isRepeated: Boolean) {
-        val looksEachRound = statement is Statement.RepeatWhile || statement is Statement.RepeatUntil || statement is Statement.WaitUntil
+        val looksEachRound =
+            statement is Statement.RepeatWhile || statement is Statement.RepeatUntil || statement is Statement.WaitUntil
         statement.expressions.forEach { expression(it, isRepeated || looksEachRound) }
         if (isRepeated && statement is Statement.Call) context.routineOf(statement.name)?.let(repeatedly::add)
         if (statement is Statement.ShowText) count(statement.text, statement.textRange)
@@ -60,7 +61,8 @@ internal class LimitChecker(private val context: CheckContext, private val graph
         }
     }
 
-    private fun warnOfList(list: Expression.ListOf) = context.warn(DiagnosticCode.LIST_IN_LOOP, list.range, messages.listInLoop())
+    private fun warnOfList(list: Expression.ListOf) =
+        context.warn(DiagnosticCode.LIST_IN_LOOP, list.range, messages.listInLoop())
 
     private fun number(expression: Expression.Number) {
         val value = expression.value
@@ -70,7 +72,11 @@ internal class LimitChecker(private val context: CheckContext, private val graph
 
     private fun count(constant: Any, range: SourceRange) {
         if (constants.add(constant) && constants.size == RobolangLimits.CONSTANTS + 1) {
-            context.report(DiagnosticCode.TOO_MANY_CONSTANTS, range, messages.tooManyConstants(RobolangLimits.CONSTANTS))
+            context.report(
+                DiagnosticCode.TOO_MANY_CONSTANTS,
+                range,
+                messages.tooManyConstants(RobolangLimits.CONSTANTS),
+            )
         }
     }
 }

@@ -53,15 +53,27 @@ internal class NameResolver(private val context: CheckContext) {
         val earlier = context.routines[routine.name.key]
         when {
             routine.name.text.isEmpty() -> return
-            BuiltIn.of(routine.name.key) != null -> reportTaken(routine.name, messages.declaredBuiltIn(shortened(routine.name.text)))
-            earlier != null -> reportTaken(routine.name, messages.declaredTwice(shortened(routine.name.text), earlier.name.range.line))
+
+            BuiltIn.of(
+                routine.name.key,
+            ) != null -> reportTaken(routine.name, messages.declaredBuiltIn(shortened(routine.name.text)))
+
+            earlier != null -> reportTaken(
+                routine.name,
+                messages.declaredTwice(shortened(routine.name.text), earlier.name.range.line),
+            )
+
             else -> context.routines[routine.name.key] = draft
         }
         context.drafts += draft
         context.draftsByName[routine.name.range] = draft
         context.routinesByName[routine.name.range] = routine
         if (place == RobolangLimits.ROUTINES) {
-            context.report(DiagnosticCode.TOO_MANY_ROUTINES, routine.name.range, messages.tooManyRoutines(RobolangLimits.ROUTINES))
+            context.report(
+                DiagnosticCode.TOO_MANY_ROUTINES,
+                routine.name.range,
+                messages.tooManyRoutines(RobolangLimits.ROUTINES),
+            )
         }
     }
 
@@ -73,11 +85,19 @@ internal class NameResolver(private val context: CheckContext) {
         owner = routine
         for (parameter in routine.parameters) {
             val earlier = scopes[parameter.key]?.takeIf { it.owner?.range == routine.range }
-            if (earlier != null) reportTaken(parameter, messages.declaredTwice(shortened(parameter.text), earlier.name.range.line))
+            if (earlier !=
+                null
+            ) {
+                reportTaken(parameter, messages.declaredTwice(shortened(parameter.text), earlier.name.range.line))
+            }
             declare(parameter, SymbolKind.PARAMETER)
         }
         routine.parameters.getOrNull(RobolangLimits.PARAMETERS)?.let {
-            context.report(DiagnosticCode.TOO_MANY_PARAMETERS, it.range, messages.tooManyParameters(RobolangLimits.PARAMETERS))
+            context.report(
+                DiagnosticCode.TOO_MANY_PARAMETERS,
+                it.range,
+                messages.tooManyParameters(RobolangLimits.PARAMETERS),
+            )
         }
         types.current = context.draftsByName[routine.name.range]
         statements(routine.body)
@@ -121,7 +141,13 @@ internal class NameResolver(private val context: CheckContext) {
 
     private fun declareCounter(statement: Statement.ForRange) {
         val draft = declareNew(statement.variable, SymbolKind.LOOP_VARIABLE)
-        for (number in listOfNotNull(statement.from, statement.to, statement.step)) types.of(number).flowTo(draft.type, TypeConstraint.NUMBER)
+        for (number in listOfNotNull(
+            statement.from,
+            statement.to,
+            statement.step,
+        )) {
+            types.of(number).flowTo(draft.type, TypeConstraint.NUMBER)
+        }
     }
 
     private fun declareElement(statement: Statement.ForEach) {
@@ -188,7 +214,11 @@ internal class NameResolver(private val context: CheckContext) {
     }
 
     private fun reportMissingBrackets(name: Name) {
-        context.report(DiagnosticCode.MISSING_BRACKETS, name.range, messages.missingBracketsOfCall(shortened(name.text)))
+        context.report(
+            DiagnosticCode.MISSING_BRACKETS,
+            name.range,
+            messages.missingBracketsOfCall(shortened(name.text)),
+        )
     }
 
     /** Who knows other languages may think that this declares a variable. */
@@ -202,7 +232,8 @@ internal class NameResolver(private val context: CheckContext) {
 
     private val declaredGlobally: Map<String, UnresolvedSymbol> by lazy {
         context.tree.statements.filterIsInstance<Statement.Declare>().associate { statement ->
-            statement.name.key to UnresolvedSymbol(statement.name, SymbolKind.VARIABLE, owner = null, index = 0, isGlobal = true)
+            statement.name.key to
+                UnresolvedSymbol(statement.name, SymbolKind.VARIABLE, owner = null, index = 0, isGlobal = true)
         }
     }
 

@@ -7,7 +7,8 @@ import robotran.robolang.syntax.suggestion
 private val VALUES = listOf("left bumper", "right bumper", "light", "timer", "battery", "true", "false")
 
 /** What may be meant by a word that stands for a part of these. */
-private val MEANT = mapOf("bumper" to "left bumper", "button" to "button run", "time" to "timer", "sensor" to "sensor 1")
+private val MEANT =
+    mapOf("bumper" to "left bumper", "button" to "button run", "time" to "timer", "sensor" to "sensor 1")
 
 /** So many names are compared with one that is unknown; a longer list is no help to anybody. */
 private const val COMPARED_NAMES = 500

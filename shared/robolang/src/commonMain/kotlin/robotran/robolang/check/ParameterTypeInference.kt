@@ -10,7 +10,9 @@ import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
 
-/** Gives parameters that no call gives a value yet the type that their routine needs, as far as that is not a number. */
+/**
+ * Gives parameters that no call gives a value yet the type that their routine needs, as far as that is not a number.
+ */
 internal class ParameterTypeInference(private val context: CheckContext) {
     /** Twice, because what a routine needs may follow from another one further down. */
     fun settle() = repeat(2) { context.tree.routines.forEach { routine -> routine.body.forEach(::settle) } }
@@ -44,10 +46,18 @@ internal class ParameterTypeInference(private val context: CheckContext) {
 
     private fun settle(expression: Expression) {
         when (expression) {
-            is Expression.Unary -> if (expression.operator == UnaryOperator.NOT) need(expression.operand, ValueType.TRUTH)
+            is Expression.Unary -> if (expression.operator ==
+                UnaryOperator.NOT
+            ) {
+                need(expression.operand, ValueType.TRUTH)
+            }
+
             is Expression.Binary -> settleOperands(expression)
+
             is Expression.ListElement -> need(expression.list, ValueType.LIST_OF_WHOLE)
+
             is Expression.Call -> handedOver(expression.name, expression.arguments)
+
             else -> Unit
         }
         expression.parts.forEach(::settle)
@@ -56,13 +66,20 @@ internal class ParameterTypeInference(private val context: CheckContext) {
     private fun handedOver(routine: Name, arguments: List<Expression>) {
         if (BuiltIn.of(routine.key) == BuiltIn.LENGTH) return arguments.forEach { need(it, ValueType.LIST_OF_WHOLE) }
         val parameters = context.routineOf(routine)?.parameters.orEmpty()
-        parameters.zip(arguments) { parameter, argument -> context.draftsByName[parameter.range]?.let { need(argument, it.type.type) } }
+        parameters.zip(arguments) { parameter, argument ->
+            context.draftsByName[parameter.range]?.let { need(argument, it.type.type) }
+        }
     }
 
     private fun settleOperands(expression: Expression.Binary) {
         val joinsTruths = when (expression.operator) {
             BinaryOperator.AND, BinaryOperator.OR -> true
-            BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> expression.parts.any { context.typeOf(it) == ValueType.TRUTH }
+
+            BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> expression.parts.any {
+                context.typeOf(it) ==
+                    ValueType.TRUTH
+            }
+
             else -> false
         }
         if (joinsTruths) needAll(expression, ValueType.TRUTH)

@@ -38,14 +38,25 @@ internal class StatementChecker(
         statement.expressions.forEach(expressions::check)
         when (statement) {
             is Statement.Repeat -> count(statement.count)
+
             is Statement.RepeatWhile -> expressions.needCondition(statement.condition)
+
             is Statement.RepeatUntil -> expressions.needCondition(statement.condition)
+
             is Statement.ForRange -> counter(statement)
+
             is Statement.ForEach -> expressions.needList(statement.list)
+
             is Statement.If -> statement.branches.forEach { expressions.needCondition(it.condition) }
+
             is Statement.Assign -> assignments.check(statement)
+
             is Statement.Call -> call(statement)
-            is Statement.Return -> statement.value?.let { value -> function?.let { expressions.needType(it.type.type, value) } }
+
+            is Statement.Return -> statement.value?.let { value ->
+                function?.let { expressions.needType(it.type.type, value) }
+            }
+
             else -> commands.check(statement)
         }
         statement.bodies.forEach { it.forEach(::check) }
@@ -72,13 +83,23 @@ internal class StatementChecker(
     private fun counter(statement: Statement.ForRange) {
         listOfNotNull(statement.from, statement.to, statement.step).forEach(expressions::needNumber)
         val step = statement.step ?: return
-        if (context.constantOf(step)?.decimal == 0f) context.report(DiagnosticCode.STEP_ZERO, step.range, messages.stepZero())
+        if (context.constantOf(step)?.decimal ==
+            0f
+        ) {
+            context.report(DiagnosticCode.STEP_ZERO, step.range, messages.stepZero())
+        }
     }
 
     private fun call(statement: Statement.Call) {
         val name = statement.name
         val isFunction = BuiltIn.of(name.key) != null || context.draftsByName[name.range]?.kind == SymbolKind.FUNCTION
-        if (isFunction) context.report(DiagnosticCode.FUNCTION_AS_COMMAND, name.range, messages.functionAsCommand(shortened(name.text)))
+        if (isFunction) {
+            context.report(
+                DiagnosticCode.FUNCTION_AS_COMMAND,
+                name.range,
+                messages.functionAsCommand(shortened(name.text)),
+            )
+        }
         expressions.arguments(name, statement.arguments)
     }
 }

@@ -11,11 +11,11 @@ import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.parts
 import robotran.robolang.syntax.shortened
 
-/** Lays out how the types of expressions follow from those of their parts; [resolve] finds what a variable's name stands for. */
-internal class TypeConstraints(
-    private val context: CheckContext,
-    private val resolve: (Name) -> UnresolvedSymbol?,
-) {
+/**
+ * Lays out how the types of expressions follow from those of their parts; [resolve] finds what a variable's name stands
+ * for.
+ */
+internal class TypeConstraints(private val context: CheckContext, private val resolve: (Name) -> UnresolvedSymbol?) {
     /** The routine that a `return` belongs to. */
     var current: UnresolvedSymbol? = null
 
@@ -69,9 +69,16 @@ internal class TypeConstraints(
         val builtIn = BuiltIn.of(expression.name.key)
         when (builtIn) {
             null -> call(expression.name, expression.arguments)?.type?.flowTo(node)
-            BuiltIn.ABS, BuiltIn.MIN, BuiltIn.MAX -> expression.arguments.forEach { of(it).flowTo(node, TypeConstraint.NUMBER) }
+
+            BuiltIn.ABS, BuiltIn.MIN, BuiltIn.MAX -> expression.arguments.forEach {
+                of(it).flowTo(node, TypeConstraint.NUMBER)
+            }
+
             BuiltIn.RANDOM, BuiltIn.ROUND, BuiltIn.FLOOR, BuiltIn.CEIL, BuiltIn.LENGTH -> node.raise(ValueType.WHOLE)
-            BuiltIn.SQRT, BuiltIn.SIN, BuiltIn.COS, BuiltIn.TAN, BuiltIn.ATAN2, BuiltIn.POW -> node.raise(ValueType.DECIMAL)
+
+            BuiltIn.SQRT, BuiltIn.SIN, BuiltIn.COS, BuiltIn.TAN, BuiltIn.ATAN2, BuiltIn.POW -> node.raise(
+                ValueType.DECIMAL,
+            )
         }
     }
 

@@ -29,8 +29,8 @@ internal enum class TypeConstraint {
 }
 
 /**
- * The type of an expression or a name while it is being found out. Types only ever grow, from nothing to whole to decimal, each at
- * most twice: so the time is no more than the number of flows, whatever calls what.
+ * The type of an expression or a name while it is being found out. Types only ever grow, from nothing to whole to
+ * decimal, each at most twice: so the time is no more than the number of flows, whatever calls what.
  */
 internal class TypeNode(type: ValueType = ValueType.NOTHING) {
     var type: ValueType = type
@@ -43,7 +43,10 @@ internal class TypeNode(type: ValueType = ValueType.NOTHING) {
         target.raise(flow.of(type))
     }
 
-    /** Makes this at least [added], and what depends on it too. What does not go together stays as it is, for the checker to see. */
+    /**
+     * Makes this at least [added], and what depends on it too. What does not go together stays as it is, for the
+     * checker to see.
+     */
     fun raise(added: ValueType) {
         val waiting = ArrayDeque<Pair<TypeNode, ValueType>>()
         waiting.addLast(this to added)

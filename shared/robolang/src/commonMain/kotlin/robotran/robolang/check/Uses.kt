@@ -8,7 +8,10 @@ import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
 
-/** The names of the variables that a part of a program reads or changes, and of the routines it calls, built in ones included. */
+/**
+ * The names of the variables that a part of a program reads or changes, and of the routines it calls, built in ones
+ * included.
+ */
 internal class Uses {
     val variables = mutableListOf<Name>()
     val calls = mutableListOf<Name>()

@@ -1,6 +1,9 @@
 package robotran.robolang.check
 
-/** What kind of value an expression has; [NOTHING] is what a procedure gives and what cannot be known in a mistaken program. */
+/**
+ * What kind of value an expression has; [NOTHING] is what a procedure gives and what cannot be known in a mistaken
+ * program.
+ */
 internal enum class ValueType {
     /** A 32-bit whole number, Java's `int`. */
     WHOLE,

@@ -7,8 +7,8 @@ import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 
 /**
- * Counts what a brick has to keep at once: fields for the global variables, and in each method local variables, with those that its loops
- * count with.
+ * Counts what a brick has to keep at once: fields for the global variables, and in each method local variables, with
+ * those that its loops count with.
  */
 internal class VariableBudget(private val context: CheckContext) {
     private var fields = 0
@@ -49,6 +49,9 @@ internal class VariableBudget(private val context: CheckContext) {
     /** Java's main method has one variable already, and so has the action of a behaviour. */
     private fun argumentsOf(owner: Routine?): Int = if (owner == null) 1 else 0
 
-    private fun report(place: SourceRange) =
-        context.report(DiagnosticCode.TOO_MANY_VARIABLES, place, context.messages.tooManyVariables(RobolangLimits.VARIABLES))
+    private fun report(place: SourceRange) = context.report(
+        DiagnosticCode.TOO_MANY_VARIABLES,
+        place,
+        context.messages.tooManyVariables(RobolangLimits.VARIABLES),
+    )
 }

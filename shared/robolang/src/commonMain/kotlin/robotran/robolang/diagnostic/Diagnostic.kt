@@ -25,20 +25,14 @@ data class Diagnostic(
  * @property range what is taken away; of no width where something is only put in.
  * @property replacement what is put in its place; may hold line ends, each `\n`.
  */
-data class SourceFix(
-    val range: SourceRange,
-    val replacement: String,
-)
+data class SourceFix(val range: SourceRange, val replacement: String)
 
 /**
  * A piece of one line.
  *
  * @property line from 1.
- * @property column from 1, counted in UTF-16 characters, a tab being one; a byte order mark before the first line does not count.
+ * @property column from 1, counted in UTF-16 characters, a tab being one; a byte order mark before the first line does
+ * not count.
  * @property endColumn the column after the last character.
  */
-data class SourceRange(
-    val line: Int,
-    val column: Int,
-    val endColumn: Int,
-)
+data class SourceRange(val line: Int, val column: Int, val endColumn: Int)

@@ -2,7 +2,10 @@ package robotran.robolang.diagnostic
 
 import robotran.robolang.messages.RobolangMessages
 
-/** Collects what the phases find wrong with one source: at most one mistake a line, for a second may well follow from the first. */
+/**
+ * Collects what the phases find wrong with one source: at most one mistake a line, for a second may well follow from
+ * the first.
+ */
 internal class DiagnosticSink(val messages: RobolangMessages) {
     private val diagnostics = mutableListOf<Diagnostic>()
     private val mistakenLines = mutableSetOf<Int>()

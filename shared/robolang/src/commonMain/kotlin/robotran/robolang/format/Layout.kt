@@ -61,7 +61,13 @@ private fun withoutNeedlessEmptyLines(lines: List<FormattedLine>): List<Formatte
 private fun StringBuilder.appendLine(line: FormattedLine, width: Int) {
     append(line.code)
     if (line.comment != null) {
-        if (line.hasBoth) append(" ".repeat(width - line.code.length + SPACES_BEFORE_COMMENT)) else append(line.indentation)
+        if (line.hasBoth) {
+            append(
+                " ".repeat(width - line.code.length + SPACES_BEFORE_COMMENT),
+            )
+        } else {
+            append(line.indentation)
+        }
         append(line.comment)
     }
     append('\n')

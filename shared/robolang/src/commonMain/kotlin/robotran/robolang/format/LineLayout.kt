@@ -43,7 +43,8 @@ internal class LineLayout(names: List<Name>) {
         }
     }
 
-    private fun isOpening(token: Token): Boolean = token.kind == TokenKind.OPEN_BRACKET || token.kind == TokenKind.OPEN_LIST
+    private fun isOpening(token: Token): Boolean =
+        token.kind == TokenKind.OPEN_BRACKET || token.kind == TokenKind.OPEN_LIST
 
     private fun endsList(token: Token): Boolean =
         isName(token) || token.kind == TokenKind.CLOSE_BRACKET || token.kind == TokenKind.CLOSE_LIST

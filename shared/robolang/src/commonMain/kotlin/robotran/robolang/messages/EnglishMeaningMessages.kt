@@ -12,25 +12,30 @@ internal object EnglishMeaningMessages : MeaningMessages {
 
     override fun durationTooLong() = "This would take longer than a day. Use a smaller number."
 
-    override fun unknownVariable(name: String, suggestion: String?) = "There is no variable ${quoted(name)}.${didYouMean(suggestion)}"
+    override fun unknownVariable(name: String, suggestion: String?) =
+        "There is no variable ${quoted(name)}.${didYouMean(suggestion)}"
 
     override fun unknownRoutine(name: String, suggestion: String?) =
         "There is no procedure or function ${quoted(name)}.${didYouMean(suggestion)}"
 
-    override fun usedBeforeDeclaration(name: String, line: Int) = "${quoted(name)} is declared only in line $line. Move that line up."
+    override fun usedBeforeDeclaration(name: String, line: Int) =
+        "${quoted(name)} is declared only in line $line. Move that line up."
 
     override fun declaredTwice(name: String, line: Int) =
         "${quoted(name)} is declared already, in line $line. Take another name."
 
     override fun declaredBuiltIn(name: String) = "Robolang has a function ${quoted(name)} already. Take another name."
 
-    override fun assignedConstant(name: String) = "${quoted(name)} is a constant and never changes. Declare it with \"var\" if it should."
+    override fun assignedConstant(name: String) =
+        "${quoted(name)} is a constant and never changes. Declare it with \"var\" if it should."
 
-    override fun assignedLoopVariable(name: String) = "${quoted(name)} is counted by its \"for\" and cannot be changed here."
+    override fun assignedLoopVariable(name: String) =
+        "${quoted(name)} is counted by its \"for\" and cannot be changed here."
 
     override fun numberNeeded(text: String) = "A number is needed here, and ${quoted(text)} is none."
 
-    override fun wholeNumberNeeded(text: String) = "A whole number is needed here, and ${quoted(text)} is a decimal one. Use \"round\"."
+    override fun wholeNumberNeeded(text: String) =
+        "A whole number is needed here, and ${quoted(text)} is a decimal one. Use \"round\"."
 
     override fun conditionNeeded(text: String) = "A condition is needed here, and ${quoted(text)} is none."
 
@@ -39,7 +44,8 @@ internal object EnglishMeaningMessages : MeaningMessages {
     override fun valueNeeded(name: String) = "${quoted(name)} is a procedure and gives no value. Only a function does."
 
     override fun decimalForWhole(name: String) =
-        "${quoted(name)} is declared with a whole number, so it cannot hold a decimal one. Declare it with a decimal one, such as 0.0."
+        "${quoted(name)} is declared with a whole number, so it cannot hold a decimal one. Declare it with a decimal " +
+            "one, such as 0.0."
 
     override fun typeChanged(name: String) = "${quoted(name)} is declared with a value of another kind."
 
@@ -55,20 +61,25 @@ internal object EnglishMeaningMessages : MeaningMessages {
 
     override fun indexNegative() = "The elements of a list are counted from 0."
 
-    override fun wrongArgumentCount(name: String, needed: Int, given: Int) = "${quoted(name)} takes ${values(needed)}, not $given."
+    override fun wrongArgumentCount(name: String, needed: Int, given: Int) =
+        "${quoted(name)} takes ${values(needed)}, not $given."
 
-    override fun functionAsCommand(name: String) = "${quoted(name)} gives a value. Use it, such as in \"show $name(...)\"."
+    override fun functionAsCommand(name: String) =
+        "${quoted(name)} gives a value. Use it, such as in \"show $name(...)\"."
 
     override fun outsideLoop(word: String) = "${quoted(word)} belongs inside a loop."
 
-    override fun outsideRoutine() = "\"return\" belongs inside a procedure or function. To end the program, write \"halt\"."
+    override fun outsideRoutine() =
+        "\"return\" belongs inside a procedure or function. To end the program, write \"halt\"."
 
     override fun returnWithValue(name: String) =
         "${quoted(name)} is a procedure and gives no value. Write \"function\" instead of \"procedure\" if it should."
 
-    override fun returnWithoutValue(name: String) = "${quoted(name)} is a function. Say which value it gives, such as \"return 5\"."
+    override fun returnWithoutValue(name: String) =
+        "${quoted(name)} is a function. Say which value it gives, such as \"return 5\"."
 
-    override fun missingReturn(name: String) = "${quoted(name)} is a function, but can come to its end without \"return\" and a value."
+    override fun missingReturn(name: String) =
+        "${quoted(name)} is a function, but can come to its end without \"return\" and a value."
 
     override fun durationNegative() = "Nothing can last less than no time. Use 0 or more."
 
@@ -90,9 +101,11 @@ internal object EnglishMeaningMessages : MeaningMessages {
     override fun tooManyConstants(limit: Int) =
         "The brick has room for $limit different large or decimal numbers and texts. This is one more."
 
-    override fun tooManyRoutines(limit: Int) = "The brick has room for $limit procedures and functions. This is one more."
+    override fun tooManyRoutines(limit: Int) =
+        "The brick has room for $limit procedures and functions. This is one more."
 
-    override fun undeclaredVariable(name: String) = "There is no variable ${quoted(name)} yet. Write \"var\" before it to declare it."
+    override fun undeclaredVariable(name: String) =
+        "There is no variable ${quoted(name)} yet. Write \"var\" before it to declare it."
 
     override fun calledBeforeDeclaration(routine: String, variable: String, line: Int) =
         "${quoted(routine)} uses ${quoted(variable)}, which is declared only in line $line. Move that line up."
@@ -101,7 +114,8 @@ internal object EnglishMeaningMessages : MeaningMessages {
         "${quoted(routine)} uses ${quoted(variable)}, which gets its first value only here."
 
     override fun neededBeforeDeclaration(variable: String, line: Int) =
-        "A \"whenever\" can need ${quoted(variable)} at once, but it is declared only in line $line. Move that line to the top."
+        "A \"whenever\" can need ${quoted(variable)} at once, but it is declared only in line $line. Move that line " +
+            "to the top."
 
     override fun redeclared(name: String, line: Int) =
         "${quoted(name)} is declared already, in line $line. To change it, leave out \"var\"."

@@ -26,7 +26,8 @@ internal object EnglishRunMessages : RunMessages {
 
     override fun rootOfNegative(value: String) = "$value has no square root, because it is less than 0."
 
-    override fun powerOfNegative(base: String, exponent: String) = "There is no number that is $base to the power of $exponent."
+    override fun powerOfNegative(base: String, exponent: String) =
+        "There is no number that is $base to the power of $exponent."
 
     override fun nothingReturned(name: String) = "The function \"$name\" came to its end without a \"return\"."
 }

@@ -9,7 +9,8 @@ internal object EnglishSyntaxMessages : SyntaxMessages {
 
     override fun missingCommand() = "A line begins with a command, such as \"forward 20\"."
 
-    override fun missingSpace(word: String, number: String) = "Put a space between ${quoted(word)} and ${quoted(number)}."
+    override fun missingSpace(word: String, number: String) =
+        "Put a space between ${quoted(word)} and ${quoted(number)}."
 
     override fun missingNumber(command: String, example: String) =
         "After ${quoted(command)} comes a number, such as ${quoted(example)}."
@@ -68,19 +69,22 @@ internal object EnglishSyntaxMessages : SyntaxMessages {
 
     override fun useOneEqualsSign() = "Use \"=\" to give a variable its value."
 
-    override fun combinedAssignment(name: String, operator: String) = "Write ${quoted("$name = $name $operator ...")} instead."
+    override fun combinedAssignment(name: String, operator: String) =
+        "Write ${quoted("$name = $name $operator ...")} instead."
 
     override fun missingCondition(command: String, example: String) =
         "After ${quoted(command)} comes a condition, such as ${quoted(example)}."
 
-    override fun missingValue(command: String, example: String) = "After ${quoted(command)} comes a value, such as ${quoted(example)}."
+    override fun missingValue(command: String, example: String) =
+        "After ${quoted(command)} comes a value, such as ${quoted(example)}."
 
     override fun missingOperand(before: String) = "After ${quoted(before)} a value is missing."
 
     override fun missingAssignment(before: String, example: String) =
         "After ${quoted(before)} comes \"=\" and a value, such as ${quoted(example)}."
 
-    override fun missingName(before: String, example: String) = "After ${quoted(before)} comes a name, such as ${quoted(example)}."
+    override fun missingName(before: String, example: String) =
+        "After ${quoted(before)} comes a name, such as ${quoted(example)}."
 
     override fun reservedWord(word: String) = "${quoted(word)} is a word of Robolang. Take another name."
 
@@ -136,7 +140,8 @@ internal object EnglishSyntaxMessages : SyntaxMessages {
 
     override fun brace(brace: String) = "A block needs no ${quoted(brace)}. It stops at a line \"end\"."
 
-    override fun malformedName(name: String) = "${quoted(name)} is no name. A name begins with a letter and has letters, figures and \"_\"."
+    override fun malformedName(name: String) =
+        "${quoted(name)} is no name. A name begins with a letter and has letters, figures and \"_\"."
 
     override fun missingComma(second: String) = "Put a comma before ${quoted(second)}."
 

@@ -4,7 +4,8 @@ import robotran.language.quoted
 
 /** What is told in German about lines that make no sense. */
 internal object GermanMeaningMessages : MeaningMessages {
-    override fun countNotWhole(count: String) = "Ein Block kann nicht $count-mal wiederholt werden. Nimm eine ganze Zahl."
+    override fun countNotWhole(count: String) =
+        "Ein Block kann nicht $count-mal wiederholt werden. Nimm eine ganze Zahl."
 
     override fun countNegative(count: String) = "Ein Block kann nicht $count-mal wiederholt werden. Nimm 0 oder mehr."
 
@@ -24,7 +25,8 @@ internal object GermanMeaningMessages : MeaningMessages {
     override fun declaredTwice(name: String, line: Int) =
         "${quoted(name)} ist schon angelegt, in Zeile $line. Nimm einen anderen Namen."
 
-    override fun declaredBuiltIn(name: String) = "Robolang hat schon eine Funktion ${quoted(name)}. Nimm einen anderen Namen."
+    override fun declaredBuiltIn(name: String) =
+        "Robolang hat schon eine Funktion ${quoted(name)}. Nimm einen anderen Namen."
 
     override fun assignedConstant(name: String) =
         "${quoted(name)} ist eine Konstante und ändert sich nie. Wenn es sich ändern soll, leg es mit \"var\" an."
@@ -41,10 +43,12 @@ internal object GermanMeaningMessages : MeaningMessages {
 
     override fun listNeeded(text: String) = "Hier muss eine Liste stehen, und ${quoted(text)} ist keine."
 
-    override fun valueNeeded(name: String) = "${quoted(name)} ist eine Prozedur und gibt keinen Wert. Das tut nur eine Funktion."
+    override fun valueNeeded(name: String) =
+        "${quoted(name)} ist eine Prozedur und gibt keinen Wert. Das tut nur eine Funktion."
 
     override fun decimalForWhole(name: String) =
-        "${quoted(name)} ist mit einer ganzen Zahl angelegt, also passt keine Kommazahl hinein. Leg es mit einer Kommazahl an, zum Beispiel 0.0."
+        "${quoted(name)} ist mit einer ganzen Zahl angelegt, also passt keine Kommazahl hinein. Leg es mit einer " +
+            "Kommazahl an, zum Beispiel 0.0."
 
     override fun typeChanged(name: String) = "${quoted(name)} ist mit einem Wert anderer Art angelegt."
 
@@ -60,9 +64,11 @@ internal object GermanMeaningMessages : MeaningMessages {
 
     override fun indexNegative() = "Die Elemente einer Liste werden ab 0 gezählt."
 
-    override fun wrongArgumentCount(name: String, needed: Int, given: Int) = "${quoted(name)} nimmt ${values(needed)}, nicht $given."
+    override fun wrongArgumentCount(name: String, needed: Int, given: Int) =
+        "${quoted(name)} nimmt ${values(needed)}, nicht $given."
 
-    override fun functionAsCommand(name: String) = "${quoted(name)} gibt einen Wert. Benutz ihn, zum Beispiel mit \"show $name(...)\"."
+    override fun functionAsCommand(name: String) =
+        "${quoted(name)} gibt einen Wert. Benutz ihn, zum Beispiel mit \"show $name(...)\"."
 
     override fun outsideLoop(word: String) = "${quoted(word)} gehört in eine Schleife."
 
@@ -70,7 +76,8 @@ internal object GermanMeaningMessages : MeaningMessages {
         "\"return\" gehört in eine Prozedur oder Funktion. Um das Programm zu beenden, schreib \"halt\"."
 
     override fun returnWithValue(name: String) =
-        "${quoted(name)} ist eine Prozedur und gibt keinen Wert. Wenn sie das soll, schreib \"function\" statt \"procedure\"."
+        "${quoted(name)} ist eine Prozedur und gibt keinen Wert. Wenn sie das soll, schreib \"function\" statt " +
+            "\"procedure\"."
 
     override fun returnWithoutValue(name: String) =
         "${quoted(name)} ist eine Funktion. Sag, welchen Wert sie gibt, zum Beispiel \"return 5\"."
@@ -98,19 +105,22 @@ internal object GermanMeaningMessages : MeaningMessages {
     override fun tooManyConstants(limit: Int) =
         "Der Stein hat Platz für $limit verschiedene große Zahlen, Kommazahlen und Texte. Das ist eins mehr."
 
-    override fun tooManyRoutines(limit: Int) = "Der Stein hat Platz für $limit Prozeduren und Funktionen. Das ist eine mehr."
+    override fun tooManyRoutines(limit: Int) =
+        "Der Stein hat Platz für $limit Prozeduren und Funktionen. Das ist eine mehr."
 
     override fun undeclaredVariable(name: String) =
         "Es gibt noch keine Variable ${quoted(name)}. Schreib \"var\" davor, um sie anzulegen."
 
     override fun calledBeforeDeclaration(routine: String, variable: String, line: Int) =
-        "${quoted(routine)} benutzt ${quoted(variable)}, und das wird erst in Zeile $line angelegt. Schieb die Zeile nach oben."
+        "${quoted(routine)} benutzt ${quoted(variable)}, und das wird erst in Zeile $line angelegt. Schieb die Zeile " +
+            "nach oben."
 
     override fun calledInDeclaration(routine: String, variable: String) =
         "${quoted(routine)} benutzt ${quoted(variable)}, und das bekommt seinen ersten Wert erst hier."
 
     override fun neededBeforeDeclaration(variable: String, line: Int) =
-        "Ein \"whenever\" kann ${quoted(variable)} sofort brauchen, aber es wird erst in Zeile $line angelegt. Schieb die Zeile ganz nach oben."
+        "Ein \"whenever\" kann ${quoted(variable)} sofort brauchen, aber es wird erst in Zeile $line angelegt. " +
+            "Schieb die Zeile ganz nach oben."
 
     override fun redeclared(name: String, line: Int) =
         "${quoted(name)} ist schon angelegt, in Zeile $line. Um es zu ändern, lass \"var\" weg."

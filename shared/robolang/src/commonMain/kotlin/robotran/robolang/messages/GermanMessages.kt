@@ -3,9 +3,10 @@ package robotran.robolang.messages
 import robotran.language.quoted
 
 /**
- * The messages in German. They call the pupil "du". One thing has one word: brick - Stein, bracket - Klammer, command - Befehl,
- * condition - Bedingung, declare - anlegen, display - Anzeige, figure - Ziffer, line - Zeile, loop - Schleife, power - Leistung, text - Text,
- * value - Wert, whole number - ganze Zahl, decimal number - Kommazahl. Words of Robolang stay as they are, between quotation marks.
+ * The messages in German. They call the pupil "du". One thing has one word: brick - Stein, bracket - Klammer, command -
+ * Befehl, condition - Bedingung, declare - anlegen, display - Anzeige, figure - Ziffer, line - Zeile, loop - Schleife,
+ * power - Leistung, text - Text, value - Wert, whole number - ganze Zahl, decimal number - Kommazahl. Words of Robolang
+ * stay as they are, between quotation marks.
  */
 object GermanMessages :
     RobolangMessages,

@@ -13,10 +13,12 @@ internal object GermanRunMessages : RunMessages {
     }
 
     override fun tooManyCalls(name: String, limit: Int) =
-        "${quoted(name)} ruft sich zu oft selbst auf: Im Speicher des Steins ist nur Platz für $limit Aufrufe ineinander."
+        "${quoted(name)} ruft sich zu oft selbst auf: Im Speicher des Steins ist nur Platz für $limit Aufrufe " +
+            "ineinander."
 
     override fun listsTooLarge(limit: Int) =
-        "Der Speicher des Steins ist voll: Alle Listen bis jetzt haben zusammen mehr als $limit Elemente, und er behält jedes."
+        "Der Speicher des Steins ist voll: Alle Listen bis jetzt haben zusammen mehr als $limit Elemente, und er " +
+            "behält jedes."
 
     override fun negativeTime(value: String) = "Eine Zeit von $value gibt es für den Roboter nicht. Nimm 0 oder mehr."
 

@@ -9,7 +9,8 @@ internal object GermanSyntaxMessages : SyntaxMessages {
 
     override fun missingCommand() = "Eine Zeile beginnt mit einem Befehl, zum Beispiel \"forward 20\"."
 
-    override fun missingSpace(word: String, number: String) = "Zwischen ${quoted(word)} und ${quoted(number)} gehört ein Leerzeichen."
+    override fun missingSpace(word: String, number: String) =
+        "Zwischen ${quoted(word)} und ${quoted(number)} gehört ein Leerzeichen."
 
     override fun missingNumber(command: String, example: String) =
         "Nach ${quoted(command)} kommt eine Zahl, zum Beispiel ${quoted(example)}."
@@ -27,7 +28,8 @@ internal object GermanSyntaxMessages : SyntaxMessages {
         "Sag, wie lange: ${quoted("wait $duration seconds")} oder ${quoted("wait $duration milliseconds")}."
 
     override fun wrongUnit(command: String, unit: String, units: List<String>, suggestion: String?) =
-        "${quoted(command)} misst in ${units.joinToString(" oder ")}, nicht in ${quoted(unit)}.${germanDidYouMean(suggestion)}"
+        "${quoted(command)} misst in ${units.joinToString(" oder ")}, nicht in " +
+            "${quoted(unit)}.${germanDidYouMean(suggestion)}"
 
     override fun severalCommands(second: String) = "Schreib ${quoted(second)} in eine eigene Zeile."
 
@@ -49,13 +51,19 @@ internal object GermanSyntaxMessages : SyntaxMessages {
 
     override fun semicolon() = "Eine Zeile braucht keinen Strichpunkt."
 
-    override fun numberTooLarge(smallest: Int, largest: Int) = "Diese Zahl ist zu groß. Zahlen gehen von $smallest bis $largest."
+    override fun numberTooLarge(smallest: Int, largest: Int) =
+        "Diese Zahl ist zu groß. Zahlen gehen von $smallest bis $largest."
 
     override fun malformedNumber(number: String, right: String?) =
         if (right == null) "${quoted(number)} ist keine Zahl." else germanWriteInstead(number, right)
 
-    override fun decimalComma(right: String?) =
-        if (right == null) "Eine Zahl hat hier einen Punkt, kein Komma." else "Eine Zahl hat hier einen Punkt, kein Komma. Schreib $right."
+    override fun decimalComma(right: String?) = if (right ==
+        null
+    ) {
+        "Eine Zahl hat hier einen Punkt, kein Komma."
+    } else {
+        "Eine Zahl hat hier einen Punkt, kein Komma. Schreib $right."
+    }
 
     override fun nestedTooDeeply(limit: Int) = "Höchstens $limit Blöcke können ineinander stehen."
 
@@ -67,7 +75,8 @@ internal object GermanSyntaxMessages : SyntaxMessages {
 
     override fun useOneEqualsSign() = "Mit \"=\" gibst du einer Variable ihren Wert."
 
-    override fun combinedAssignment(name: String, operator: String) = "Schreib stattdessen ${quoted("$name = $name $operator ...")}."
+    override fun combinedAssignment(name: String, operator: String) =
+        "Schreib stattdessen ${quoted("$name = $name $operator ...")}."
 
     override fun missingCondition(command: String, example: String) =
         "Nach ${quoted(command)} kommt eine Bedingung, zum Beispiel ${quoted(example)}."
@@ -85,10 +94,12 @@ internal object GermanSyntaxMessages : SyntaxMessages {
 
     override fun reservedWord(word: String) = "${quoted(word)} ist ein Wort von Robolang. Nimm einen anderen Namen."
 
-    override fun missingBracket(opening: String, closing: String) = "Zu diesem ${quoted(opening)} fehlt das ${quoted(closing)}."
+    override fun missingBracket(opening: String, closing: String) =
+        "Zu diesem ${quoted(opening)} fehlt das ${quoted(closing)}."
 
     override fun missingBracketsOfCall(name: String) =
-        "Um ${quoted(name)} aufzurufen, schreib seine Werte in Klammern dahinter, oder leere Klammern, wenn es keine hat."
+        "Um ${quoted(name)} aufzurufen, schreib seine Werte in Klammern dahinter, oder leere Klammern, wenn es keine " +
+            "hat."
 
     override fun missingBracketsOfRoutine(name: String) =
         "Nach ${quoted(name)} kommen Klammern, mit den Namen seiner Werte darin oder leer."
@@ -100,7 +111,8 @@ internal object GermanSyntaxMessages : SyntaxMessages {
         "Sag, welche Taste: \"button run\", \"button view\" oder \"button prgm\".${germanDidYouMean(suggestion)}"
 
     override fun missingMove(suggestion: String?) =
-        "Sag, was beginnen soll: \"start forward\", \"start backward\" oder \"start turning left\".${germanDidYouMean(suggestion)}"
+        "Sag, was beginnen soll: \"start forward\", \"start backward\" oder \"start turning " +
+            "left\".${germanDidYouMean(suggestion)}"
 
     override fun missingMotor() = "Sag, welcher Motor: A, B oder C."
 
@@ -116,7 +128,8 @@ internal object GermanSyntaxMessages : SyntaxMessages {
 
     override fun extraElse() = "Zu diesem \"else\" gibt es kein \"if\"."
 
-    override fun notOutermost(word: String) = "Ein ${quoted(word)} kann nicht in einem anderen Block stehen. Hol es heraus."
+    override fun notOutermost(word: String) =
+        "Ein ${quoted(word)} kann nicht in einem anderen Block stehen. Hol es heraus."
 
     override fun secondRobot() = "Es gibt schon ein \"robot\". Ein Programm hat nur eins."
 

@@ -1,6 +1,9 @@
 package robotran.robolang.messages
 
-/** What is told about lines that can be read but make no sense: names, kinds of values, ways through the program, limits. */
+/**
+ * What is told about lines that can be read but make no sense: names, kinds of values, ways through the program,
+ * limits.
+ */
 interface MeaningMessages {
     fun unknownVariable(name: String, suggestion: String?): String
 

@@ -3,8 +3,8 @@ package robotran.robolang.messages
 import robotran.language.Language
 
 /**
- * The table of everything Robolang says to a learner, one function a message. Another language is another implementation.
- * Words of the program arrive as they were typed, already shortened.
+ * The table of everything Robolang says to a learner, one function a message. Another language is another
+ * implementation. Words of the program arrive as they were typed, already shortened.
  */
 interface RobolangMessages :
     SyntaxMessages,

@@ -21,14 +21,16 @@ internal object SpanishMeaningMessages : MeaningMessages {
     override fun usedBeforeDeclaration(name: String, line: Int) =
         "${quoted(name)} no se declara hasta la línea $line. Pon esa línea más arriba."
 
-    override fun declaredTwice(name: String, line: Int) = "${quoted(name)} ya está declarado en la línea $line. Elige otro nombre."
+    override fun declaredTwice(name: String, line: Int) =
+        "${quoted(name)} ya está declarado en la línea $line. Elige otro nombre."
 
     override fun declaredBuiltIn(name: String) = "Robolang ya tiene una función ${quoted(name)}. Elige otro nombre."
 
     override fun assignedConstant(name: String) =
         "${quoted(name)} es una constante y no cambia nunca. Si debe cambiar, declárala con \"var\"."
 
-    override fun assignedLoopVariable(name: String) = "Su \"for\" ya cuenta ${quoted(name)}, así que aquí no se puede cambiar."
+    override fun assignedLoopVariable(name: String) =
+        "Su \"for\" ya cuenta ${quoted(name)}, así que aquí no se puede cambiar."
 
     override fun numberNeeded(text: String) = "Aquí hace falta un número, y ${quoted(text)} no lo es."
 
@@ -39,10 +41,12 @@ internal object SpanishMeaningMessages : MeaningMessages {
 
     override fun listNeeded(text: String) = "Aquí hace falta una lista, y ${quoted(text)} no lo es."
 
-    override fun valueNeeded(name: String) = "${quoted(name)} es un procedimiento y no da ningún valor. Eso solo lo hace una función."
+    override fun valueNeeded(name: String) =
+        "${quoted(name)} es un procedimiento y no da ningún valor. Eso solo lo hace una función."
 
     override fun decimalForWhole(name: String) =
-        "${quoted(name)} está declarada con un número entero, así que no le cabe uno decimal. Declárala con uno decimal, como 0.0."
+        "${quoted(name)} está declarada con un número entero, así que no le cabe uno decimal. Declárala con uno " +
+            "decimal, como 0.0."
 
     override fun typeChanged(name: String) = "${quoted(name)} está declarada con un valor de otra clase."
 
@@ -58,19 +62,24 @@ internal object SpanishMeaningMessages : MeaningMessages {
 
     override fun indexNegative() = "Los elementos de una lista se cuentan desde 0."
 
-    override fun wrongArgumentCount(name: String, needed: Int, given: Int) = "${quoted(name)} recibe ${values(needed)}, no $given."
+    override fun wrongArgumentCount(name: String, needed: Int, given: Int) =
+        "${quoted(name)} recibe ${values(needed)}, no $given."
 
-    override fun functionAsCommand(name: String) = "${quoted(name)} da un valor. Úsalo, por ejemplo con \"show $name(...)\"."
+    override fun functionAsCommand(name: String) =
+        "${quoted(name)} da un valor. Úsalo, por ejemplo con \"show $name(...)\"."
 
     override fun outsideLoop(word: String) = "${quoted(word)} tiene que estar dentro de un bucle."
 
     override fun outsideRoutine() =
-        "\"return\" tiene que estar dentro de un procedimiento o de una función. Para terminar el programa, escribe \"halt\"."
+        "\"return\" tiene que estar dentro de un procedimiento o de una función. Para terminar el programa, escribe " +
+            "\"halt\"."
 
     override fun returnWithValue(name: String) =
-        "${quoted(name)} es un procedimiento y no da ningún valor. Si debe darlo, escribe \"function\" en lugar de \"procedure\"."
+        "${quoted(name)} es un procedimiento y no da ningún valor. Si debe darlo, escribe \"function\" en lugar de " +
+            "\"procedure\"."
 
-    override fun returnWithoutValue(name: String) = "${quoted(name)} es una función. Di qué valor da, como en \"return 5\"."
+    override fun returnWithoutValue(name: String) =
+        "${quoted(name)} es una función. Di qué valor da, como en \"return 5\"."
 
     override fun missingReturn(name: String) =
         "${quoted(name)} es una función, pero puede llegar a su final sin \"return\" y un valor."
@@ -90,12 +99,14 @@ internal object SpanishMeaningMessages : MeaningMessages {
 
     override fun tooManyVariables(limit: Int) = "En el ladrillo caben aquí $limit variables. Esta es una más."
 
-    override fun tooManyParameters(limit: Int) = "En el ladrillo caben $limit valores entre paréntesis. Este es uno más."
+    override fun tooManyParameters(limit: Int) =
+        "En el ladrillo caben $limit valores entre paréntesis. Este es uno más."
 
     override fun tooManyConstants(limit: Int) =
         "En el ladrillo caben $limit números grandes o decimales y textos distintos. Este es uno más."
 
-    override fun tooManyRoutines(limit: Int) = "En el ladrillo caben $limit procedimientos y funciones. Este es uno más."
+    override fun tooManyRoutines(limit: Int) =
+        "En el ladrillo caben $limit procedimientos y funciones. Este es uno más."
 
     override fun undeclaredVariable(name: String) =
         "Todavía no existe la variable ${quoted(name)}. Escribe \"var\" delante para declararla."
@@ -107,7 +118,8 @@ internal object SpanishMeaningMessages : MeaningMessages {
         "${quoted(routine)} usa ${quoted(variable)}, que recibe su primer valor justo aquí."
 
     override fun neededBeforeDeclaration(variable: String, line: Int) =
-        "Un \"whenever\" puede necesitar ${quoted(variable)} enseguida, pero no se declara hasta la línea $line. Pon esa línea arriba del todo."
+        "Un \"whenever\" puede necesitar ${quoted(variable)} enseguida, pero no se declara hasta la línea $line. Pon " +
+            "esa línea arriba del todo."
 
     override fun redeclared(name: String, line: Int) =
         "${quoted(name)} ya está declarada en la línea $line. Para cambiarla, quita \"var\"."

@@ -13,10 +13,12 @@ internal object SpanishRunMessages : RunMessages {
     }
 
     override fun tooManyCalls(name: String, limit: Int) =
-        "${quoted(name)} se llama a sí mismo demasiadas veces: en la memoria de un ladrillo no caben más de $limit llamadas unas dentro de otras."
+        "${quoted(name)} se llama a sí mismo demasiadas veces: en la memoria de un ladrillo no caben más de $limit " +
+            "llamadas unas dentro de otras."
 
     override fun listsTooLarge(limit: Int) =
-        "La memoria del ladrillo está llena: todas las listas hechas hasta ahora tienen más de $limit elementos, y los guarda todos."
+        "La memoria del ladrillo está llena: todas las listas hechas hasta ahora tienen más de $limit elementos, y " +
+            "los guarda todos."
 
     override fun negativeTime(value: String) = "El robot no puede esperar $value. Usa 0 o más."
 
@@ -28,7 +30,9 @@ internal object SpanishRunMessages : RunMessages {
 
     override fun rootOfNegative(value: String) = "$value no tiene raíz cuadrada, porque es menor que 0."
 
-    override fun powerOfNegative(base: String, exponent: String) = "No existe ningún número que sea $base elevado a $exponent."
+    override fun powerOfNegative(base: String, exponent: String) =
+        "No existe ningún número que sea $base elevado a $exponent."
 
-    override fun nothingReturned(name: String) = "La función ${quoted(name)} ha llegado a su final sin ningún \"return\"."
+    override fun nothingReturned(name: String) =
+        "La función ${quoted(name)} ha llegado a su final sin ningún \"return\"."
 }

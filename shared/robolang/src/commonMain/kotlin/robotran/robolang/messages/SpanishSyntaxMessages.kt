@@ -9,7 +9,8 @@ internal object SpanishSyntaxMessages : SyntaxMessages {
 
     override fun missingCommand() = "Una línea empieza por una orden, como \"forward 20\"."
 
-    override fun missingSpace(word: String, number: String) = "Pon un espacio entre ${quoted(word)} y ${quoted(number)}."
+    override fun missingSpace(word: String, number: String) =
+        "Pon un espacio entre ${quoted(word)} y ${quoted(number)}."
 
     override fun missingNumber(command: String, example: String) =
         "Después de ${quoted(command)} va un número, como en ${quoted(example)}."
@@ -27,7 +28,8 @@ internal object SpanishSyntaxMessages : SyntaxMessages {
         "Di cuánto tiempo: ${quoted("wait $duration seconds")} o ${quoted("wait $duration milliseconds")}."
 
     override fun wrongUnit(command: String, unit: String, units: List<String>, suggestion: String?) =
-        "${quoted(command)} se mide en ${units.joinToString(" o ")}, no en ${quoted(unit)}.${spanishDidYouMean(suggestion)}"
+        "${quoted(command)} se mide en ${units.joinToString(" o ")}, no en " +
+            "${quoted(unit)}.${spanishDidYouMean(suggestion)}"
 
     override fun severalCommands(second: String) = "Escribe ${quoted(second)} en otra línea."
 
@@ -55,12 +57,18 @@ internal object SpanishSyntaxMessages : SyntaxMessages {
     override fun malformedNumber(number: String, right: String?) =
         if (right == null) "${quoted(number)} no es un número." else spanishWriteInstead(number, right)
 
-    override fun decimalComma(right: String?) =
-        if (right == null) "Aquí un número lleva punto, no coma." else "Aquí un número lleva punto, no coma. Escribe $right."
+    override fun decimalComma(right: String?) = if (right ==
+        null
+    ) {
+        "Aquí un número lleva punto, no coma."
+    } else {
+        "Aquí un número lleva punto, no coma. Escribe $right."
+    }
 
     override fun nestedTooDeeply(limit: Int) = "Puede haber como mucho $limit bloques unos dentro de otros."
 
-    override fun sourceTooLong(limit: Int) = "Un programa puede tener como mucho $limit letras y signos. Este tiene más."
+    override fun sourceTooLong(limit: Int) =
+        "Un programa puede tener como mucho $limit letras y signos. Este tiene más."
 
     override fun unclosedText() = "Un texto termina con unas comillas."
 
@@ -68,7 +76,8 @@ internal object SpanishSyntaxMessages : SyntaxMessages {
 
     override fun useOneEqualsSign() = "Usa \"=\" para dar su valor a una variable."
 
-    override fun combinedAssignment(name: String, operator: String) = "Escribe mejor ${quoted("$name = $name $operator ...")}."
+    override fun combinedAssignment(name: String, operator: String) =
+        "Escribe mejor ${quoted("$name = $name $operator ...")}."
 
     override fun missingCondition(command: String, example: String) =
         "Después de ${quoted(command)} va una condición, como en ${quoted(example)}."
@@ -86,10 +95,12 @@ internal object SpanishSyntaxMessages : SyntaxMessages {
 
     override fun reservedWord(word: String) = "${quoted(word)} es una palabra de Robolang. Elige otro nombre."
 
-    override fun missingBracket(opening: String, closing: String) = "A este ${quoted(opening)} le falta su ${quoted(closing)}."
+    override fun missingBracket(opening: String, closing: String) =
+        "A este ${quoted(opening)} le falta su ${quoted(closing)}."
 
     override fun missingBracketsOfCall(name: String) =
-        "Para llamar a ${quoted(name)}, escribe detrás sus valores entre paréntesis, o unos paréntesis vacíos si no tiene ninguno."
+        "Para llamar a ${quoted(name)}, escribe detrás sus valores entre paréntesis, o unos paréntesis vacíos si no " +
+            "tiene ninguno."
 
     override fun missingBracketsOfRoutine(name: String) =
         "Después de ${quoted(name)} van unos paréntesis, con los nombres de sus valores dentro, o vacíos."
@@ -101,7 +112,8 @@ internal object SpanishSyntaxMessages : SyntaxMessages {
         "Di qué botón: \"button run\", \"button view\" o \"button prgm\".${spanishDidYouMean(suggestion)}"
 
     override fun missingMove(suggestion: String?) =
-        "Di qué debe empezar: \"start forward\", \"start backward\" o \"start turning left\".${spanishDidYouMean(suggestion)}"
+        "Di qué debe empezar: \"start forward\", \"start backward\" o \"start turning " +
+            "left\".${spanishDidYouMean(suggestion)}"
 
     override fun missingMotor() = "Di qué motor: A, B o C."
 

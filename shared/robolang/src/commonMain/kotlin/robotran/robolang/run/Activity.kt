@@ -3,16 +3,12 @@ package robotran.robolang.run
 import robotran.robolang.check.Symbol
 
 /**
- * One thread of execution: the main program, the action of a behaviour, or a condition being looked at. All it is in the middle of lies on
- * its own stack: operands, the frames of routines, and the counters of loops between them. A value is 32 bits: a whole number,
- * the bits of a decimal one, 1 or 0 for true and false, or the number of a list among the [InterpreterState]'s.
+ * One thread of execution: the main program, the action of a behaviour, or a condition being looked at. All it is in
+ * the middle of lies on its own stack: operands, the frames of routines, and the counters of loops between them. A
+ * value is 32 bits: a whole number, the bits of a decimal one, 1 or 0 for true and false, or the number of a list among
+ * the [InterpreterState]'s.
  */
-internal class Activity(
-    val machine: InterpreterState,
-    val name: String,
-    start: Int,
-    private var line: Int,
-) {
+internal class Activity(val machine: InterpreterState, val name: String, start: Int, private var line: Int) {
     private val instructions = machine.code.instructions
     private val calls = ArrayList<Call>()
     private var stack = IntArray(SMALLEST_STACK)
@@ -130,7 +126,11 @@ internal class Activity(
 
     /** Enters [routine], whose arguments are on the stack. */
     fun call(routine: RoutineCode) {
-        if (calls.size == RobotConstants.DEEPEST_CALLS) fail(machine.messages.tooManyCalls(routine.name, RobotConstants.DEEPEST_CALLS))
+        if (calls.size ==
+            RobotConstants.DEEPEST_CALLS
+        ) {
+            fail(machine.messages.tooManyCalls(routine.name, RobotConstants.DEEPEST_CALLS))
+        }
         calls += Call(routine, next, base, line, knownInside)
         base = top - routine.parameters
         repeat(routine.slots - routine.parameters) { push(0) }
@@ -154,7 +154,13 @@ internal class Activity(
         return names.zip(lines, ::FrameView).asReversed()
     }
 
-    private class Call(val routine: RoutineCode, val returnTo: Int, val base: Int, val line: Int, val known: KnownVariables?)
+    private class Call(
+        val routine: RoutineCode,
+        val returnTo: Int,
+        val base: Int,
+        val line: Int,
+        val known: KnownVariables?,
+    )
 
     private companion object {
         const val SMALLEST_STACK = 32

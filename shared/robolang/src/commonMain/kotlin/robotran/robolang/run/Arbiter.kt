@@ -1,14 +1,14 @@
 package robotran.robolang.run
 
 /**
- * Decides which activity goes on: the main program or a behaviour. As leJOS's `Arbitrator`, it does the action of the latest behaviour
- * whose condition holds, once for as long as no other takes its place: when the action is over and the condition still holds,
- * the robot waits for it to change. An action is ended only by a later behaviour; an earlier one and the main program wait until it is
- * over. The main program, unlike an action, is not ended but goes on where it was. A drive, turn or move of the pen that is interrupted
- * is cut short.
+ * Decides which activity goes on: the main program or a behaviour. As leJOS's `Arbitrator`, it does the action of the
+ * latest behaviour whose condition holds, once for as long as no other takes its place: when the action is over and the
+ * condition still holds, the robot waits for it to change. An action is ended only by a later behaviour; an earlier one
+ * and the main program wait until it is over. The main program, unlike an action, is not ended but goes on where it
+ * was. A drive, turn or move of the pen that is interrupted is cut short.
  *
- * It looks at the conditions before every statement and, while nothing else happens, once every millisecond. What has begun to drive
- * meanwhile stops in time, however long a look takes.
+ * It looks at the conditions before every statement and, while nothing else happens, once every millisecond. What has
+ * begun to drive meanwhile stops in time, however long a look takes.
  */
 internal class Arbiter(private val machine: InterpreterState) {
     private val behaviours = machine.code.behaviours
@@ -74,7 +74,8 @@ internal class Arbiter(private val machine: InterpreterState) {
     }
 
     /** How many routines and behaviours [activity] is inside of. */
-    fun depthOf(activity: Activity): Int = activity.depth + activities.dropWhile { it !== activity }.drop(1).sumOf { it.depth + 1 }
+    fun depthOf(activity: Activity): Int =
+        activity.depth + activities.dropWhile { it !== activity }.drop(1).sumOf { it.depth + 1 }
 
     /** Begins to look at a condition; null if only those are left that cannot take the place of the running action. */
     private fun look(behaviour: Int): Activity? {

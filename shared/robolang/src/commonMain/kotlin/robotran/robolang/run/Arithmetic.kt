@@ -68,7 +68,10 @@ internal sealed interface Arithmetic {
 
         override fun divide(left: Int, right: Int, messages: RunMessages) = bits(decimal(left) / decimal(right))
 
-        /** What is left of the one if the other is taken away as often as it goes in; the brick has no such operation of its own. */
+        /**
+         * What is left of the one if the other is taken away as often as it goes in; the brick has no such operation of
+         * its own.
+         */
         override fun modulo(left: Int, right: Int, messages: RunMessages): Int {
             val dividend = decimal(left)
             val divisor = decimal(right)

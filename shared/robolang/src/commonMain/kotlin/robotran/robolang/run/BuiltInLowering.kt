@@ -39,9 +39,18 @@ internal class BuiltInLowering(
         call.arguments.forEach { expressions.lower(it, type) }
         emitter.emit(
             when (builtIn) {
-                BuiltIn.ABS -> StackInstruction { if (arithmetic.sign(it.peek()) < 0) it.push(arithmetic.negate(it.pop())) }
+                BuiltIn.ABS -> StackInstruction {
+                    if (arithmetic.sign(it.peek()) <
+                        0
+                    ) {
+                        it.push(arithmetic.negate(it.pop()))
+                    }
+                }
+
                 BuiltIn.MIN -> choice { first, second -> if (arithmetic.isLess(second, first)) second else first }
+
                 BuiltIn.MAX -> choice { first, second -> if (arithmetic.isLess(first, second)) second else first }
+
                 else -> if (type == ValueType.DECIMAL) randomDecimal else randomWhole
             },
         )

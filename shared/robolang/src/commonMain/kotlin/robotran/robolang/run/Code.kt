@@ -35,8 +35,4 @@ internal class RoutineCode(routine: Routine, val slots: Int) {
  * @property action where what it does begins.
  * @property line the line of its `whenever`.
  */
-internal class BehaviourCode(
-    val condition: Int,
-    val action: Int,
-    val line: Int,
-)
+internal class BehaviourCode(val condition: Int, val action: Int, val line: Int)

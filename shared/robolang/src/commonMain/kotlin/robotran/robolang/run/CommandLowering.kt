@@ -12,10 +12,7 @@ import robotran.robolang.syntax.TimeUnit
 import robotran.robolang.syntax.TurnDirection
 
 /** Lowers the statements that make the robot do something, or wait. */
-internal class CommandLowering(
-    private val emitter: Emitter,
-    private val expressions: ExpressionLowering,
-) {
+internal class CommandLowering(private val emitter: Emitter, private val expressions: ExpressionLowering) {
     fun lower(statement: Statement) {
         when (statement) {
             is Statement.Move -> lowerMove(statement)
@@ -156,9 +153,14 @@ internal class CommandLowering(
         emitter.drop(2)
     }
 
-    private fun command(act: RobotCommands.(line: Int) -> Unit) = emitter.emit { it.machine.commands.act(it.currentLine) }
+    private fun command(act: RobotCommands.(line: Int) -> Unit) = emitter.emit {
+        it.machine.commands.act(it.currentLine)
+    }
 
-    private fun withPower(power: Expression, act: RobotCommands.(power: Int, line: Int) -> Unit) = withNumber(power) { activity, number ->
+    private fun withPower(power: Expression, act: RobotCommands.(power: Int, line: Int) -> Unit) = withNumber(power) {
+        activity,
+        number,
+        ->
         val value = wholeOf(number)
         if (value !in 0..RobotConstants.LARGEST_POWER) fail(activity.machine.messages.powerOutside(value))
         activity.machine.commands.act(value, activity.currentLine)

@@ -1,11 +1,11 @@
 package robotran.robolang.run
 
 /**
- * The functions of decimal numbers in nothing but 32-bit additions, multiplications and divisions, so that they are the same, to the last
- * bit, on every target and in a translated program. Angles are in degrees.
+ * The functions of decimal numbers in nothing but 32-bit additions, multiplications and divisions, so that they are the
+ * same, to the last bit, on every target and in a translated program. Angles are in degrees.
  *
- * For angles up to 100,000 degrees sine and cosine are right to 3e-7; `atan2` is right to 3e-5 degrees. [power] is right to 2e-5 of its
- * value as long as that is between 1e-9 and 1e9.
+ * For angles up to 100,000 degrees sine and cosine are right to 3e-7; `atan2` is right to 3e-5 degrees. [power] is
+ * right to 2e-5 of its value as long as that is between 1e-9 and 1e9.
  */
 internal object DecimalMath {
     private const val RADIANS_PER_DEGREE = 0.017453292f
@@ -86,12 +86,11 @@ internal object DecimalMath {
     }
 
     /** The angle, in degrees, whose tangent is [tangent], from 0 to 1. */
-    private fun arcOf(tangent: Float): Float =
-        if (tangent > TANGENT_OF_EIGHTH) {
-            QUARTER_TURN / 2 + smallArcOf((tangent - 1f) / (tangent + 1f))
-        } else {
-            smallArcOf(tangent)
-        }
+    private fun arcOf(tangent: Float): Float = if (tangent > TANGENT_OF_EIGHTH) {
+        QUARTER_TURN / 2 + smallArcOf((tangent - 1f) / (tangent + 1f))
+    } else {
+        smallArcOf(tangent)
+    }
 
     private fun smallArcOf(t: Float): Float {
         val square = t * t

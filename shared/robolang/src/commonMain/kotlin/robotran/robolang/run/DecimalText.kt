@@ -1,8 +1,8 @@
 package robotran.robolang.run
 
 /**
- * [value] as a program would write it, with at most seven digits, such as `2.5`, `-0.125` or `1.5E10`. The same on every target,
- * which the platforms' own texts of decimal numbers are not.
+ * [value] as a program would write it, with at most seven digits, such as `2.5`, `-0.125` or `1.5E10`. The same on
+ * every target, which the platforms' own texts of decimal numbers are not.
  */
 internal fun decimalText(value: Float): String {
     val magnitude = (if (value < 0f) -value else value).toDouble()

@@ -10,10 +10,7 @@ import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.UnaryOperator
 
 /** Lowers expressions: their instructions leave the value on the stack. */
-internal class ExpressionLowering(
-    private val emitter: Emitter,
-    private val scope: LoweringScope,
-) {
+internal class ExpressionLowering(private val emitter: Emitter, private val scope: LoweringScope) {
     private val builtIns = BuiltInLowering(emitter, scope, this)
 
     /** Leaves a value of the type [wanted], which is the expression's own or, of a whole number, the decimal one. */
@@ -60,7 +57,11 @@ internal class ExpressionLowering(
                 lower(expression.inner)
             }
         }
-        if (wanted == ValueType.DECIMAL && scope.typeOf(expression) == ValueType.WHOLE) emitter.emit { it.pushDecimal(it.pop().toFloat()) }
+        if (wanted == ValueType.DECIMAL &&
+            scope.typeOf(expression) == ValueType.WHOLE
+        ) {
+            emitter.emit { it.pushDecimal(it.pop().toFloat()) }
+        }
     }
 
     fun typeOf(expression: Expression): ValueType = scope.typeOf(expression)
@@ -70,7 +71,13 @@ internal class ExpressionLowering(
     fun load(name: Name) {
         val symbol = scope.symbolOf(name)
         val slot = symbol.index
-        if (symbol.owner == null) emitter.emit { it.push(it.machine.globals[slot]) } else emitter.emit { it.push(it.local(slot)) }
+        if (symbol.owner ==
+            null
+        ) {
+            emitter.emit { it.push(it.machine.globals[slot]) }
+        } else {
+            emitter.emit { it.push(it.local(slot)) }
+        }
     }
 
     /** From here on, to the end of its block, [name] has a value. */
@@ -79,7 +86,13 @@ internal class ExpressionLowering(
     fun store(name: Name) {
         val symbol = scope.symbolOf(name)
         val slot = symbol.index
-        if (symbol.owner == null) emitter.emit { it.machine.globals[slot] = it.pop() } else emitter.emit { it.setLocal(slot, it.pop()) }
+        if (symbol.owner ==
+            null
+        ) {
+            emitter.emit { it.machine.globals[slot] = it.pop() }
+        } else {
+            emitter.emit { it.setLocal(slot, it.pop()) }
+        }
     }
 
     /** A call of the routine [name]; what a function gives is dropped where nobody wants it. */
@@ -126,7 +139,11 @@ internal class ExpressionLowering(
     }
 
     private fun lowerBinary(expression: Expression.Binary) {
-        if (expression.operator == BinaryOperator.AND || expression.operator == BinaryOperator.OR) return lowerLogic(expression)
+        if (expression.operator == BinaryOperator.AND ||
+            expression.operator == BinaryOperator.OR
+        ) {
+            return lowerLogic(expression)
+        }
         val left = scope.typeOf(expression.left)
         val type = if (scope.typeOf(expression.right) == ValueType.DECIMAL) ValueType.DECIMAL else left
         lower(expression.left, type)
@@ -146,7 +163,16 @@ internal class ExpressionLowering(
     }
 
     private fun lowerCall(expression: Expression.Call) {
-        val builtIn = BuiltIn.of(expression.name.key).takeIf { scope.symbolOf(expression.name).kind == SymbolKind.BUILT_IN }
-        if (builtIn == null) call(expression.name, expression.arguments, isValueNeeded = true) else builtIns.lower(builtIn, expression)
+        val builtIn = BuiltIn.of(expression.name.key).takeIf {
+            scope.symbolOf(expression.name).kind ==
+                SymbolKind.BUILT_IN
+        }
+        if (builtIn ==
+            null
+        ) {
+            call(expression.name, expression.arguments, isValueNeeded = true)
+        } else {
+            builtIns.lower(builtIn, expression)
+        }
     }
 }

@@ -5,23 +5,25 @@ import robotran.robolang.messages.RunMessages
 import robotran.robolang.robot.Calibration
 import robotran.robolang.robot.Durations
 
-/** What all activities of a run share: the robot, the variables of the main program, the lists, chance and the timer. */
-internal class InterpreterState(
-    val code: Code,
-    val rom: Rom,
-    calibration: Calibration,
-    val messages: RunMessages,
-) {
+/**
+ * What all activities of a run share: the robot, the variables of the main program, the lists, chance and the timer.
+ */
+internal class InterpreterState(val code: Code, val rom: Rom, calibration: Calibration, val messages: RunMessages) {
     val durations = Durations(calibration)
     val commands = RobotCommands(rom)
     val senses = RobotSenses(rom)
     val lists = Lists(messages)
     val globals = IntArray(code.globals)
 
-    /** Seeded with the clock at the program's start, and not to the millisecond: a translation gets to it a little later than we do. */
+    /**
+     * Seeded with the clock at the program's start, and not to the millisecond: a translation gets to it a little later
+     * than we do.
+     */
     val random = LejosRandom(rom.milliseconds.toInt() / SEED_MILLISECONDS)
 
-    /** Whether the conditions of the behaviours are looked at: from when the variables that they can know are declared. */
+    /**
+     * Whether the conditions of the behaviours are looked at: from when the variables that they can know are declared.
+     */
     var isWatching = false
 
     /** Whether a `halt` has been executed. */

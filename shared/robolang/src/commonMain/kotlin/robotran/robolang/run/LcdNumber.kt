@@ -12,11 +12,16 @@ import robotran.robolang.syntax.NumberValue
 internal data class LcdNumber(val digits: Int, val decimals: Int)
 
 /**
- * How the LCD's four digits show [value]: a decimal number with as many digits behind its point as there is room for, rounded, but
- * without needless zeros at the end, as Java prints it: 2.5 as 2.5, 2.0 as 2.0, 3.14159 as 3.142 and 1234.5 as 1235.
+ * How the LCD's four digits show [value]: a decimal number with as many digits behind its point as there is room for,
+ * rounded, but without needless zeros at the end, as Java prints it: 2.5 as 2.5, 2.0 as 2.0, 3.14159 as 3.142 and
+ * 1234.5 as 1235.
  */
 internal fun lcdNumber(value: NumberValue): LcdNumber = when (value) {
-    is NumberValue.Whole -> LcdNumber(value.value.coerceIn(Short.MIN_VALUE.toInt(), Short.MAX_VALUE.toInt()), decimals = 0)
+    is NumberValue.Whole -> LcdNumber(
+        value.value.coerceIn(Short.MIN_VALUE.toInt(), Short.MAX_VALUE.toInt()),
+        decimals = 0,
+    )
+
     is NumberValue.Decimal -> lcdNumber(value.decimal)
 }
 
@@ -36,4 +41,9 @@ private fun lcdNumber(value: Float): LcdNumber {
     return LcdNumber(if (value < 0f) -shown else shown, decimals)
 }
 
-private fun scaled(magnitude: Float, decimals: Int): Int = roundHalfUp((1..decimals).fold(magnitude) { scaled, _ -> scaled * 10f })
+private fun scaled(magnitude: Float, decimals: Int): Int = roundHalfUp(
+    (1..decimals).fold(magnitude) { scaled, _ ->
+        scaled *
+            10f
+    },
+)

@@ -3,8 +3,8 @@ package robotran.robolang.run
 import robotran.robolang.messages.RunMessages
 
 /**
- * All lists that a run has made. As on the brick, whose memory nobody clears up, none ever goes away. Number 0 is an empty one:
- * a variable that has not been given its list yet.
+ * All lists that a run has made. As on the brick, whose memory nobody clears up, none ever goes away. Number 0 is an
+ * empty one: a variable that has not been given its list yet.
  */
 internal class Lists(private val messages: RunMessages) {
     private val lists = arrayListOf(IntArray(0))

@@ -4,7 +4,10 @@ import robotran.robolang.check.ValueType
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Statement
 
-/** Lowers loops. What a loop counts with lies on the stack below what its body uses, and is taken away where the loop is left. */
+/**
+ * Lowers loops. What a loop counts with lies on the stack below what its body uses, and is taken away where the loop is
+ * left.
+ */
 internal class LoopLowering(
     private val emitter: Emitter,
     private val expressions: ExpressionLowering,
@@ -41,7 +44,10 @@ internal class LoopLowering(
     /** `continue` */
     fun nextRound() = emitter.jump(open.last().round)
 
-    /** A loop that is the same in each round: one statement that looks whether there is another, by [look], and the body. */
+    /**
+     * A loop that is the same in each round: one statement that looks whether there is another, by [look], and the
+     * body.
+     */
     private fun rounds(line: Int, body: List<Statement>, look: (end: Label) -> Unit) {
         val loop = OpenLoop()
         emitter.put(loop.round)
@@ -90,7 +96,13 @@ internal class LoopLowering(
         emitter.emit {
             val value = it.pop()
             val limit = it.peek(below = 1)
-            val isOver = if (arithmetic.sign(it.peek()) > 0) arithmetic.isLess(limit, value) else arithmetic.isLess(value, limit)
+            val isOver = if (arithmetic.sign(it.peek()) >
+                0
+            ) {
+                arithmetic.isLess(limit, value)
+            } else {
+                arithmetic.isLess(value, limit)
+            }
             if (isOver) it.next = loop.end.place
         }
         lowerBody(loop, statement.body)

@@ -31,5 +31,8 @@ internal class LoweringScope(private val program: CheckedProgram) {
     }
 
     private val parameterTypes: Map<RoutineCode, List<ValueType>> =
-        routines.zip(program.tree.routines) { code, routine -> code to routine.parameters.map { program.symbolOf(it).type } }.toMap()
+        routines.zip(program.tree.routines) { code, routine ->
+            code to
+                routine.parameters.map { program.symbolOf(it).type }
+        }.toMap()
 }

@@ -12,15 +12,11 @@ import robotran.robolang.messages.RunMessages
 import robotran.robolang.robot.Calibration
 
 /**
- * One run of a Robolang program. A step is a statement, or a loop looking whether there is another round: even an empty loop
- * uses up its budget. Where the run stands is all on the stacks of its activities, so it can stop before any statement.
+ * One run of a Robolang program. A step is a statement, or a loop looking whether there is another round: even an empty
+ * loop uses up its budget. Where the run stands is all on the stacks of its activities, so it can stop before any
+ * statement.
  */
-internal class RobolangRun(
-    code: Code,
-    calibration: Calibration,
-    rom: Rom,
-    messages: RunMessages,
-) : DebuggableRun {
+internal class RobolangRun(code: Code, calibration: Calibration, rom: Rom, messages: RunMessages) : DebuggableRun {
     private val machine = InterpreterState(code, rom, calibration, messages)
     private val arbiter = Arbiter(machine)
     private var isPassed = false
@@ -42,8 +38,13 @@ internal class RobolangRun(
 
     override val variables: List<VariableScope> get() = variableScopes(arbiter.activities, 0)
 
-    override fun variablesOf(thread: Int, frame: Int): List<VariableScope> =
-        if (thread == DebuggableRun.FIRST_THREAD && frame >= 0) variableScopes(arbiter.activities, frame) else emptyList()
+    override fun variablesOf(thread: Int, frame: Int): List<VariableScope> = if (thread == DebuggableRun.FIRST_THREAD &&
+        frame >= 0
+    ) {
+        variableScopes(arbiter.activities, frame)
+    } else {
+        emptyList()
+    }
 
     override fun resume(steps: Int): ProgramStatus = try {
         proceed(steps)
@@ -54,7 +55,9 @@ internal class RobolangRun(
     private fun proceed(steps: Int): ProgramStatus {
         var budget = steps
         while (!machine.isHalted) {
-            val activity = arbiter.choose() ?: return if (arbiter.isOver) ProgramStatus.Ended else ProgramStatus.Waiting(arbiter.nextLook)
+            val activity =
+                arbiter.choose()
+                    ?: return if (arbiter.isOver) ProgramStatus.Ended else ProgramStatus.Waiting(arbiter.nextLook)
             val statement = activity.statement
             when {
                 activity.isWaiting -> {

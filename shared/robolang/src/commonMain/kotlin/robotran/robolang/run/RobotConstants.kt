@@ -1,16 +1,19 @@
 package robotran.robolang.run
 
-/** The figures behind the robot statements that are no matter of the ROM, whose own are in [robotran.rcxrom.RomCode]. */
+/**
+ * The figures behind the robot statements that are no matter of the ROM, whose own are in [robotran.rcxrom.RomCode].
+ */
 internal object RobotConstants {
     /**
-     * How many calls may be inside each other: leJOS enlarges the frames of a thread by half as often as they stay below 256, from 4 over 141
-     * to 211, and its own threads and the translation's helpers take a few. Source: leJOS `threads.c`.
+     * How many calls may be inside each other: leJOS enlarges the frames of a thread by half as often as they stay
+     * below 256, from 4 over 141 to 211, and its own threads and the translation's helpers take a few. Source: leJOS
+     * `threads.c`.
      */
     const val DEEPEST_CALLS = 200
 
     /**
-     * How many elements all lists together may have: 10 KB of 32-bit words, the lower end of what a brick has left beside a program;
-     * an array takes a word beside its elements. Source: users' reports on leJOS.
+     * How many elements all lists together may have: 10 KB of 32-bit words, the lower end of what a brick has left
+     * beside a program; an array takes a word beside its elements. Source: users' reports on leJOS.
      */
     const val LIST_WORDS = 2500
     const val LIST_HEADER_WORDS = 1

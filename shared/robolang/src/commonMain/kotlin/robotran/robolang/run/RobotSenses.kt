@@ -33,7 +33,10 @@ internal class RobotSenses(private val rom: Rom) {
 
     /** `Battery.getVoltage()`. */
     fun batteryVolts(sourceLine: Int): Float {
-        rom.call(RomCall(RomAddress.READ_POWER_STATUS, listOf(RomCode.BATTERY, RobotConstants.RESULT_ADDRESS)), sourceLine)
+        rom.call(
+            RomCall(RomAddress.READ_POWER_STATUS, listOf(RomCode.BATTERY, RobotConstants.RESULT_ADDRESS)),
+            sourceLine,
+        )
         val measured = rom.memory.readShort(RobotConstants.RESULT_ADDRESS)
         return measured * RobotConstants.BATTERY_FACTOR / RobotConstants.BATTERY_DIVISOR / MILLI
     }

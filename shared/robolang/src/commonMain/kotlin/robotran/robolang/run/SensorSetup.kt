@@ -5,8 +5,9 @@ import robotran.robolang.syntax.Sense
 import robotran.robolang.syntax.SyntaxTree
 
 /**
- * What a program does to its sensors before its first statement: switches the light sensor on if it looks at `light`, and makes the bumpers'
- * ports tell true from false if it looks at a bumper. A port that a light sensor shares with a bumper stays in percent.
+ * What a program does to its sensors before its first statement: switches the light sensor on if it looks at `light`,
+ * and makes the bumpers' ports tell true from false if it looks at a bumper. A port that a light sensor shares with a
+ * bumper stays in percent.
  */
 internal class SensorSetup(tree: SyntaxTree) : StackInstruction {
     private val setting = tree.robot?.lightSensor

@@ -1,8 +1,8 @@
 package robotran.robolang.run
 
 /**
- * One instruction of the stack machine that programs run on. Most are small: they take their operands from the stack of the
- * [Activity] and leave the result there.
+ * One instruction of the stack machine that programs run on. Most are small: they take their operands from the stack of
+ * the [Activity] and leave the result there.
  */
 internal fun interface StackInstruction {
     fun execute(activity: Activity)
@@ -12,14 +12,20 @@ internal fun interface StackInstruction {
 internal sealed interface Boundary : StackInstruction {
     override fun execute(activity: Activity) = Unit
 
-    /** A statement of this line begins, or the next round of a loop; [known] are the variables there. It is one step of the budget. */
+    /**
+     * A statement of this line begins, or the next round of a loop; [known] are the variables there. It is one step of
+     * the budget.
+     */
     class Statement(val line: Int, val known: KnownVariables?) : Boundary
 
     /** The activity is over. */
     data object End : Boundary
 }
 
-/** What ends a command that lasts, such as stopping the motors after `forward`. It is done early if the command is cut short. */
+/**
+ * What ends a command that lasts, such as stopping the motors after `forward`. It is done early if the command is cut
+ * short.
+ */
 internal class CompletionAction(private val end: (Activity) -> Unit) : StackInstruction {
     override fun execute(activity: Activity) = end(activity)
 }

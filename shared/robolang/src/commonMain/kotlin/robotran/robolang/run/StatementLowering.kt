@@ -9,10 +9,7 @@ import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.leadingDeclarations
 
 /** Lowers statements; those of loops and of the robot it leaves to [LoopLowering] and [CommandLowering]. */
-internal class StatementLowering(
-    private val emitter: Emitter,
-    private val scope: LoweringScope,
-) {
+internal class StatementLowering(private val emitter: Emitter, private val scope: LoweringScope) {
     val expressions = ExpressionLowering(emitter, scope)
     private val commands = CommandLowering(emitter, expressions)
     private val loops = LoopLowering(emitter, expressions, ::lowerBody)

@@ -6,8 +6,9 @@ import robotran.robolang.check.Symbol
 import robotran.robolang.check.ValueType
 
 /**
- * The variables that are known at [frame] in the call stacks of [activities] one behind the other, 0 for the innermost: those of that routine, behaviour or
- * main program, then those that the last of [activities], the main program, has declared outside all blocks. Empty if there is no such frame.
+ * The variables that are known at [frame] in the call stacks of [activities] one behind the other, 0 for the innermost:
+ * those of that routine, behaviour or main program, then those that the last of [activities], the main program, has
+ * declared outside all blocks. Empty if there is no such frame.
  */
 internal fun variableScopes(activities: List<Activity>, frame: Int): List<VariableScope> {
     var within = frame

@@ -9,8 +9,9 @@ package robotran.robolang.syntax
 internal data class MissingEnd(val opener: Token, val endBefore: Int?)
 
 /**
- * Finds out which blocks lack an `end`. Counting alone always blames the outermost one. Who indents shows which one is meant: an
- * `end` that stands exactly under the beginning of an outer block closes that one, and the blocks inside it have none.
+ * Finds out which blocks lack an `end`. Counting alone always blames the outermost one. Who indents shows which one is
+ * meant: an `end` that stands exactly under the beginning of an outer block closes that one, and the blocks inside it
+ * have none.
  */
 internal class BlockEnds {
     private val edges = mutableListOf<Token>()
@@ -40,7 +41,10 @@ internal class BlockEnds {
         val open = ArrayDeque<Token>()
         val openAtColumn = mutableMapOf<Int, Int>()
 
-        fun close(): Token = open.removeLast().also { openAtColumn[it.range.column] = openAtColumn.getValue(it.range.column) - 1 }
+        fun close(): Token = open.removeLast().also {
+            openAtColumn[it.range.column] =
+                openAtColumn.getValue(it.range.column) - 1
+        }
         for (edge in edges) {
             val column = edge.range.column
             if (edge.keyword != Keyword.END) {

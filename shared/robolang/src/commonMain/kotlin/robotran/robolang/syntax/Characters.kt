@@ -17,12 +17,14 @@ internal fun isBlank(character: Char): Boolean =
 internal fun isDigit(character: Char): Boolean = character in '0'..'9'
 
 /** Letters of the alphabets that pupils may name things in. */
-internal fun isLetter(character: Char): Boolean =
-    character in 'a'..'z' || character in 'A'..'Z' || character == '_' ||
-        (character in LATIN_LETTERS && character != MULTIPLICATION_SIGN && character != DIVISION_SIGN) ||
-        character in GREEK_AND_CYRILLIC_LETTERS
+internal fun isLetter(character: Char): Boolean = character in 'a'..'z' || character in 'A'..'Z' || character == '_' ||
+    (character in LATIN_LETTERS && character != MULTIPLICATION_SIGN && character != DIVISION_SIGN) ||
+    character in GREEK_AND_CYRILLIC_LETTERS
 
-/** Whether a character leaves no mark on the screen: control characters, joiners, half of a surrogate pair and their like. */
+/**
+ * Whether a character leaves no mark on the screen: control characters, joiners, half of a surrogate pair and their
+ * like.
+ */
 internal fun isInvisible(character: Char): Boolean =
     character < ' ' || character in '\u007F'..'\u00A0' || character == '\u00AD' ||
         character in '\u2000'..'\u200F' || character in '\u2028'..'\u202F' || character in '\u205F'..'\u206F' ||
@@ -30,4 +32,5 @@ internal fun isInvisible(character: Char): Boolean =
         character >= '\uFFF0'
 
 /** The number of a character as Unicode writes it, such as `U+200B`. */
-internal fun unicodeNumber(character: Char): String = "U+" + character.code.toString(radix = 16).uppercase().padStart(4, '0')
+internal fun unicodeNumber(character: Char): String =
+    "U+" + character.code.toString(radix = 16).uppercase().padStart(4, '0')

@@ -8,7 +8,15 @@ import robotran.robolang.diagnostic.SourceRange
 /** Everything a line can begin with, the two-word commands also as one, for who forgets the space. */
 private val BEGINNINGS: List<String> =
     Keyword.COMMANDS.map { it.text } + listOf(
-        "pen down", "pen up", "turn left", "turn right", "start forward", "clear screen", "reset timer", "else if", "repeat forever",
+        "pen down",
+        "pen up",
+        "turn left",
+        "turn right",
+        "start forward",
+        "clear screen",
+        "reset timer",
+        "else if",
+        "repeat forever",
     )
 
 /** Words of the language that stand in the middle of a command, and how that command begins. */
@@ -25,7 +33,16 @@ private val BEGINNINGS_OF: Map<Keyword, String> = mapOf(
 
 /** Words that begin a value and no line. */
 private val VALUES =
-    setOf(Keyword.LIGHT, Keyword.SENSOR, Keyword.BUTTON, Keyword.TIMER, Keyword.BATTERY, Keyword.TRUE, Keyword.FALSE, Keyword.NOT)
+    setOf(
+        Keyword.LIGHT,
+        Keyword.SENSOR,
+        Keyword.BUTTON,
+        Keyword.TIMER,
+        Keyword.BATTERY,
+        Keyword.TRUE,
+        Keyword.FALSE,
+        Keyword.NOT,
+    )
 
 /** Words that other languages begin a line with. */
 private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
@@ -95,9 +112,17 @@ private fun DiagnosticSink.reportValueAsCommand(reader: LineReader, range: Sourc
 }
 
 private fun DiagnosticSink.reportUnknownCommand(reader: LineReader, word: Token): BlockEffect {
-    val meant = BEGINNINGS_OF[word.keyword] ?: BEGINNINGS_ELSEWHERE[lowercaseKeyword(word.text)] ?: suggestion(word.text, BEGINNINGS)
+    val meant =
+        BEGINNINGS_OF[word.keyword] ?: BEGINNINGS_ELSEWHERE[lowercaseKeyword(word.text)]
+            ?: suggestion(word.text, BEGINNINGS)
     val fix = meant?.let { SourceFix(word.range, it) }
-    report(reader, DiagnosticCode.UNKNOWN_COMMAND, word.range, messages.unknownCommand(shortened(word.text), meant), fix)
+    report(
+        reader,
+        DiagnosticCode.UNKNOWN_COMMAND,
+        word.range,
+        messages.unknownCommand(shortened(word.text), meant),
+        fix,
+    )
     return when {
         meant == Keyword.END.text -> BlockEffect.CLOSES
         meant == null || Keyword.of(meant.substringBefore(' ')) in Keyword.OPENERS -> BlockEffect.MAY_OPEN
@@ -108,7 +133,13 @@ private fun DiagnosticSink.reportUnknownCommand(reader: LineReader, word: Token)
 private fun DiagnosticSink.reportNoWord(reader: LineReader) {
     val first = reader.first
     if (first.kind == TokenKind.DIVIDE) {
-        report(reader, DiagnosticCode.UNKNOWN_CHARACTER, first.range, messages.commentBegins(), SourceFix(first.range, "//"))
+        report(
+            reader,
+            DiagnosticCode.UNKNOWN_CHARACTER,
+            first.range,
+            messages.commentBegins(),
+            SourceFix(first.range, "//"),
+        )
     } else {
         report(reader, DiagnosticCode.MISSING_COMMAND, first.range, messages.missingCommand())
     }
@@ -119,7 +150,13 @@ private fun DiagnosticSink.reportMissingBrackets(reader: LineReader) {
     val word = reader.first
     val rest = reader.restRange.copy(column = word.range.endColumn)
     val fix = SourceFix(rest, "(${reader.textOf(rest).trim()})")
-    report(reader, DiagnosticCode.MISSING_BRACKETS, word.range, messages.missingBracketsOfCall(shortened(word.text)), fix)
+    report(
+        reader,
+        DiagnosticCode.MISSING_BRACKETS,
+        word.range,
+        messages.missingBracketsOfCall(shortened(word.text)),
+        fix,
+    )
 }
 
 /** `forward` of `forward20`. */

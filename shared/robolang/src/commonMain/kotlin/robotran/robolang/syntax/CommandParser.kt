@@ -63,8 +63,18 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
 
     private fun turnDirection(): TurnDirection? = when (reader.take(Keyword.LEFT, Keyword.RIGHT)) {
         Keyword.LEFT -> TurnDirection.LEFT
+
         Keyword.RIGHT -> TurnDirection.RIGHT
-        else -> if (isTurnedRound()) null else missing(DiagnosticCode.MISSING_TURN_DIRECTION, SIDES, messages::missingTurnDirection)
+
+        else -> if (isTurnedRound()) {
+            null
+        } else {
+            missing(
+                DiagnosticCode.MISSING_TURN_DIRECTION,
+                SIDES,
+                messages::missingTurnDirection,
+            )
+        }
     }
 
     /** Reports `turn 90 left`, whose fix is plain. */
@@ -73,7 +83,13 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
         val side = reader.peek(1)?.takeIf { it.keyword in SIDES } ?: return false
         val range = angle.range.copy(endColumn = side.range.endColumn)
         val fix = SourceFix(range, "${lowercaseKeyword(side.text)} ${angle.text}")
-        diagnostics.report(reader, DiagnosticCode.MISSING_TURN_DIRECTION, angle.range, messages.missingTurnDirection(null), fix)
+        diagnostics.report(
+            reader,
+            DiagnosticCode.MISSING_TURN_DIRECTION,
+            angle.range,
+            messages.missingTurnDirection(null),
+            fix,
+        )
         return true
     }
 
@@ -90,7 +106,11 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
     private fun start(): Statement? {
         reader.advance()
         moveDirection()?.let { return Statement.StartMoving(reader.readRange, it) }
-        if (reader.take(Keyword.TURNING) == null) return missing(DiagnosticCode.MISSING_MOVE, STARTS, messages::missingMove)
+        if (reader.take(Keyword.TURNING) ==
+            null
+        ) {
+            return missing(DiagnosticCode.MISSING_MOVE, STARTS, messages::missingMove)
+        }
         return turnDirection()?.let { Statement.StartTurning(reader.readRange, it) }
     }
 
@@ -112,17 +132,29 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
         reader.advance()
         val command = when (reader.take(*MOTOR_COMMANDS.toTypedArray())) {
             Keyword.FORWARD -> MotorCommand.Forward
+
             Keyword.BACKWARD -> MotorCommand.Backward
+
             Keyword.STOP -> MotorCommand.Stop
+
             Keyword.FLOAT -> MotorCommand.Float
+
             Keyword.POWER -> number("5")?.let { MotorCommand.Power(it) } ?: return null
-            else -> return missing(DiagnosticCode.MISSING_MOTOR_COMMAND, MOTOR_COMMANDS) { messages.missingMotorCommand(port.name, it) }
+
+            else -> return missing(DiagnosticCode.MISSING_MOTOR_COMMAND, MOTOR_COMMANDS) {
+                messages.missingMotorCommand(port.name, it)
+            }
         }
         return Statement.Motor(reader.readRange, port, command)
     }
 
     private fun missingMotor(): Nothing? {
-        diagnostics.report(reader, DiagnosticCode.MISSING_MOTOR, reader.next?.range ?: reader.gap, messages.missingMotor())
+        diagnostics.report(
+            reader,
+            DiagnosticCode.MISSING_MOTOR,
+            reader.next?.range ?: reader.gap,
+            messages.missingMotor(),
+        )
         return null
     }
 
@@ -130,8 +162,14 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
         reader.advance()
         val position = when (reader.take(Keyword.DOWN, Keyword.UP)) {
             Keyword.DOWN -> PenPosition.DOWN
+
             Keyword.UP -> PenPosition.UP
-            else -> return missing(DiagnosticCode.MISSING_PEN_POSITION, listOf(Keyword.DOWN, Keyword.UP), messages::missingPenPosition)
+
+            else -> return missing(
+                DiagnosticCode.MISSING_PEN_POSITION,
+                listOf(Keyword.DOWN, Keyword.UP),
+                messages::missingPenPosition,
+            )
         }
         return Statement.Pen(reader.readRange, position)
     }

@@ -74,28 +74,57 @@ internal class DataParser(reader: LineReader, diagnostics: DiagnosticSink) : Lin
         when {
             sign?.kind == TokenKind.EQUAL -> {
                 val fix = SourceFix(sign.range, "=")
-                diagnostics.report(reader, DiagnosticCode.COMPARISON_AS_COMMAND, sign.range, messages.useOneEqualsSign(), fix)
+                diagnostics.report(
+                    reader,
+                    DiagnosticCode.COMPARISON_AS_COMMAND,
+                    sign.range,
+                    messages.useOneEqualsSign(),
+                    fix,
+                )
             }
 
             sign != null && sign.kind in STEPS && reader.peek(1)?.kind == sign.kind && reader.peek(2) == null -> {
                 val range = sign.range.copy(endColumn = checkNotNull(reader.peek(1)).range.endColumn)
-                val message = messages.characterInsteadOf(before + sign.text + sign.text, "$before = $before ${sign.text} 1")
-                diagnostics.report(reader, DiagnosticCode.COMBINED_ASSIGNMENT, range, message, SourceFix(range, " = $before ${sign.text} 1"))
+                val message = messages.characterInsteadOf(
+                    before + sign.text + sign.text,
+                    "$before = $before ${sign.text} 1",
+                )
+                diagnostics.report(
+                    reader,
+                    DiagnosticCode.COMBINED_ASSIGNMENT,
+                    range,
+                    message,
+                    SourceFix(range, " = $before ${sign.text} 1"),
+                )
             }
 
             isBrokenName(sign) -> {
-                diagnostics.reportMalformedName(reader, reader.readRange.copy(column = checkNotNull(reader.peek(-1)).range.column))
+                diagnostics.reportMalformedName(
+                    reader,
+                    reader.readRange.copy(column = checkNotNull(reader.peek(-1)).range.column),
+                )
             }
 
             sign != null && reader.peek(1)?.kind == TokenKind.ASSIGN -> {
                 val range = sign.range.copy(endColumn = checkNotNull(reader.peek(1)).range.endColumn)
                 val message = messages.combinedAssignment(before, shortened(sign.text))
-                diagnostics.report(reader, DiagnosticCode.COMBINED_ASSIGNMENT, range, message, SourceFix(range, "= $before ${sign.text}"))
+                diagnostics.report(
+                    reader,
+                    DiagnosticCode.COMBINED_ASSIGNMENT,
+                    range,
+                    message,
+                    SourceFix(range, "= $before ${sign.text}"),
+                )
             }
 
             else -> {
                 val range = sign?.range ?: reader.gap
-                diagnostics.report(reader, DiagnosticCode.MISSING_VALUE, range, messages.missingAssignment(before, "$before $example"))
+                diagnostics.report(
+                    reader,
+                    DiagnosticCode.MISSING_VALUE,
+                    range,
+                    messages.missingAssignment(before, "$before $example"),
+                )
             }
         }
         return false

@@ -12,8 +12,20 @@ internal fun DiagnosticSink.reportMissingValue(reader: LineReader, expected: Exp
     val range = instead?.range ?: reader.gap
     val complete = "$command $example"
     when (expected) {
-        Expected.NUMBER -> report(reader, DiagnosticCode.MISSING_NUMBER, range, messages.missingNumber(command, complete))
-        Expected.CONDITION -> report(reader, DiagnosticCode.MISSING_CONDITION, range, messages.missingCondition(command, complete))
+        Expected.NUMBER -> report(
+            reader,
+            DiagnosticCode.MISSING_NUMBER,
+            range,
+            messages.missingNumber(command, complete),
+        )
+
+        Expected.CONDITION -> report(
+            reader,
+            DiagnosticCode.MISSING_CONDITION,
+            range,
+            messages.missingCondition(command, complete),
+        )
+
         Expected.VALUE -> report(reader, DiagnosticCode.MISSING_VALUE, range, messages.missingValue(command, complete))
     }
     return null

@@ -3,13 +3,11 @@ package robotran.robolang.syntax
 import robotran.robolang.diagnostic.DiagnosticSink
 
 /**
- * Reads the expressions of one line, by recursive descent along the strength of the operators. All functions give null once they
- * have reported a mistake. How deep expressions are inside each other is limited, for all phases walk them by recursion.
+ * Reads the expressions of one line, by recursive descent along the strength of the operators. All functions give null
+ * once they have reported a mistake. How deep expressions are inside each other is limited, for all phases walk them by
+ * recursion.
  */
-internal class ExpressionParser(
-    private val reader: LineReader,
-    private val diagnostics: DiagnosticSink,
-) {
+internal class ExpressionParser(private val reader: LineReader, private val diagnostics: DiagnosticSink) {
     private var depth = 0
     private var listDepth = 0
 
@@ -22,8 +20,9 @@ internal class ExpressionParser(
         return binary(BinaryOperator.OR.strength)
     }
 
-    private fun lacksCount(): Boolean = reader.first.keyword == Keyword.REPEAT && reader.next?.keyword == Keyword.TIMES &&
-        reader.peek(1).let { it == null || it.kind == TokenKind.NUMBER }
+    private fun lacksCount(): Boolean =
+        reader.first.keyword == Keyword.REPEAT && reader.next?.keyword == Keyword.TIMES &&
+            reader.peek(1).let { it == null || it.kind == TokenKind.NUMBER }
 
     /** What stands in the brackets of a call, whose opening one has been read. */
     fun arguments(): List<Expression>? = elements(TokenKind.CLOSE_BRACKET)
@@ -47,9 +46,14 @@ internal class ExpressionParser(
         if (depth >= RobolangLimits.NESTED_EXPRESSIONS) return diagnostics.reportDeepExpression(reader)
         depth++
         val operand = when {
-            reader.next?.keyword == Keyword.NOT -> unary(UnaryOperator.NOT) { binary(maxOf(weakest, STRENGTH_OF_NOT + 1)) }
+            reader.next?.keyword == Keyword.NOT -> unary(UnaryOperator.NOT) {
+                binary(maxOf(weakest, STRENGTH_OF_NOT + 1))
+            }
+
             reader.next?.kind != TokenKind.MINUS -> postfix()
+
             reader.peek(1)?.kind == TokenKind.NUMBER -> leaf(readNumberExpression(reader, diagnostics, listDepth > 0))
+
             else -> unary(UnaryOperator.MINUS) { operand(weakest) }
         }
         depth--
@@ -96,7 +100,11 @@ internal class ExpressionParser(
     }
 
     private fun named(token: Token): Expression? {
-        if (token.keyword == Keyword.BUMPER && reader.peek(1)?.keyword in SIDES) return diagnostics.reportTurnedBumper(reader)
+        if (token.keyword == Keyword.BUMPER &&
+            reader.peek(1)?.keyword in SIDES
+        ) {
+            return diagnostics.reportTurnedBumper(reader)
+        }
         val name = checkNotNull(reader.takeName())
         if (reader.take(TokenKind.OPEN_BRACKET) == null) return leaf(Expression.Variable(token.range, name))
         val arguments = elements(TokenKind.CLOSE_BRACKET) ?: return null
@@ -156,8 +164,16 @@ private val SIDES = setOf(Keyword.LEFT, Keyword.RIGHT)
 internal enum class Expected { NUMBER, CONDITION, VALUE }
 
 private val BEGINNING_WORDS = setOf(
-    Keyword.NOT, Keyword.TRUE, Keyword.FALSE, Keyword.LEFT, Keyword.RIGHT, Keyword.LIGHT, Keyword.SENSOR, Keyword.BUTTON,
-    Keyword.TIMER, Keyword.BATTERY,
+    Keyword.NOT,
+    Keyword.TRUE,
+    Keyword.FALSE,
+    Keyword.LEFT,
+    Keyword.RIGHT,
+    Keyword.LIGHT,
+    Keyword.SENSOR,
+    Keyword.BUTTON,
+    Keyword.TIMER,
+    Keyword.BATTERY,
 )
 
 private val BEGINNING_KINDS = setOf(TokenKind.NUMBER, TokenKind.MINUS, TokenKind.OPEN_BRACKET, TokenKind.OPEN_LIST)
@@ -174,6 +190,10 @@ private fun operatorOf(token: Token?): BinaryOperator? = when (token?.kind) {
     else -> SIGN_OPERATORS[token.text]
 }
 
-private val WORD_OPERATORS = mapOf(Keyword.OR to BinaryOperator.OR, Keyword.AND to BinaryOperator.AND, Keyword.MOD to BinaryOperator.MOD)
+private val WORD_OPERATORS = mapOf(
+    Keyword.OR to BinaryOperator.OR,
+    Keyword.AND to BinaryOperator.AND,
+    Keyword.MOD to BinaryOperator.MOD,
+)
 
 private val SIGN_OPERATORS = BinaryOperator.entries.associateBy { it.text }

@@ -4,7 +4,10 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 
-/** Reads the first lines of blocks. Where one has a mistake its block is read all the same, so that nothing below it is blamed. */
+/**
+ * Reads the first lines of blocks. Where one has a mistake its block is read all the same, so that nothing below it is
+ * blamed.
+ */
 internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {
     /** What a loop does with its body once that is read. */
     fun loop(): (Block) -> Statement = when (reader.take(Keyword.REPEAT, Keyword.FOR)) {
@@ -14,8 +17,19 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
 
     private fun repeat(): ((Block) -> Statement)? = when (reader.take(Keyword.FOREVER, Keyword.WHILE, Keyword.UNTIL)) {
         Keyword.FOREVER -> { block -> Statement.RepeatForever(block.range, block.endRange, block.body) }
-        Keyword.WHILE -> condition()?.let { { block -> Statement.RepeatWhile(block.range, block.endRange, it, block.body) } }
-        Keyword.UNTIL -> condition()?.let { { block -> Statement.RepeatUntil(block.range, block.endRange, it, block.body) } }
+
+        Keyword.WHILE -> condition()?.let {
+            { block ->
+                Statement.RepeatWhile(block.range, block.endRange, it, block.body)
+            }
+        }
+
+        Keyword.UNTIL -> condition()?.let {
+            { block ->
+                Statement.RepeatUntil(block.range, block.endRange, it, block.body)
+            }
+        }
+
         else -> times()?.let { { block -> Statement.Repeat(block.range, block.endRange, it, block.body) } }
     }
 
@@ -24,7 +38,9 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
         if (reader.take(Keyword.TIMES) != null) return count
         val meant = (count as? Expression.Variable)?.let { suggestion(it.name.text, KINDS_OF_REPEAT) }
         if (meant == null) {
-            return missing(DiagnosticCode.MISSING_TIMES, listOf(Keyword.TIMES)) { messages.missingTimes(reader.quotable(count.range), it) }
+            return missing(DiagnosticCode.MISSING_TIMES, listOf(Keyword.TIMES)) {
+                messages.missingTimes(reader.quotable(count.range), it)
+            }
         }
         val message = messages.missingTimes(reader.quotable(count.range), meant)
         diagnostics.report(reader, DiagnosticCode.MISSING_TIMES, count.range, message, SourceFix(count.range, meant))
@@ -58,7 +74,13 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
                 return false
             }
         }
-        diagnostics.report(reader, DiagnosticCode.MISSING_WORD, fix.range, messages.missingWord(before, word.text, null), fix)
+        diagnostics.report(
+            reader,
+            DiagnosticCode.MISSING_WORD,
+            fix.range,
+            messages.missingWord(before, word.text, null),
+            fix,
+        )
         return true
     }
 
@@ -79,7 +101,13 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
         val opening = reader.take(TokenKind.OPEN_BRACKET)
         if (opening == null) {
             val message = messages.missingBracketsOfRoutine(shortened(name.text))
-            diagnostics.report(reader, DiagnosticCode.MISSING_BRACKETS, reader.gap, message, SourceFix(reader.gap, "()"))
+            diagnostics.report(
+                reader,
+                DiagnosticCode.MISSING_BRACKETS,
+                reader.gap,
+                message,
+                SourceFix(reader.gap, "()"),
+            )
         } else if (reader.take(TokenKind.CLOSE_BRACKET) == null) {
             do {
                 parameters += name("length)") ?: break
@@ -101,8 +129,14 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
         if (!expect(Keyword.FACING)) return null
         val facing = when (reader.take(Keyword.DOWN, Keyword.FORWARD)) {
             Keyword.DOWN -> Facing.DOWN
+
             Keyword.FORWARD -> Facing.FORWARD
-            else -> return missing(DiagnosticCode.MISSING_FACING, listOf(Keyword.DOWN, Keyword.FORWARD), messages::missingFacing)
+
+            else -> return missing(
+                DiagnosticCode.MISSING_FACING,
+                listOf(Keyword.DOWN, Keyword.FORWARD),
+                messages::missingFacing,
+            )
         }
         diagnostics.expectEndOfLine(reader)
         return LightSensorSetting(reader.readRange, port, facing)

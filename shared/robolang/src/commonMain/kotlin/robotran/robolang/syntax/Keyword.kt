@@ -6,7 +6,8 @@ package robotran.robolang.syntax
  * @property text as Robolang spells it.
  * @property singular how else it may be written, for one second or one degree.
  * @property isFree whether a pupil may use the word as a name: it stands only where no name can.
- * @property endsValue whether it can be the last word of something that has a value, so that a minus behind it subtracts.
+ * @property endsValue whether it can be the last word of something that has a value, so that a minus behind it
+ * subtracts.
  */
 internal enum class Keyword(
     val text: String,

@@ -4,10 +4,7 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 
 /** What the parsers of all kinds of lines need; each function gives null once it has reported a mistake. */
-internal abstract class LineParser(
-    protected val reader: LineReader,
-    protected val diagnostics: DiagnosticSink,
-) {
+internal abstract class LineParser(protected val reader: LineReader, protected val diagnostics: DiagnosticSink) {
     protected val messages = diagnostics.messages
     protected val expressions = ExpressionParser(reader, diagnostics)
 
@@ -26,7 +23,11 @@ internal abstract class LineParser(
     }
 
     /** One of [words] should come next. */
-    protected fun missing(code: DiagnosticCode, words: List<Keyword>, message: (suggestion: String?) -> String): Nothing? {
+    protected fun missing(
+        code: DiagnosticCode,
+        words: List<Keyword>,
+        message: (suggestion: String?) -> String,
+    ): Nothing? {
         diagnostics.reportMissingWord(reader, code, words.map { it.text }, message)
         return null
     }
@@ -43,7 +44,12 @@ internal abstract class LineParser(
         } else {
             val before = reader.quotable(reader.readRange)
             val range = token?.range ?: reader.gap
-            diagnostics.report(reader, DiagnosticCode.MISSING_NAME, range, messages.missingName(before, "$before $example"))
+            diagnostics.report(
+                reader,
+                DiagnosticCode.MISSING_NAME,
+                range,
+                messages.missingName(before, "$before $example"),
+            )
         }
         return null
     }

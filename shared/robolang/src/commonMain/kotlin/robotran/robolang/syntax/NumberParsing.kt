@@ -6,10 +6,14 @@ import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 
 /**
- * Reads a number, which comes next, with its sign; reports what is wrong with it and gives null then. [betweenCommas] says that a
- * comma behind it parts it from the next number.
+ * Reads a number, which comes next, with its sign; reports what is wrong with it and gives null then. [betweenCommas]
+ * says that a comma behind it parts it from the next number.
  */
-internal fun readNumberExpression(reader: LineReader, diagnostics: DiagnosticSink, betweenCommas: Boolean): Expression.Number? {
+internal fun readNumberExpression(
+    reader: LineReader,
+    diagnostics: DiagnosticSink,
+    betweenCommas: Boolean,
+): Expression.Number? {
     val minus = reader.take(TokenKind.MINUS)
     val digits = checkNotNull(reader.take(TokenKind.NUMBER))
     val range = digits.range.copy(column = minus?.range?.column ?: digits.range.column)

@@ -12,9 +12,10 @@ internal sealed interface NumberReading {
 }
 
 /**
- * Reads [digits], which are digits and points only, with a minus sign before them if [negative]. In arithmetic of our own, because
- * the platforms' `toFloat` do not agree on the last bit: up to [RobolangLimits.DECIMAL_DIGITS] digits make a whole number that a
- * double holds exactly, so dividing it by a power of ten gives the double nearest to the written number.
+ * Reads [digits], which are digits and points only, with a minus sign before them if [negative]. In arithmetic of our
+ * own, because the platforms' `toFloat` do not agree on the last bit: up to [RobolangLimits.DECIMAL_DIGITS] digits make
+ * a whole number that a double holds exactly, so dividing it by a power of ten gives the double nearest to the written
+ * number.
  */
 internal fun readNumber(digits: String, negative: Boolean): NumberReading {
     val parts = digits.split('.', limit = 3)

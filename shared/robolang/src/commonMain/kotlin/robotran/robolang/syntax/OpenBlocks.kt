@@ -46,7 +46,10 @@ internal class OpenBlocks {
         present().add(statement)
     }
 
-    /** Begins [block]; one too deep inside others is read, but the statements in it count as those of the block around it. */
+    /**
+     * Begins [block]; one too deep inside others is read, but the statements in it count as those of the block around
+     * it.
+     */
     fun open(block: OpenBlock) {
         ends.opened(block.keyword)
         open.addLast(block)

@@ -10,7 +10,10 @@ internal class OpenChoice(private var range: SourceRange, condition: Expression)
     /** True behind its `else`. */
     val isAtElse: Boolean get() = condition == null
 
-    /** Ends the present branch, which did [body]; the next one begins at [nextRange], without a condition if it is the `else`. */
+    /**
+     * Ends the present branch, which did [body]; the next one begins at [nextRange], without a condition if it is the
+     * `else`.
+     */
     fun next(body: List<Statement>, nextRange: SourceRange, nextCondition: Expression?) {
         condition?.let { branches += Branch(range, it, body) }
         range = nextRange

@@ -5,14 +5,11 @@ import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 
 /**
- * Builds the tree by recursive descent, one function a rule of the grammar in docs/robolang.md. A mistake costs its line and
- * nothing else: the rest of the line is skipped and the next one is read as if nothing had happened. Blocks are kept on a stack of
- * our own, so that their depth is never the host's.
+ * Builds the tree by recursive descent, one function a rule of the grammar in docs/robolang.md. A mistake costs its
+ * line and nothing else: the rest of the line is skipped and the next one is read as if nothing had happened. Blocks
+ * are kept on a stack of our own, so that their depth is never the host's.
  */
-internal class Parser(
-    private val lines: List<ScannedLine>,
-    private val diagnostics: DiagnosticSink,
-) {
+internal class Parser(private val lines: List<ScannedLine>, private val diagnostics: DiagnosticSink) {
     private val blocks = OpenBlocks()
     private val messages = diagnostics.messages
     private val names = mutableListOf<Name>()
@@ -31,7 +28,16 @@ internal class Parser(
         reportMissingEnds(lacking, lines, diagnostics)
         val endColumn = lines.last().text.length + 1
         val statements = blocks.program(SourceRange(lines.size, endColumn, endColumn))
-        val tree = SyntaxTree(robot, routines.sortedBy { it.range.line }, behaviours, statements, lines.mapNotNull { it.comment })
+        val tree =
+            SyntaxTree(
+                robot,
+                routines.sortedBy {
+                    it.range.line
+                },
+                behaviours,
+                statements,
+                lines.mapNotNull { it.comment },
+            )
         return ParsedProgram(tree, lines, names, blocks.isDoubtful || lacking.isNotEmpty())
     }
 
@@ -39,24 +45,36 @@ internal class Parser(
         val keyword = reader.first.keyword
         closeLackingBefore(reader.first)
         when {
-            reader.peek(1)?.kind == TokenKind.ASSIGN && !reader.first.canBeName && keyword != null -> reservedWord(reader)
+            reader.peek(
+                1,
+            )?.kind == TokenKind.ASSIGN && !reader.first.canBeName && keyword != null -> reservedWord(reader)
+
             keyword == Keyword.END -> end(reader)
+
             keyword == Keyword.ELSE -> otherwise(reader)
+
             blocks.innermost?.keyword?.keyword == Keyword.ROBOT -> setting(reader)
+
             keyword in Keyword.OPENERS -> open(reader)
+
             else -> statement(reader)?.let(blocks::add)
         }
         names += reader.names
     }
 
-    /** A routine, and what does not stand further right than `robot`, shows that the blocks before it should have ended. */
+    /**
+     * A routine, and what does not stand further right than `robot`, shows that the blocks before it should have ended.
+     */
     private fun closeLackingBefore(first: Token) {
         val column = first.range.column
         if (first.keyword in OUTERMOST) {
             blocks.closeLacking(first.range.line) { it.keyword.range.column >= column }
         } else if (first.keyword != Keyword.END) {
             if (first.keyword != Keyword.LIGHT) {
-                blocks.closeLacking(first.range.line) { it.keyword.keyword == Keyword.ROBOT && it.keyword.range.column >= column }
+                blocks.closeLacking(first.range.line) {
+                    it.keyword.keyword == Keyword.ROBOT &&
+                        it.keyword.range.column >= column
+                }
             }
         }
     }
@@ -84,14 +102,26 @@ internal class Parser(
 
     private fun reservedWord(reader: LineReader) {
         val word = reader.first
-        diagnostics.report(reader, DiagnosticCode.RESERVED_WORD, word.range, messages.reservedWord(shortened(word.text)))
+        diagnostics.report(
+            reader,
+            DiagnosticCode.RESERVED_WORD,
+            word.range,
+            messages.reservedWord(shortened(word.text)),
+        )
     }
 
     private fun open(reader: LineReader) {
         val keyword = reader.first
         if (blocks.isFull && !blocks.isOverfull) diagnostics.reportNesting(reader, keyword)
         val isNested = keyword.keyword in OUTERMOST && blocks.innermost != null
-        if (isNested) diagnostics.report(reader, DiagnosticCode.NOT_OUTERMOST, keyword.range, messages.notOutermost(shortened(keyword.text)))
+        if (isNested) {
+            diagnostics.report(
+                reader,
+                DiagnosticCode.NOT_OUTERMOST,
+                keyword.range,
+                messages.notOutermost(shortened(keyword.text)),
+            )
+        }
         val headers = HeaderParser(reader, diagnostics)
         if (keyword.keyword != Keyword.REPEAT && keyword.keyword != Keyword.FOR) reader.advance()
         blocks.open(
@@ -130,7 +160,11 @@ internal class Parser(
     }
 
     private fun robot(reader: LineReader): OpenBlock {
-        if (robot != null) diagnostics.report(reader, DiagnosticCode.SECOND_ROBOT, reader.first.range, messages.secondRobot())
+        if (robot !=
+            null
+        ) {
+            diagnostics.report(reader, DiagnosticCode.SECOND_ROBOT, reader.first.range, messages.secondRobot())
+        }
         return OpenBlock(reader.first, reader.readRange) { block ->
             robot = robot ?: RobotHeader(block.range, block.endRange, lightSensor)
             null
@@ -156,7 +190,13 @@ internal class Parser(
         val block = blocks.innermost
         val choice = block?.choice
         reader.advance()
-        val condition = if (reader.take(Keyword.IF) != null) HeaderParser(reader, diagnostics).conditionOrAny() else null
+        val condition = if (reader.take(Keyword.IF) !=
+            null
+        ) {
+            HeaderParser(reader, diagnostics).conditionOrAny()
+        } else {
+            null
+        }
         if (choice == null || choice.isAtElse) {
             diagnostics.report(reader, DiagnosticCode.EXTRA_ELSE, reader.first.range, messages.extraElse())
             return
@@ -179,5 +219,10 @@ internal class Parser(
 
 /** The names of all routines, by which a call without its brackets is known. */
 private fun routineNamesIn(lines: List<ScannedLine>): Set<String> = lines
-    .filter { it.tokens.firstOrNull()?.keyword.let { keyword -> keyword == Keyword.PROCEDURE || keyword == Keyword.FUNCTION } }
+    .filter {
+        it.tokens.firstOrNull()?.keyword.let { keyword ->
+            keyword == Keyword.PROCEDURE ||
+                keyword == Keyword.FUNCTION
+        }
+    }
     .mapNotNullTo(mutableSetOf()) { line -> line.tokens.getOrNull(1)?.text?.let(::lowercaseKeyword) }

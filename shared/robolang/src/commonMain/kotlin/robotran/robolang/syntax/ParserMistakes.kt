@@ -16,7 +16,10 @@ internal fun DiagnosticSink.report(
     report(code, range, reader.textOf(range), message, fix)
 }
 
-/** One of [words] should come next: what stands there instead is taken for a slip of it or, if it is far from it, for something else. */
+/**
+ * One of [words] should come next: what stands there instead is taken for a slip of it or, if it is far from it, for
+ * something else.
+ */
 internal fun DiagnosticSink.reportMissingWord(
     reader: LineReader,
     code: DiagnosticCode,
@@ -36,7 +39,13 @@ internal fun DiagnosticSink.reportMissingWord(
 /** Reports a name that is broken by a sign or begins with a figure; [start] is where it begins. */
 internal fun DiagnosticSink.reportMalformedName(reader: LineReader, start: SourceRange) {
     val end = reader.line.text.drop(start.column - 1).indexOfFirst { isBlank(it) || it in "=()," }
-    val range = if (end < 0) reader.restRange.copy(column = start.column) else start.copy(endColumn = start.column + end)
+    val range = if (end <
+        0
+    ) {
+        reader.restRange.copy(column = start.column)
+    } else {
+        start.copy(endColumn = start.column + end)
+    }
     report(reader, DiagnosticCode.MALFORMED_NAME, range, messages.malformedName(reader.quotable(range)))
 }
 
@@ -49,7 +58,10 @@ internal fun forgiveTakenWords(lines: List<ScannedLine>, diagnostics: Diagnostic
     diagnostics.forgive(using.mapTo(mutableSetOf()) { it.number } - declaring)
 }
 
-/** After a number: reports the next word if it is meant as a unit, but is none of [units]. Anything else is for who reads on. */
+/**
+ * After a number: reports the next word if it is meant as a unit, but is none of [units]. Anything else is for who
+ * reads on.
+ */
 internal fun DiagnosticSink.reportWrongUnit(reader: LineReader, units: List<Keyword>) {
     val word = reader.next?.takeIf { it.kind == TokenKind.WORD } ?: return
     val meant = meantUnit(word, units)
@@ -67,7 +79,13 @@ internal fun DiagnosticSink.reportNoTimeUnit(reader: LineReader, duration: Expre
         report(reader, DiagnosticCode.MISSING_WORD, gap, message, SourceFix(gap, " " + Keyword.UNTIL.text))
     } else if (word == null) {
         val fix = SourceFix(reader.gap, " " + Keyword.SECONDS.text)
-        report(reader, DiagnosticCode.MISSING_TIME_UNIT, reader.gap, messages.missingTimeUnit(reader.quotable(duration.range)), fix)
+        report(
+            reader,
+            DiagnosticCode.MISSING_TIME_UNIT,
+            reader.gap,
+            messages.missingTimeUnit(reader.quotable(duration.range)),
+            fix,
+        )
     } else {
         reportUnit(reader, word, units, meantUnit(word, units))
     }
@@ -75,16 +93,39 @@ internal fun DiagnosticSink.reportNoTimeUnit(reader: LineReader, duration: Expre
 
 /** Whether [expression] is plainly true or false and no number. */
 private fun isCondition(expression: Expression): Boolean = when (expression) {
-    is Expression.BooleanLiteral -> true
-    is Expression.Sense -> expression.sense is Sense.Button || expression.sense == Sense.LeftBumper || expression.sense == Sense.RightBumper
-    is Expression.Unary -> expression.operator == UnaryOperator.NOT
-    is Expression.Binary -> !expression.operator.isArithmetic
-    is Expression.Brackets -> isCondition(expression.inner)
-    else -> false
+    is Expression.BooleanLiteral -> {
+        true
+    }
+
+    is Expression.Sense -> {
+        expression.sense is Sense.Button || expression.sense == Sense.LeftBumper ||
+            expression.sense == Sense.RightBumper
+    }
+
+    is Expression.Unary -> {
+        expression.operator == UnaryOperator.NOT
+    }
+
+    is Expression.Binary -> {
+        !expression.operator.isArithmetic
+    }
+
+    is Expression.Brackets -> {
+        isCondition(expression.inner)
+    }
+
+    else -> {
+        false
+    }
 }
 
 /** [word] stands where one of [units] should. */
-internal fun DiagnosticSink.reportUnit(reader: LineReader, word: Token, units: List<Keyword>, meant: Keyword? = meantUnit(word, units)) {
+internal fun DiagnosticSink.reportUnit(
+    reader: LineReader,
+    word: Token,
+    units: List<Keyword>,
+    meant: Keyword? = meantUnit(word, units),
+) {
     val command = lowercaseKeyword(reader.first.text)
     val message = messages.wrongUnit(command, shortened(word.text), units.map { it.text }, meant?.text)
     report(reader, DiagnosticCode.WRONG_UNIT, word.range, message, meant?.let { SourceFix(word.range, it.text) })
@@ -110,7 +151,12 @@ internal fun DiagnosticSink.reportExtraEnd(reader: LineReader) {
 }
 
 internal fun DiagnosticSink.reportNesting(reader: LineReader, keyword: Token) {
-    report(reader, DiagnosticCode.NESTED_TOO_DEEPLY, keyword.range, messages.nestedTooDeeply(RobolangLimits.NESTED_BLOCKS))
+    report(
+        reader,
+        DiagnosticCode.NESTED_TOO_DEEPLY,
+        keyword.range,
+        messages.nestedTooDeeply(RobolangLimits.NESTED_BLOCKS),
+    )
 }
 
 /** Reports each block that lacks its `end`, with a fix that puts one at the indentation of the block's first line. */

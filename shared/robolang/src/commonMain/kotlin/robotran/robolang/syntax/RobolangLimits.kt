@@ -1,6 +1,8 @@
 package robotran.robolang.syntax
 
-/** How much there can be of anything in a program, so that no source can overflow the stack, the memory or the clock. */
+/**
+ * How much there can be of anything in a program, so that no source can overflow the stack, the memory or the clock.
+ */
 object RobolangLimits {
     /** The longest source, in UTF-16 characters: several times the longest program a class could write. */
     const val SOURCE_CHARACTERS = 1_000_000
@@ -23,13 +25,18 @@ object RobolangLimits {
     /** How many elements an array can have on the brick: leJOS keeps its length in 9 bits. */
     const val LIST_ELEMENTS = 511
 
-    /** How many variables and parameters a method, or static fields a class, can have on the brick: their numbers are bytes. */
+    /**
+     * How many variables and parameters a method, or static fields a class, can have on the brick: their numbers are
+     * bytes.
+     */
     const val VARIABLES = 255
 
     /** How many parameters a routine can have on the brick: the linker of leJOS takes no more. */
     const val PARAMETERS = 16
 
-    /** How many large or decimal numbers and texts a class can have on the brick: its constants are numbered in a byte. */
+    /**
+     * How many large or decimal numbers and texts a class can have on the brick: its constants are numbered in a byte.
+     */
     const val CONSTANTS = 255
 
     /** How many routines a program can have: the brick numbers the methods of a class in a byte. */

@@ -8,7 +8,17 @@ private const val QUOTATION_MARK = '"'
 
 /** The one that Robolang has, and those that word processors and other languages put in its place. */
 private val QUOTATION_MARKS = charArrayOf(
-    QUOTATION_MARK, '\'', '`', '\u201C', '\u201D', '\u201E', '\u00AB', '\u00BB', '\u2018', '\u2019', '\u201A',
+    QUOTATION_MARK,
+    '\'',
+    '`',
+    '\u201C',
+    '\u201D',
+    '\u201E',
+    '\u00AB',
+    '\u00BB',
+    '\u2018',
+    '\u2019',
+    '\u201A',
 )
 
 /** Takes [source] apart into lines and these into tokens; what is no token is reported, once a line. */
@@ -18,11 +28,7 @@ internal fun scan(source: String, diagnostics: DiagnosticSink): List<ScannedLine
         .toList()
 
 /** Takes one line apart. */
-private class LineScanner(
-    private val text: String,
-    private val number: Int,
-    private val diagnostics: DiagnosticSink,
-) {
+private class LineScanner(private val text: String, private val number: Int, private val diagnostics: DiagnosticSink) {
     private val tokens = mutableListOf<Token>()
     private var comment: Token? = null
     private var position = 0
@@ -57,7 +63,10 @@ private class LineScanner(
         }
     }
 
-    /** Where the text that begins here ends: with the same mark if there is one, or else with another; -1 if there is none. */
+    /**
+     * Where the text that begins here ends: with the same mark if there is one, or else with another; -1 if there is
+     * none.
+     */
     private fun closingMark(): Int {
         if (text[position] == QUOTATION_MARK) text.indexOf(QUOTATION_MARK, position + 1).let { if (it >= 0) return it }
         return text.indexOfAny(QUOTATION_MARKS, position + 1)
@@ -65,7 +74,11 @@ private class LineScanner(
 
     private fun takeText(closing: Int) {
         val range = SourceRange(number, position + 1, closing + 2)
-        if (text[position] != QUOTATION_MARK || text[closing] != QUOTATION_MARK) diagnostics.reportOtherMarks(text, range)
+        if (text[position] != QUOTATION_MARK ||
+            text[closing] != QUOTATION_MARK
+        ) {
+            diagnostics.reportOtherMarks(text, range)
+        }
         take(TokenKind.TEXT, closing + 1 - position)
     }
 
@@ -105,7 +118,10 @@ private class LineScanner(
 
     private fun unknownCharacter(width: Int) {
         diagnostics.reportCharacter(text, SourceRange(number, position + 1, position + 1 + width))
-        if (isOtherEnd(text, position)) tokens += Token(TokenKind.WORD, SourceRange(number, position + 1, position + 2), "}", Keyword.END)
+        if (isOtherEnd(text, position)) {
+            tokens +=
+                Token(TokenKind.WORD, SourceRange(number, position + 1, position + 2), "}", Keyword.END)
+        }
         position += width
     }
 }

@@ -2,7 +2,9 @@ package robotran.robolang.syntax
 
 import robotran.language.editDistance
 
-/** The one of [candidates] that [word] is probably a slip of, null if none is near enough. The first one wins a draw. */
+/**
+ * The one of [candidates] that [word] is probably a slip of, null if none is near enough. The first one wins a draw.
+ */
 internal fun suggestion(word: String, candidates: List<String>): String? {
     if (word.length > RobolangLimits.SUGGESTION_CHARACTERS) return null
     val lowercase = lowercaseKeyword(word)

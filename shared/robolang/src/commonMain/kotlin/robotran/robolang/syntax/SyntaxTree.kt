@@ -31,11 +31,7 @@ internal data class RobotHeader(
  *
  * @property port 1..3, as it is printed on the brick.
  */
-internal data class LightSensorSetting(
-    val range: SourceRange,
-    val port: Int,
-    val facing: Facing,
-)
+internal data class LightSensorSetting(val range: SourceRange, val port: Int, val facing: Facing)
 
 /** A name that the pupil gives or uses, as it is typed. */
 internal data class Name(val range: SourceRange, val text: String) {

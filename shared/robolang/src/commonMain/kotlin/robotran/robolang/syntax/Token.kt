@@ -64,9 +64,4 @@ internal data class Token(
  * @property tokens what counts.
  * @property comment what does not, but must not get lost: always the last thing on a line.
  */
-internal data class ScannedLine(
-    val number: Int,
-    val text: String,
-    val tokens: List<Token>,
-    val comment: Token?,
-)
+internal data class ScannedLine(val number: Int, val text: String, val tokens: List<Token>, val comment: Token?)

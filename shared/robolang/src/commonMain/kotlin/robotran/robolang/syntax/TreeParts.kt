@@ -16,7 +16,10 @@ internal val Expression.parts: List<Expression>
         is Expression.Brackets -> listOf(inner)
     }
 
-/** The expressions of a statement's own line or, in a choice, of all its branches, but not those of the statements in it. */
+/**
+ * The expressions of a statement's own line or, in a choice, of all its branches, but not those of the statements in
+ * it.
+ */
 internal val Statement.expressions: List<Expression>
     get() = when (this) {
         is Statement.Move -> listOfNotNull(distance, duration)
@@ -55,8 +58,16 @@ internal val Statement.expressions: List<Expression>
 
         is Statement.Return -> listOfNotNull(value)
 
-        is Statement.StartMoving, is Statement.StartTurning, is Statement.StopDriving, is Statement.Pen, is Statement.ResetTimer,
-        is Statement.Beep, is Statement.Buzz, is Statement.ShowText, is Statement.ClearScreen, is Statement.RepeatForever,
+        is Statement.StartMoving,
+        is Statement.StartTurning,
+        is Statement.StopDriving,
+        is Statement.Pen,
+        is Statement.ResetTimer,
+        is Statement.Beep,
+        is Statement.Buzz,
+        is Statement.ShowText,
+        is Statement.ClearScreen,
+        is Statement.RepeatForever,
         is Statement.Break, is Statement.Continue, is Statement.Halt,
         -> emptyList()
     }

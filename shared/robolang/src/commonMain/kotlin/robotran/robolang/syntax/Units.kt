@@ -18,8 +18,29 @@ private val OTHER_SPELLINGS: Map<String, Keyword> = mapOf(
 
 /** Units that Robolang does not have. */
 private val OTHER_UNITS: Set<String> = setOf(
-    "mm", "m", "km", "metre", "metres", "meter", "meters", "inch", "inches", "foot", "feet", "steps", "pixels",
-    "minute", "minutes", "min", "mins", "hour", "hours", "h", "radians", "rad", "turns",
+    "mm",
+    "m",
+    "km",
+    "metre",
+    "metres",
+    "meter",
+    "meters",
+    "inch",
+    "inches",
+    "foot",
+    "feet",
+    "steps",
+    "pixels",
+    "minute",
+    "minutes",
+    "min",
+    "mins",
+    "hour",
+    "hours",
+    "h",
+    "radians",
+    "rad",
+    "turns",
 )
 
 private val UNITS = setOf(Keyword.CM, Keyword.DEGREES, Keyword.SECONDS, Keyword.MILLISECONDS)

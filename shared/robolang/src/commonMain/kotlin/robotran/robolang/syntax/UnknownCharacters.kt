@@ -36,7 +36,10 @@ private val LONG_SLIPS: List<String> = RIGHT_SPELLINGS.keys.filter { it.length >
 private const val WIDE_OFFSET = 0xFEE0
 private val WIDE_CHARACTERS = '\uFF01'..'\uFF5E'
 
-/** How long the sign of another language is that stands at [position] of [text] and begins like one of Robolang; 0 if none does. */
+/**
+ * How long the sign of another language is that stands at [position] of [text] and begins like one of Robolang; 0 if
+ * none does.
+ */
 internal fun widthOfSlip(text: String, position: Int): Int {
     var wide = 0
     while (position + wide < text.length && text[position + wide] in WIDE_CHARACTERS) wide++

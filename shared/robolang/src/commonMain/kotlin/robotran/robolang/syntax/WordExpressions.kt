@@ -3,9 +3,15 @@ package robotran.robolang.syntax
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 
-private val BUTTONS = mapOf(Keyword.RUN to BrickButton.RUN, Keyword.VIEW to BrickButton.VIEW, Keyword.PRGM to BrickButton.PRGM)
+private val BUTTONS = mapOf(
+    Keyword.RUN to BrickButton.RUN,
+    Keyword.VIEW to BrickButton.VIEW,
+    Keyword.PRGM to BrickButton.PRGM,
+)
 
-/** Reads what begins with a keyword: the truth values and what the robot feels. Gives null once a mistake is reported. */
+/**
+ * Reads what begins with a keyword: the truth values and what the robot feels. Gives null once a mistake is reported.
+ */
 internal fun readWordExpression(reader: LineReader, diagnostics: DiagnosticSink): Expression? {
     val first = checkNotNull(reader.next)
     reader.advance()
@@ -38,7 +44,14 @@ private fun button(reader: LineReader, diagnostics: DiagnosticSink): Sense? {
         reader.advance()
         return Sense.Button(button)
     }
-    diagnostics.reportMissingWord(reader, DiagnosticCode.MISSING_BUTTON, BUTTONS.keys.map { it.text }, diagnostics.messages::missingButton)
+    diagnostics.reportMissingWord(
+        reader,
+        DiagnosticCode.MISSING_BUTTON,
+        BUTTONS.keys.map {
+            it.text
+        },
+        diagnostics.messages::missingButton,
+    )
     return null
 }
 

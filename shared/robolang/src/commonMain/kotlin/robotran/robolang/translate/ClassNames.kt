@@ -1,13 +1,25 @@
 package robotran.robolang.translate
 
 /**
- * The class for a program called [programName], usually the name of a file: `my square.robo` becomes `MySquare`. It has plain letters
- * only, since it is the name of files, too, which the console of a real robot's computer has to read.
+ * The class for a program called [programName], usually the name of a file: `my square.robo` becomes `MySquare`. It has
+ * plain letters only, since it is the name of files, too, which the console of a real robot's computer has to read.
  */
 internal fun classNameOf(programName: String): String {
     val file = programName.substringAfterLast('/').substringAfterLast('\\').removeSuffix(".robo")
     val words = plain(file).split(' ').filter { it.isNotEmpty() }
-    val name = legal(words.joinToString("") { word -> word.replaceFirstChar { if (it in 'a'..'z') it - ('a' - 'A') else it } })
+    val name = legal(
+        words.joinToString("") { word ->
+            word.replaceFirstChar {
+                if (it in
+                    'a'..'z'
+                ) {
+                    it - ('a' - 'A')
+                } else {
+                    it
+                }
+            }
+        },
+    )
     return when {
         name.all { it == '_' } -> "Program"
         name.startsWith("_") -> "Program" + name.trimStart('_')
@@ -16,7 +28,10 @@ internal fun classNameOf(programName: String): String {
     }
 }
 
-/** [text] with each foreign letter by the plain ones it is often written with, and a space for all that is neither letter nor digit. */
+/**
+ * [text] with each foreign letter by the plain ones it is often written with, and a space for all that is neither
+ * letter nor digit.
+ */
 private fun plain(text: String): String = text.map { character ->
     when (character) {
         '_', in 'a'..'z', in 'A'..'Z', in '0'..'9' -> character.toString()

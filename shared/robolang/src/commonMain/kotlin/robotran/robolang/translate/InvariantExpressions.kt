@@ -28,11 +28,15 @@ internal class InvariantExpressions(private val program: CheckedProgram) {
         is Expression.ListOf, is Expression.ListElement, is Expression.Sense -> false
     }
 
-    /** The length of a list if [last] is that minus one, the place of its last element: Java counts up to the length instead. */
+    /**
+     * The length of a list if [last] is that minus one, the place of its last element: Java counts up to the length
+     * instead.
+     */
     fun countBehind(last: Expression): Expression? {
         val difference = last as? Expression.Binary ?: return null
         val isOneLess =
-            difference.operator == BinaryOperator.MINUS && (difference.right as? Expression.Number)?.value == NumberValue.Whole(1)
+            difference.operator == BinaryOperator.MINUS &&
+                (difference.right as? Expression.Number)?.value == NumberValue.Whole(1)
         return difference.left.takeIf { isOneLess && isSteady(it) && it is Expression.Call }
     }
 

@@ -34,7 +34,8 @@ internal class JavaClass(private val program: RobolangProgram, private val class
 
     private fun main() {
         body.blank()
-        body.open("public static void main(String[] arguments)${throwsClause(helpers.isReacting || throwing.mayWait(tree.statements))}")
+        val throws = throwsClause(helpers.isReacting || throwing.mayWait(tree.statements))
+        body.open("public static void main(String[] arguments)$throws")
         tree.robot?.let { body.takeComments(comments.of(it.range)) }
         JavaSensors(tree).setUp(body)
         tree.robot?.let { body.commentsAbove(it.endRange.line + 1) }
@@ -80,7 +81,8 @@ internal class JavaClass(private val program: RobolangProgram, private val class
     }
 
     private fun whole(): JavaWriter = JavaWriter().apply {
-        line("// ${program.name.lines().joinToString(" ").replace('\\', '/')}, translated by Robotran for leJOS on the RCX.")
+        val name = program.name.lines().joinToString(" ").replace('\\', '/')
+        line("// $name, translated by Robotran for leJOS on the RCX.")
         blank()
         line("import josx.platform.rcx.*;")
         if (tree.behaviours.isNotEmpty()) line("import josx.robotics.*;")
@@ -118,7 +120,8 @@ internal class JavaClass(private val program: RobolangProgram, private val class
 internal const val METHODS_BELOW = "// The methods below do what the commands of Robolang do."
 
 private const val CALCULATION_ABOVE =
-    "/** Calculates with decimal numbers as Robotran does. A class of its own, for a class has room for few numbers on a brick. */"
+    "/** Calculates with decimal numbers as Robotran does. A class of its own, for a class has room for few numbers " +
+        "on a brick. */"
 
 /** What stands behind the head of a method that [mayWait] or not. */
 internal fun throwsClause(mayWait: Boolean): String = if (mayWait) " throws InterruptedException" else ""

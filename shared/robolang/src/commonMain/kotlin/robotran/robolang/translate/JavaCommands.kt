@@ -94,8 +94,13 @@ internal class JavaCommands(
         )
     }
 
-    private fun byMeasure(measure: Expression?, measured: JavaHelper, duration: Expression?, timed: JavaHelper): String =
-        measure?.let { call(measured, it) } ?: call(timed, checkNotNull(duration) { "A move has a measure or a duration." })
+    private fun byMeasure(
+        measure: Expression?,
+        measured: JavaHelper,
+        duration: Expression?,
+        timed: JavaHelper,
+    ): String = measure?.let { call(measured, it) }
+        ?: call(timed, checkNotNull(duration) { "A move has a measure or a duration." })
 
     private fun power(statement: Statement.Power): List<String> = when (statement.side) {
         PowerSide.BOTH -> listOf("${helpers.use(JavaHelper.POWER_BOTH)}(${whole(statement.power)});")

@@ -57,14 +57,25 @@ internal class JavaExpressions(
 
     private fun written(expression: Expression): JavaText = when (expression) {
         is Expression.Number -> number(expression)
+
         is Expression.BooleanLiteral -> primary(expression.value.toString())
+
         is Expression.ListOf -> JavaText(list(expression), OperatorPrecedence.UNARY)
+
         is Expression.Variable -> primary(names.of(program.symbolOf(expression.name)))
-        is Expression.ListElement -> primary("${text(expression.list, OperatorPrecedence.PRIMARY)}[${text(expression.index)}]")
+
+        is Expression.ListElement -> primary(
+            "${text(expression.list, OperatorPrecedence.PRIMARY)}[${text(expression.index)}]",
+        )
+
         is Expression.Unary -> unary(expression)
+
         is Expression.Binary -> binary(expression)
+
         is Expression.Call -> call(expression)
+
         is Expression.Sense -> sense(expression.sense)
+
         is Expression.Brackets -> inBrackets(expression)
     }
 
@@ -103,7 +114,11 @@ internal class JavaExpressions(
         val symbol = program.symbolOf(expression.name)
         val builtIn = if (symbol.declaredAt == null) BuiltIn.of(expression.name.key) else null
         if (builtIn == null) return primary("${names.of(symbol)}(${arguments(expression.arguments)})")
-        if (builtIn == BuiltIn.LENGTH) return primary("${text(expression.arguments.single(), OperatorPrecedence.PRIMARY)}.length")
+        if (builtIn ==
+            BuiltIn.LENGTH
+        ) {
+            return primary("${text(expression.arguments.single(), OperatorPrecedence.PRIMARY)}.length")
+        }
         return builtIn(builtIn, expression)
     }
 

@@ -6,7 +6,10 @@ import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Statement
 
-/** Writes the variables and constants that all routines know as fields. What has a plain value from the start gets it right there. */
+/**
+ * Writes the variables and constants that all routines know as fields. What has a plain value from the start gets it
+ * right there.
+ */
 internal class JavaFields(
     private val program: CheckedProgram,
     private val names: JavaNames,
@@ -20,7 +23,11 @@ internal class JavaFields(
 
     init {
         val first = statements.takeWhile { it is Statement.Declare }
-        fields = globals.filter { (it.isConstant || it in first) && isPlain(it.value) && settled.add(program.symbolOf(it.name)) }.toSet()
+        fields =
+            globals.filter {
+                (it.isConstant || it in first) && isPlain(it.value) &&
+                    settled.add(program.symbolOf(it.name))
+            }.toSet()
     }
 
     /** Whether [statement] declares a field with its value, so that `main` need not. */
@@ -30,7 +37,8 @@ internal class JavaFields(
         writer.blank()
         for (declaration in globals) {
             val symbol = program.symbolOf(declaration.name)
-            val field = "static ${if (isFinal(declaration)) "final " else ""}${javaType(symbol.type)} ${names.of(symbol)}"
+            val field =
+                "static ${if (isFinal(declaration)) "final " else ""}${javaType(symbol.type)} ${names.of(symbol)}"
             if (isField(declaration)) {
                 writer.takeComments(comments.of(declaration.range))
                 writer.line("$field = ${initial(declaration.value)};", declaration.range.line, names.noteOn(symbol))

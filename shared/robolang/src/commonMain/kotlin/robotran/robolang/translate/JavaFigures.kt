@@ -4,7 +4,10 @@ import robotran.robolang.robot.Calibration
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.run.decimalText
 
-/** Writes the fields that the translation itself needs at the top of the class: first the figures of the robot, each with how to correct it. */
+/**
+ * Writes the fields that the translation itself needs at the top of the class: first the figures of the robot, each
+ * with how to correct it.
+ */
 internal class JavaFigures(private val calibration: Calibration) {
     fun write(used: List<JavaHelper>, writer: JavaWriter) {
         for (field in used.filter { it.isField }) {
@@ -23,7 +26,9 @@ internal class JavaFigures(private val calibration: Calibration) {
 
         JavaHelper.DEGREE -> {
             """
-            /** How many milliseconds the wheels turn for one degree. Let the robot turn ten times round and correct it. */
+            /**
+             * How many milliseconds the wheels turn for one degree. Let the robot turn ten times round and correct it.
+             */
             static final float ${field.called} = ${decimal(calibration.millisecondsPerDegree)};
             """.trimIndent()
         }

@@ -13,8 +13,12 @@ internal class JavaFlow(private val program: CheckedProgram) {
     /** Whether something may be done behind [statement]. */
     fun completes(statement: Statement): Boolean = when (statement) {
         is Statement.Break, is Statement.Continue, is Statement.Return -> false
+
         is Statement.Loop -> !isEndless(statement) || breaks(statement.body)
-        is Statement.If -> statement.branches.any { completes(it.body) } || statement.otherwise?.let { completes(it.body) } ?: true
+
+        is Statement.If -> statement.branches.any { completes(it.body) } ||
+            statement.otherwise?.let { completes(it.body) } ?: true
+
         else -> true
     }
 
@@ -47,7 +51,10 @@ internal class JavaFlow(private val program: CheckedProgram) {
         for (statement in statements) {
             val found = when (statement) {
                 is Statement.Break -> true
-                is Statement.If -> statement.branches.any { breaks(it.body) } || statement.otherwise?.let { breaks(it.body) } == true
+
+                is Statement.If -> statement.branches.any { breaks(it.body) } ||
+                    statement.otherwise?.let { breaks(it.body) } == true
+
                 else -> false
             }
             if (found) return true

@@ -11,9 +11,10 @@ import robotran.robolang.translate.JavaReactingTexts as Reacting
  * A method, or a field, that a translation has only if it is used.
  *
  * @property called its name.
- * @property text its Java, at the depth of a class's members, in a program without behaviours; empty for the figures of the robot.
- * @property isCalculation whether it stands in a class of its own, [CALCULATION]: its many numbers must not use up those of the program's
- *   class, whose constants are numbered in a byte.
+ * @property text its Java, at the depth of a class's members, in a program without behaviours; empty for the figures of
+ * the robot.
+ * @property isCalculation whether it stands in a class of its own, [CALCULATION]: its many numbers must not use up
+ * those of the program's class, whose constants are numbered in a byte.
  * @property needs the helpers that it uses itself; they are declared above it, so that this list can name them.
  */
 internal enum class JavaHelper(

@@ -66,7 +66,13 @@ internal class JavaLoops(
         val stepText = loop.step?.let { expressions.text(it) }
         val variable = names.declareLocal(symbol)
         val start = StringBuilder("${javaType(symbol.type)} $variable = $from")
-        val last = if (steady.isSteady(loop.to)) operand(loop.to) else names.local("last").also { start.append(", $it = $to") }
+        val last = if (steady.isSteady(loop.to)) {
+            operand(loop.to)
+        } else {
+            names.local("last").also {
+                start.append(", $it = $to")
+            }
+        }
         val step = valueOfStep(loop.step)
         if (step != null) {
             val count = steady.countBehind(loop.to).takeIf { loop.step == null }
@@ -84,7 +90,10 @@ internal class JavaLoops(
     }
 
     /** [expression] as it stands beside `<`. */
-    private fun operand(expression: Expression): String = expressions.text(expression, OperatorPrecedence.of(BinaryOperator.LESS) + 1)
+    private fun operand(expression: Expression): String = expressions.text(
+        expression,
+        OperatorPrecedence.of(BinaryOperator.LESS) + 1,
+    )
 
     /** The step if it is written as a number, which says whether it goes up or down. */
     private fun valueOfStep(step: Expression?): NumberValue? = when (step) {

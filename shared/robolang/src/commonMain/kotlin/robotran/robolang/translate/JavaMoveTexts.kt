@@ -1,6 +1,9 @@
 package robotran.robolang.translate
 
-/** The Java of the helpers that move the robot and let time pass. Each makes the calls that the interpreter makes, in its order. */
+/**
+ * The Java of the helpers that move the robot and let time pass. Each makes the calls that the interpreter makes, in
+ * its order.
+ */
 internal object JavaMoveTexts {
     const val DURATION_OF = """/** How long the wheels turn: whole milliseconds, without a minus. */
 static int durationOf(float milliseconds) {

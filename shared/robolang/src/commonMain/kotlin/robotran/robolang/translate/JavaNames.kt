@@ -4,8 +4,9 @@ import robotran.robolang.check.Symbol
 import robotran.robolang.check.SymbolKind
 
 /**
- * What the names of a program are called in Java: the same, unless Java, leJOS or the translation itself needs the word or two
- * names would meet, which get an underscore. Java tells a method from a variable of the same name, so each only minds its own.
+ * What the names of a program are called in Java: the same, unless Java, leJOS or the translation itself needs the word
+ * or two names would meet, which get an underscore. Java tells a method from a variable of the same name, so each only
+ * minds its own.
  *
  * @param className the class that all of them are in.
  */
@@ -58,7 +59,9 @@ internal class JavaNames(className: String) {
     }
 }
 
-/** [name] with an underscore for each character that not every Java takes for a letter, and before a digit at its start. */
+/**
+ * [name] with an underscore for each character that not every Java takes for a letter, and before a digit at its start.
+ */
 internal fun legal(name: String): String {
     val letters = name.map { if (isJavaLetter(it) || it in '0'..'9') it else '_' }.joinToString("")
     return if (letters.isEmpty() || letters.first() in '0'..'9') "_$letters" else letters

@@ -1,8 +1,9 @@
 package robotran.robolang.translate
 
 /**
- * The Java of the helpers of a program with behaviours: those that let time pass let a behaviour take over meanwhile. The main program
- * then stands still and goes on where it was; the action of a behaviour ends; what drives or moves the pen is cut short.
+ * The Java of the helpers of a program with behaviours: those that let time pass let a behaviour take over meanwhile.
+ * The main program then stands still and goes on where it was; the action of a behaviour ends; what drives or moves the
+ * pen is cut short.
  */
 internal object JavaReactingTexts {
     const val CONTROL = """/** Who has the robot: the main program and a behaviour each look here whether they have to give way. */
@@ -21,7 +22,10 @@ static boolean mustGiveWay() {
     return asking == mainThread ? mainIsPaused : asking != watchingThread && actionIsSuppressed;
 }
 
-/** Here the main program stands still while a behaviour has the robot, and an action ends when a later behaviour takes over. */
+/**
+ * Here the main program stands still while a behaviour has the robot, and an action ends when a later behaviour takes
+ * over.
+ */
 static void giveWay() throws InterruptedException {
     if (Thread.currentThread() == mainThread) {
         do {

@@ -13,7 +13,11 @@ internal class JavaSensors(private val tree: SyntaxTree) {
         val light = lightPort(tree).takeIf { Sense.Light in senses }
         // A bumper that shares its port with a light sensor can be told from percent, too.
         if (bumpers) BUMPER_PORTS.filter { it != light }.forEach { writer.line("Sensor.S$it.setTypeAndMode($TOUCH);") }
-        if (light != null) writer.line("Sensor.S$light.activate();", tree.robot?.lightSensor?.range?.line ?: LineMap.NO_LINE)
+        if (light !=
+            null
+        ) {
+            writer.line("Sensor.S$light.activate();", tree.robot?.lightSensor?.range?.line ?: LineMap.NO_LINE)
+        }
     }
 
     private companion object {

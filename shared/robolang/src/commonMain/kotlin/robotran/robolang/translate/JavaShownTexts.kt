@@ -5,8 +5,8 @@ import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.bodies
 
 /**
- * Writes the texts that a program shows. The brick makes a new text each time it comes to one in quotation marks, and never takes the
- * memory back; those that may be shown again and again are therefore made only once, in fields.
+ * Writes the texts that a program shows. The brick makes a new text each time it comes to one in quotation marks, and
+ * never takes the memory back; those that may be shown again and again are therefore made only once, in fields.
  */
 internal class JavaShownTexts(tree: SyntaxTree, private val names: JavaNames) {
     private val repeated: List<String> = repeatedTexts(tree).distinct()
@@ -20,7 +20,10 @@ internal class JavaShownTexts(tree: SyntaxTree, private val names: JavaNames) {
     fun write(writer: JavaWriter) {
         if (repeated.isEmpty()) return
         writer.blank()
-        writer.line("/** Texts are made here, once: where they are shown the brick would make new ones until its memory is full. */")
+        writer.line(
+            "/** Texts are made here, once: where they are shown the brick would make new ones until its memory is " +
+                "full. */",
+        )
         for ((text, name) in fields) writer.line("static final char[] $name = ${javaString(text)}.toCharArray();")
     }
 
@@ -29,10 +32,11 @@ internal class JavaShownTexts(tree: SyntaxTree, private val names: JavaNames) {
         return shown(tree.statements, isRepeated = false) + shown(again, isRepeated = true)
     }
 
-    private fun shown(statements: List<Statement>, isRepeated: Boolean): List<String> = statements.flatMap { statement ->
-        val own = (statement as? Statement.ShowText)?.text?.takeIf { isRepeated }
-        listOfNotNull(own) + statement.bodies.flatMap { shown(it, isRepeated || statement is Statement.Loop) }
-    }
+    private fun shown(statements: List<Statement>, isRepeated: Boolean): List<String> =
+        statements.flatMap { statement ->
+            val own = (statement as? Statement.ShowText)?.text?.takeIf { isRepeated }
+            listOfNotNull(own) + statement.bodies.flatMap { shown(it, isRepeated || statement is Statement.Loop) }
+        }
 
     private fun letter(character: Char): Char = when (character) {
         in 'a'..'z' -> character - ('a' - 'A')

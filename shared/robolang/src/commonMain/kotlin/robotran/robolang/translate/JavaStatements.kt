@@ -25,7 +25,9 @@ internal class JavaStatements(
         names.inScope { write(statements) }
     }
 
-    /** [statements] in the scope that is open, [before] each of them. What can never be reached is written as comments. */
+    /**
+     * [statements] in the scope that is open, [before] each of them. What can never be reached is written as comments.
+     */
     fun write(statements: List<Statement>, before: (Statement) -> Unit = {}) {
         val wasUnreachable = writer.isUnreachable
         for (statement in statements) {
@@ -43,14 +45,31 @@ internal class JavaStatements(
         val line = statement.range.line
         when (statement) {
             is Statement.Loop -> loops.write(statement)
+
             is Statement.If -> choose(statement)
+
             is Statement.Break -> writer.line("break;", line)
+
             is Statement.Continue -> writer.line("continue;", line)
+
             is Statement.Declare -> declare(statement)
-            is Statement.Assign -> writer.line("${target(statement.target)} = ${expressions.text(statement.value)};", line)
+
+            is Statement.Assign -> writer.line(
+                "${target(statement.target)} = ${expressions.text(statement.value)};",
+                line,
+            )
+
             is Statement.Call -> call(statement)
-            is Statement.Return -> writer.line(statement.value?.let { "return ${expressions.text(it)};" } ?: "return;", line)
+
+            is Statement.Return -> writer.line(
+                statement.value?.let {
+                    "return ${expressions.text(it)};"
+                } ?: "return;",
+                line,
+            )
+
             is Statement.Halt -> writer.line("System.exit(0);", line)
+
             else -> commands.write(statement)
         }
     }
@@ -58,7 +77,13 @@ internal class JavaStatements(
     private fun choose(statement: Statement.If) {
         statement.branches.forEachIndexed { index, branch ->
             val opening = "if (${expressions.text(branch.condition)})"
-            if (index == 0) writer.open(opening, branch.range.line) else writer.reopen("else $opening", branch.range.line)
+            if (index ==
+                0
+            ) {
+                writer.open(opening, branch.range.line)
+            } else {
+                writer.reopen("else $opening", branch.range.line)
+            }
             block(branch.body)
         }
         statement.otherwise?.let {
@@ -82,7 +107,8 @@ internal class JavaStatements(
     }
 
     /** [value] as it is written behind the `=` of a declaration. */
-    fun initial(value: Expression): String = if (value is Expression.ListOf) expressions.elements(value) else expressions.text(value)
+    fun initial(value: Expression): String =
+        if (value is Expression.ListOf) expressions.elements(value) else expressions.text(value)
 
     private fun target(target: AssignTarget): String = when (target) {
         is AssignTarget.Variable -> nameOf(target.name)

@@ -1,7 +1,8 @@
 package robotran.robolang.translate
 
 /**
- * The three ways of a kit to do the same: compile [sources], link them, beginning with [mainClass], and send the program to the brick.
+ * The three ways of a kit to do the same: compile [sources], link them, beginning with [mainClass], and send the
+ * program to the brick.
  *
  * @property className what the program is called, and the file of its `.bin`.
  * @property mainClass the same with the package that it is in, if any.

@@ -2,10 +2,7 @@ package robotran.robolang.translate
 
 /** What stands in the files of a kit that are not the program itself. */
 internal object KitTexts {
-    fun readme(
-        className: String,
-        sourceName: String,
-    ): String =
+    fun readme(className: String, sourceName: String): String =
         """
         $className FOR A REAL ROBOT
 

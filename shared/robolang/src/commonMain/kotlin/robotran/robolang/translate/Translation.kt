@@ -7,10 +7,6 @@ package robotran.robolang.translate
  * @property java the whole text, its lines ending in `\n`.
  * @property lineMap which of its lines came from which line of the program.
  */
-class Translation internal constructor(
-    val className: String,
-    val java: String,
-    val lineMap: LineMap,
-) {
+class Translation internal constructor(val className: String, val java: String, val lineMap: LineMap) {
     val fileName: String get() = "$className.java"
 }

@@ -12,7 +12,9 @@ class DocumentedTranslationTest {
     fun `documented Java is what the program above it becomes`() {
         assertTrue(documentedTranslations.size >= 3, "only ${documentedTranslations.size} pieces of Java were found")
         for ((place, java) in documentedTranslations) {
-            val program = documentedPrograms.keys.filter { fileOf(it) == fileOf(place) && lineOf(it) < lineOf(place) }.maxBy(::lineOf)
+            val program = documentedPrograms.keys.filter {
+                fileOf(it) == fileOf(place) && lineOf(it) < lineOf(place)
+            }.maxBy(::lineOf)
             val lines = javaLinesOf(documentedPrograms.getValue(program))
             val shown = java.trimEnd().lines().map { it.trim() }
             val first = lines.indexOf(shown.first()).coerceAtLeast(0)

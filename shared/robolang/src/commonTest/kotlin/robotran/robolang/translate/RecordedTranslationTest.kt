@@ -12,7 +12,11 @@ class RecordedTranslationTest {
         val programs = recordedTranslations.filterKeys { it.endsWith(PROGRAM) }
         assertTrue(programs.size >= 6, "only ${programs.size} recorded programs were found")
         for ((name, source) in programs) {
-            assertEquals(recordedTranslations[name.removeSuffix(PROGRAM) + ".java.txt"], translationOf(source, name).java, name)
+            assertEquals(
+                recordedTranslations[name.removeSuffix(PROGRAM) + ".java.txt"],
+                translationOf(source, name).java,
+                name,
+            )
         }
     }
 

@@ -59,9 +59,8 @@ class ExpressionWriter(private val random: Random, private val known: KnownNames
     fun number(depth: Int = DEEPEST): String = if (random.nextBoolean()) whole(depth) else decimal(depth)
 
     /** With three elements or more. */
-    fun list(depth: Int = DEEPEST): String =
-        known.oneOf(known.lists, random)?.takeIf { random.nextBoolean() }
-            ?: List(random.nextInt(3, 6)) { whole(minOf(depth, 1)) }.toString()
+    fun list(depth: Int = DEEPEST): String = known.oneOf(known.lists, random)?.takeIf { random.nextBoolean() }
+        ?: List(random.nextInt(3, 6)) { whole(minOf(depth, 1)) }.toString()
 
     /** One that is not plainly less than 0. */
     fun positive(): String = pick("0", "3", "1.5", "abs(${number(1)})")

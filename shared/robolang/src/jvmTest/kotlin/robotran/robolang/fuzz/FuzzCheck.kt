@@ -16,7 +16,8 @@ import robotran.robolang.format.formatRobolang
 import robotran.robolang.robot.Calibration
 
 /**
- * What must be true of any text whatever: it can be read, formatted and, if nothing is wrong with it, run, without harm.
+ * What must be true of any text whatever: it can be read, formatted and, if nothing is wrong with it, run, without
+ * harm.
  *
  * @throws IllegalStateException if it is not true of [source].
  */
@@ -29,7 +30,10 @@ fun checkHarmless(source: String) {
     check(formatRobolang(formatted) == FormatResult.Formatted(formatted)) { "Formatted again, it changes: $source" }
 }
 
-/** Runs [program] for at most so many [steps], the clock jumping over every wait; gives how it stands and the calls it has made. */
+/**
+ * Runs [program] for at most so many [steps], the clock jumping over every wait; gives how it stands and the calls it
+ * has made.
+ */
 fun runFor(program: RobolangProgram, steps: Int): Pair<ProgramStatus, List<String>> {
     val rom = CountingRom()
     val run = program.start(rom)
@@ -39,7 +43,11 @@ fun runFor(program: RobolangProgram, steps: Int): Pair<ProgramStatus, List<Strin
         check(run.callStack.isNotEmpty() && run.variables.isNotEmpty()) { "A run has a call stack." }
         when (val now = status) {
             is ProgramStatus.Waiting -> rom.milliseconds = maxOf(now.untilMilliseconds, rom.milliseconds + 1)
-            is ProgramStatus.Failed -> check(now.failure.message.isNotBlank() && now.failure.sourceLine > 0) { "A failure has a place." }
+
+            is ProgramStatus.Failed -> check(now.failure.message.isNotBlank() && now.failure.sourceLine > 0) {
+                "A failure has a place."
+            }
+
             else -> rom.milliseconds++
         }
         if (status is ProgramStatus.Failed || status == ProgramStatus.Ended) return status to rom.calls
@@ -49,18 +57,26 @@ fun runFor(program: RobolangProgram, steps: Int): Pair<ProgramStatus, List<Strin
 
 private fun checkDiagnostics(diagnostics: List<Diagnostic>, lines: List<String>) {
     check(diagnostics.isNotEmpty()) { "Something must be wrong." }
-    check(diagnostics.zipWithNext().all { (first, second) -> first.range.line < second.range.line }) { "One a line, in their order." }
+    check(
+        diagnostics.zipWithNext().all { (first, second) ->
+            first.range.line < second.range.line
+        },
+    ) { "One a line, in their order." }
     for (diagnostic in diagnostics) {
         checkRange(diagnostic.range, lines)
         val range = diagnostic.range
-        check(diagnostic.text == lines[range.line - 1].substring(range.column - 1, range.endColumn - 1)) { "$diagnostic has another text." }
+        check(diagnostic.text == lines[range.line - 1].substring(range.column - 1, range.endColumn - 1)) {
+            "$diagnostic has another text."
+        }
         diagnostic.fix?.let { checkRange(it.range, lines) }
     }
 }
 
 private fun checkRange(range: SourceRange, lines: List<String>) {
     check(range.line in 1..lines.size) { "There is no line ${range.line}." }
-    check(range.column in 1..range.endColumn && range.endColumn <= lines[range.line - 1].length + 1) { "$range is outside its line." }
+    check(range.column in 1..range.endColumn && range.endColumn <= lines[range.line - 1].length + 1) {
+        "$range is outside its line."
+    }
 }
 
 private val CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
@@ -80,7 +96,8 @@ private class CountingRom : Rom {
         calls += "$milliseconds $call $sourceLine"
     }
 
-    override fun readSensor(port: Int, request: SensorRequest): Int = ++readings % (if (request == SensorRequest.BOOLEAN) 2 else 100)
+    override fun readSensor(port: Int, request: SensorRequest): Int =
+        ++readings % (if (request == SensorRequest.BOOLEAN) 2 else 100)
 
     override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) = Unit
 

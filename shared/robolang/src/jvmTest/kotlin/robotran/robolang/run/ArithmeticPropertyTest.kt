@@ -17,35 +17,41 @@ import robotran.robolang.runOn
 import kotlin.random.Random
 
 @OptIn(ExperimentalKotest::class)
-class ArithmeticPropertyTest : StringSpec({
-    val config = PropTestConfig(seed = 2005, iterations = 2_000)
+class ArithmeticPropertyTest :
+    StringSpec({
+        val config = PropTestConfig(seed = 2005, iterations = 2_000)
 
-    "arithmetic is Java's" {
-        checkAll(config, expression()) { (text, value) ->
-            val rom = RecordingRom()
-            val failure = runOn(rom, programOf("var zero = 0\nvar result = $text\nif result == ${value ?: 0}\n  beep\nend"))
-            if (value == null) {
-                (failure != null) shouldBe true
-            } else {
-                failure shouldBe null
-                rom.calls.size shouldBe 1
+        "arithmetic is Java's" {
+            checkAll(config, expression()) { (text, value) ->
+                val rom = RecordingRom()
+                val failure =
+                    runOn(rom, programOf("var zero = 0\nvar result = $text\nif result == ${value ?: 0}\n  beep\nend"))
+                if (value == null) {
+                    (failure != null) shouldBe true
+                } else {
+                    failure shouldBe null
+                    rom.calls.size shouldBe 1
+                }
             }
         }
-    }
 
-    "a small budget does the same at the same times as a large one" {
-        checkAll(PropTestConfig(seed = 2005, iterations = 300), Arb.int(1, 7), Arb.int(0, 400), Arb.int(0, 400)) { steps, left, right ->
-            mistakesOf(BUSY_PROGRAM) shouldBe emptyList()
-            val sensors = listOf(
-                SensorEvent(port = 1, milliseconds = left.toLong(), raw = 20),
-                SensorEvent(port = 1, milliseconds = left + 90L, raw = 900),
-                SensorEvent(port = 3, milliseconds = right.toLong(), raw = 20),
-                SensorEvent(port = 3, milliseconds = right + 90L, raw = 900),
-            )
-            callsOf(sensors, steps) shouldBe callsOf(sensors, 1_000)
+        "a small budget does the same at the same times as a large one" {
+            checkAll(PropTestConfig(seed = 2005, iterations = 300), Arb.int(1, 7), Arb.int(0, 400), Arb.int(0, 400)) {
+                steps,
+                left,
+                right,
+                ->
+                mistakesOf(BUSY_PROGRAM) shouldBe emptyList()
+                val sensors = listOf(
+                    SensorEvent(port = 1, milliseconds = left.toLong(), raw = 20),
+                    SensorEvent(port = 1, milliseconds = left + 90L, raw = 900),
+                    SensorEvent(port = 3, milliseconds = right.toLong(), raw = 20),
+                    SensorEvent(port = 3, milliseconds = right + 90L, raw = 900),
+                )
+                callsOf(sensors, steps) shouldBe callsOf(sensors, 1_000)
+            }
         }
-    }
-})
+    })
 
 private fun callsOf(sensors: List<SensorEvent>, steps: Int): List<RecordedCall> =
     RecordingRom(sensors).also { runOn(it, programOf(BUSY_PROGRAM), steps) }.calls

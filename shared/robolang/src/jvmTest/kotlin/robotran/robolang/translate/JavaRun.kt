@@ -49,7 +49,8 @@ private fun callMain(program: Class<*>) {
 private const val LONGEST_RUN_MILLISECONDS = 600_000L
 
 /** Fresh classes for each run: their fields are those of a program that has just been loaded. */
-private class ClassesOfOneRun(private val classes: Map<String, ByteArray>) : ClassLoader(ClassesOfOneRun::class.java.classLoader) {
+private class ClassesOfOneRun(private val classes: Map<String, ByteArray>) :
+    ClassLoader(ClassesOfOneRun::class.java.classLoader) {
     override fun findClass(name: String): Class<*> {
         val bytes = classes[name] ?: throw ClassNotFoundException(name)
         return defineClass(name, bytes, 0, bytes.size)

@@ -7,8 +7,8 @@ import robotran.robolang.SensorEvent
 import robotran.robolang.messages.EnglishRunMessages
 
 /**
- * Translates, compiles and runs programs beside the interpreter: both must make the same ROM calls at the same times, and with
- * behaviours in the same order.
+ * Translates, compiles and runs programs beside the interpreter: both must make the same ROM calls at the same times,
+ * and with behaviours in the same order.
  *
  * @property programs the programs by name.
  */
@@ -43,7 +43,12 @@ internal class RunComparison(private val programs: Map<String, RobolangProgram>)
         return late in 0..latest(program) && interpreted.copy(milliseconds = translated.milliseconds) == translated
     }
 
-    private fun latest(program: RobolangProgram): Long = if (isReacting(program)) HANDING_BACK_MILLISECONDS * MAX_TAKEOVERS else 0
+    private fun latest(program: RobolangProgram): Long = if (isReacting(program)) {
+        HANDING_BACK_MILLISECONDS *
+            MAX_TAKEOVERS
+    } else {
+        0
+    }
 
     /** The calls of the interpreter, null if it fails, which a brick may not, or goes on for ever without a call. */
     private fun interpret(program: RobolangProgram, sensors: List<SensorEvent>): List<TimedCall>? {

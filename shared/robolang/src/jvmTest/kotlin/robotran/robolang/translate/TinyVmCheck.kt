@@ -25,12 +25,17 @@ import org.apache.bcel.generic.PushInstruction
 /** What the linker of leJOS would say against the class file [bytes], each in a sentence; nothing if it is content. */
 internal fun tinyVmProblems(bytes: ByteArray): List<String> {
     val javaClass = ClassParser(bytes.inputStream(), "memory").parse()
-    return (problemsOf(javaClass) + javaClass.methods.flatMap { problemsOf(it, javaClass) }).map { "${javaClass.className}: $it" }
+    return (
+        problemsOf(javaClass) + javaClass.methods.flatMap {
+            problemsOf(it, javaClass)
+        }
+    ).map { "${javaClass.className}: $it" }
 }
 
 private fun problemsOf(javaClass: JavaClass): List<String> {
     val constants = javaClass.constantPool.constantPool.filter {
-        it is ConstantString || it is ConstantInteger || it is ConstantFloat || it is ConstantLong || it is ConstantDouble
+        it is ConstantString || it is ConstantInteger || it is ConstantFloat || it is ConstantLong ||
+            it is ConstantDouble
     }
     val texts = constants.filterIsInstance<ConstantString>().map { it.getBytes(javaClass.constantPool) }
     return listOfNotNull(
@@ -60,11 +65,25 @@ private fun problemsOf(code: Code, javaClass: JavaClass): List<String> {
         val instruction = handle.instruction
         when {
             instruction.opcode in TinyVmLimits.REFUSED_INSTRUCTIONS -> "the linker refuses ${instruction.name}"
+
             instruction.opcode in TinyVmLimits.UNKNOWN_INSTRUCTIONS -> "the brick does not know ${instruction.name}"
+
             instruction is MULTIANEWARRAY -> "an array of arrays is no list"
-            instruction is CHECKCAST && instruction.getType(constants).signature.startsWith("[") -> "the linker refuses casts to arrays"
-            instruction is INSTANCEOF && instruction.getType(constants).signature.startsWith("[") -> "the linker refuses tests for arrays"
-            instruction is NEWARRAY || instruction is ANEWARRAY -> tooMany("elements", lengthBefore(handle), TinyVmLimits.ARRAY_ELEMENTS)
+
+            instruction is CHECKCAST && instruction.getType(
+                constants,
+            ).signature.startsWith("[") -> "the linker refuses casts to arrays"
+
+            instruction is INSTANCEOF && instruction.getType(
+                constants,
+            ).signature.startsWith("[") -> "the linker refuses tests for arrays"
+
+            instruction is NEWARRAY || instruction is ANEWARRAY -> tooMany(
+                "elements",
+                lengthBefore(handle),
+                TinyVmLimits.ARRAY_ELEMENTS,
+            )
+
             else -> null
         }
     }
@@ -74,4 +93,7 @@ private fun problemsOf(code: Code, javaClass: JavaClass): List<String> {
 private fun lengthBefore(handle: InstructionHandle): Int =
     (handle.prev?.instruction as? ConstantPushInstruction)?.value?.toInt() ?: 0
 
-private fun tooMany(what: String, count: Int, max: Int): String? = "$count $what, of which $max are allowed".takeIf { count > max }
+private fun tooMany(what: String, count: Int, max: Int): String? = "$count $what, of which $max are allowed".takeIf {
+    count >
+        max
+}

@@ -3,15 +3,36 @@ package robotran.robolang.translate
 import org.apache.bcel.Const
 
 /**
- * What the linker of leJOS refuses. Source: `CodeUtilities`, `ClassRecord`, `MethodRecord` and `TinyVMConstants` of `js.tinyvm` in
- * leJOS 3.0, which reads class files with the same library.
+ * What the linker of leJOS refuses. Source: `CodeUtilities`, `ClassRecord`, `MethodRecord` and `TinyVMConstants` of
+ * `js.tinyvm` in leJOS 3.0, which reads class files with the same library.
  */
 internal object TinyVmLimits {
-    /** Arithmetic on long, remainders of decimal numbers, switches, and everything numbered in two bytes where one has to do. */
+    /**
+     * Arithmetic on long, remainders of decimal numbers, switches, and everything numbered in two bytes where one has
+     * to do.
+     */
     val REFUSED_INSTRUCTIONS: Set<Short> = setOf(
-        Const.LOOKUPSWITCH, Const.TABLESWITCH, Const.WIDE, Const.GOTO_W, Const.JSR_W, Const.LDC_W, Const.FREM, Const.DREM,
-        Const.LADD, Const.LSUB, Const.LMUL, Const.LDIV, Const.LREM, Const.LNEG, Const.LCMP,
-        Const.LSHL, Const.LSHR, Const.LUSHR, Const.LAND, Const.LOR, Const.LXOR,
+        Const.LOOKUPSWITCH,
+        Const.TABLESWITCH,
+        Const.WIDE,
+        Const.GOTO_W,
+        Const.JSR_W,
+        Const.LDC_W,
+        Const.FREM,
+        Const.DREM,
+        Const.LADD,
+        Const.LSUB,
+        Const.LMUL,
+        Const.LDIV,
+        Const.LREM,
+        Const.LNEG,
+        Const.LCMP,
+        Const.LSHL,
+        Const.LSHR,
+        Const.LUSHR,
+        Const.LAND,
+        Const.LOR,
+        Const.LXOR,
     )
 
     /** What the virtual machine of 2006 has never heard of. */

@@ -29,7 +29,11 @@ class TinyVmTest {
         for ((statements, problem) in refused) {
             val java = "public class Refused { public static void main(String[] arguments) { $statements } }"
             val problems =
-                tinyVmProblems(LejosCompiler.compile(listOf(Translation("Refused", java, LineMap(emptyList())))).getValue("Refused"))
+                tinyVmProblems(
+                    LejosCompiler.compile(
+                        listOf(Translation("Refused", java, LineMap(emptyList()))),
+                    ).getValue("Refused"),
+                )
             assertContains(problems.joinToString("\n"), problem)
         }
     }

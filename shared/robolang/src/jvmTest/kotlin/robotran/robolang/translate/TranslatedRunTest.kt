@@ -35,7 +35,8 @@ class TranslatedRunTest {
     fun `programs made at random do the same in Java, and the linker of leJOS takes them`() {
         val programs = (0 until RANDOM_PROGRAMS).associate { number ->
             val text = ProgramWriter(Random(number)).write()
-            "program $number" to assertIs<RobolangResult.Ready>(compileRobolang("random", text, testCalibration), text).program
+            "program $number" to
+                assertIs<RobolangResult.Ready>(compileRobolang("random", text, testCalibration), text).program
         }
         val comparison = RunComparison(programs)
         val problems = comparison.classes.filterKeys { it.startsWith("P") }.values.flatMap(::tinyVmProblems)
@@ -50,7 +51,9 @@ class TranslatedRunTest {
     private fun compare(wanted: (RobolangProgram) -> Boolean): Int {
         val programs = translatablePrograms.filterValues(wanted) - UNCERTAIN
         val comparison = RunComparison(programs)
-        val compared = programs.keys.map { path -> comparison.compare(path, Expectations(texts.getValue(path)).sensors) }
+        val compared = programs.keys.map { path ->
+            comparison.compare(path, Expectations(texts.getValue(path)).sensors)
+        }
         assertEquals("", compared.filterIsInstance<Comparison.Different>().joinToString("\n\n") { it.words })
         return compared.count { it == Comparison.Same }
     }
@@ -59,6 +62,10 @@ class TranslatedRunTest {
         const val RANDOM_PROGRAMS = 500
 
         /** Their conditions hold for no time at all: whether a brick notices is a matter of luck. */
-        val UNCERTAIN = setOf("behaviours/interrupts-between-statements.robo", "behaviours/an-action-that-ends-its-own-condition.robo")
+        val UNCERTAIN =
+            setOf(
+                "behaviours/interrupts-between-statements.robo",
+                "behaviours/an-action-that-ends-its-own-condition.robo",
+            )
     }
 }

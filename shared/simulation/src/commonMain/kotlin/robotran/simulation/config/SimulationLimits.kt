@@ -12,9 +12,10 @@ internal object SimulationLimits {
     const val PHYSICS_STEP_SECONDS = TICKS_PER_PHYSICS_STEP * TICK_SECONDS
 
     /**
-     * dyn4j works in centimetres, the unit of everything else, so nothing is rounded on the way. Its own tolerance of 0.005 is made for
-     * metres and would be far finer than needed; 0.02 is 0.2 mm, less than a pencil line, and keeps a robot that pushes against
-     * a wall touching it. Solving a step in two halves keeps the robot at full speed from getting more than 0.8 mm into a wall.
+     * dyn4j works in centimetres, the unit of everything else, so nothing is rounded on the way. Its own tolerance of
+     * 0.005 is made for metres and would be far finer than needed; 0.02 is 0.2 mm, less than a pencil line, and keeps a
+     * robot that pushes against a wall touching it. Solving a step in two halves keeps the robot at full speed from
+     * getting more than 0.8 mm into a wall.
      */
     val PHYSICS = PhysicsSettings(
         stepSeconds = PHYSICS_STEP_SECONDS,
@@ -36,7 +37,10 @@ internal object SimulationLimits {
     /** How far the drawn line may lie beside the pen's real way, in centimetres: a small part of the pen's line. */
     const val INK_TOLERANCE = 0.005
 
-    /** Corners of all strokes together, enough for days of drawing by hand; whatever is drawn after that is measured but not kept. */
+    /**
+     * Corners of all strokes together, enough for days of drawing by hand; whatever is drawn after that is measured but
+     * not kept.
+     */
     const val MAXIMUM_INK_POINTS = 200_000
 
     /** Corners of all trails together; how robots drive on after that is not remembered. */

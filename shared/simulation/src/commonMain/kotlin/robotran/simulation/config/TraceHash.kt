@@ -3,8 +3,8 @@ package robotran.simulation.config
 import robotran.rcxrom.log.RomLogEntry
 
 /**
- * A hash of 64 bits over the numbers added. Each is multiplied in as in FNV-1a, but whole instead of byte by byte, and folded over so that its upper half counts for
- * the lower one, too.
+ * A hash of 64 bits over the numbers added. Each is multiplied in as in FNV-1a, but whole instead of byte by byte, and
+ * folded over so that its upper half counts for the lower one, too.
  */
 internal class TraceHash {
     private var hash = OFFSET_BASIS

@@ -8,12 +8,7 @@ package robotran.simulation.explain
  * @property amount how much it did, in the unit of [cause].
  * @property sentence the same for a pupil.
  */
-data class DeviationCause(
-    val robot: String,
-    val cause: Cause,
-    val amount: Double,
-    val sentence: String,
-)
+data class DeviationCause(val robot: String, val cause: Cause, val amount: Double, val sentence: String)
 
 /** What can make a robot stray. */
 enum class Cause {

@@ -21,8 +21,17 @@ internal class Explanation(
     private val right = machine.rightWheel.account
 
     fun influences(): List<DeviationCause> = listOfNotNull(
-        startPlace(), startHeading(), strength(leftMotor = true), strength(leftMotor = false), flutter(), slip(), battery(), spin(),
-        lightBias(), lightNoise(), bounce(),
+        startPlace(),
+        startHeading(),
+        strength(leftMotor = true),
+        strength(leftMotor = false),
+        flutter(),
+        slip(),
+        battery(),
+        spin(),
+        lightBias(),
+        lightNoise(),
+        bounce(),
     )
 
     private fun startPlace() = length(machine.start.x - place.start.x, machine.start.y - place.start.y).let {
@@ -55,7 +64,13 @@ internal class Explanation(
         told(Cause.BATTERY, it, MIN_LENGTH) { messages.battery(text(machine.battery.volts), text(it)) }
     }
 
-    private fun lightBias() = told(Cause.LIGHT_BIAS, lightBias, MIN_RAW) { messages.lightBias(text(lightBias), dark = lightBias > 0) }
+    private fun lightBias() = told(Cause.LIGHT_BIAS, lightBias, MIN_RAW) {
+        messages.lightBias(
+            text(lightBias),
+            dark =
+                lightBias > 0,
+        )
+    }
 
     private fun lightNoise() = (realism * Realism.LIGHT_NOISE).let {
         told(Cause.LIGHT_NOISE, it, MIN_RAW) { messages.lightNoise(text(it)) }

@@ -48,25 +48,30 @@ internal object EnglishInfluenceMessages : InfluenceMessages {
         "It looked $degrees degrees too far to the ${side(left)} when it was put down."
 
     override fun strength(leftMotor: Boolean, weak: Boolean, perCent: String, centimetres: String) =
-        "The ${side(leftMotor)} motor is $perCent % too ${if (weak) "weak" else "strong"}: its wheel rolled $centimetres cm ${if (weak) "less" else "more"} than it should."
+        "The ${side(leftMotor)} motor is $perCent % too ${if (weak) "weak" else "strong"}: its wheel rolled " +
+            "$centimetres cm ${if (weak) "less" else "more"} than it should."
 
     override fun flutter(centimetres: String, degrees: String, left: Boolean) =
-        "The motors' speeds flutter: one wheel rolled $centimetres cm more by that, which turned the robot $degrees degrees to the ${side(left)}."
+        "The motors' speeds flutter: one wheel rolled $centimetres cm more by that, which turned the robot $degrees " +
+            "degrees to the ${side(left)}."
 
-    override fun slip(centimetres: String) = "The wheels slipped a little on the floor and lost $centimetres cm together."
+    override fun slip(centimetres: String) =
+        "The wheels slipped a little on the floor and lost $centimetres cm together."
 
-    override fun spin(centimetres: String) = "The wheels turned $centimetres cm without grip, because something held the robot."
+    override fun spin(centimetres: String) =
+        "The wheels turned $centimetres cm without grip, because something held the robot."
 
     override fun battery(volts: String, centimetres: String) =
         "The batteries are down to $volts volts: each wheel rolled $centimetres cm less than with fresh ones."
 
-    override fun lightBias(raw: String, dark: Boolean) =
-        "The light sensor measures $raw raw units too ${if (dark) "much, so everything looks darker" else "little, so everything looks lighter"} to it than it is."
+    override fun lightBias(raw: String, dark: Boolean) = "The light sensor measures $raw raw units too " +
+        "${if (dark) "much, so everything looks darker" else "little, so everything looks lighter"} to it than it is."
 
     override fun lightNoise(raw: String) = "The light sensor's readings flicker by about $raw raw units."
 
     override fun bounce(times: Int) =
-        "The switches of the bumpers bounced ${if (times == 1) "once" else "$times times"} when they were hit or let go."
+        "The switches of the bumpers bounced ${if (times == 1) "once" else "$times times"} when they were hit or let " +
+            "go."
 
     private fun side(left: Boolean) = if (left) "left" else "right"
 }

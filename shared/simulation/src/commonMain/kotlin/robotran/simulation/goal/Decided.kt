@@ -9,7 +9,10 @@ import robotran.world.HasParts
 internal fun isDecided(goal: Goal, progress: GoalProgress): Boolean {
     val condition = goal.condition
     if (condition is HasParts && !condition.needsAll) {
-        return partsOf(condition, progress).run { any { isMetForGood(it.first, it.second) } || all { isDecided(it.first, it.second) } }
+        return partsOf(condition, progress).run {
+            any { isMetForGood(it.first, it.second) } ||
+                all { isDecided(it.first, it.second) }
+        }
     }
     return progress.status == GoalStatus.FAILED || isMetForGood(goal, progress)
 }
@@ -24,4 +27,5 @@ private fun isMetForGood(goal: Goal, progress: GoalProgress): Boolean {
     }
 }
 
-private fun partsOf(condition: HasParts, progress: GoalProgress): List<Pair<Goal, GoalProgress>> = condition.goals.zip(progress.parts)
+private fun partsOf(condition: HasParts, progress: GoalProgress): List<Pair<Goal, GoalProgress>> =
+    condition.goals.zip(progress.parts)

@@ -12,7 +12,8 @@ object EnglishGoalMessages : GoalMessages {
         return "$verb $all${name(who)} ${if (whole) "into" else "to"} ${name(region)}${within(within)}$end."
     }
 
-    override fun stayOut(who: Mover, region: Region, whole: Boolean) = "Keep ${part(who, whole)} out of ${name(region)}."
+    override fun stayOut(who: Mover, region: Region, whole: Boolean) =
+        "Keep ${part(who, whole)} out of ${name(region)}."
 
     override fun stayIn(who: Mover, region: Region, whole: Boolean) = "Keep ${part(who, whole)} in ${name(region)}."
 
@@ -85,7 +86,8 @@ object EnglishGoalMessages : GoalMessages {
 
     private fun display(who: Mover) = if (who == Mover.OwnRobot) "the display" else "the display of ${name(who)}"
 
-    private fun name(region: Region): String = region.name?.let { "the area \"$it\"" } ?: "the marked area ${name(region.place)}"
+    private fun name(region: Region): String =
+        region.name?.let { "the area \"$it\"" } ?: "the marked area ${name(region.place)}"
 
     private fun name(place: PaperPlace): String = when (place) {
         PaperPlace.TOP_LEFT -> "at the top left"

@@ -15,7 +15,14 @@ internal class FollowLineEvaluator(
     private val actor: Actor.OfRobots,
     line: MarkFigure.Line,
 ) : SingleGoalEvaluator(sentence) {
-    private val laps = if (line.closed) Rounds(ArcLengthPath(line).length, goal) else EndToEnd(ArcLengthPath(line).length, goal)
+    private val laps = if (line.closed) {
+        Rounds(
+            ArcLengthPath(line).length,
+            goal,
+        )
+    } else {
+        EndToEnd(ArcLengthPath(line).length, goal)
+    }
     private val tracker = LineTracker(ArcLengthPath(line), goal.tolerance, laps)
 
     override fun look(scene: Scene) {
@@ -26,17 +33,22 @@ internal class FollowLineEvaluator(
 }
 
 /** Null if there is no such line, or it leads nowhere. */
-internal fun followLineEvaluator(sentence: String, goal: GoalCondition.FollowLine, actor: Actor.OfRobots, world: World): GoalEvaluator? =
-    world.marks.find { it.name == goal.line && it.isWay() }?.let {
-        FollowLineEvaluator(sentence, goal, actor, it.figure as MarkFigure.Line)
-    }
+internal fun followLineEvaluator(
+    sentence: String,
+    goal: GoalCondition.FollowLine,
+    actor: Actor.OfRobots,
+    world: World,
+): GoalEvaluator? = world.marks.find { it.name == goal.line && it.isWay() }?.let {
+    FollowLineEvaluator(sentence, goal, actor, it.figure as MarkFigure.Line)
+}
 
 /** Whether it leads from somewhere to somewhere else. */
-private fun Mark.isWay() = (figure as? MarkFigure.Line)?.let { line -> line.points.any { it != line.points.first() } } == true
+private fun Mark.isWay() =
+    (figure as? MarkFigure.Line)?.let { line -> line.points.any { it != line.points.first() } } == true
 
 /**
- * Knows where on a line somebody is who goes along it. Where the line comes near itself or crosses itself, he is where he can have come to
- * from where he was.
+ * Knows where on a line somebody is who goes along it. Where the line comes near itself or crosses itself, he is where
+ * he can have come to from where he was.
  *
  * @param tolerance how far he may be beside the line.
  * @param laps is told of his way.
@@ -83,7 +95,9 @@ internal class LineTracker(private val way: ArcLengthPath, private val tolerance
     }
 
     private companion object {
-        /** How far along the line he can come in one look: round a bend of 60 degrees that he cuts within the tolerance. */
+        /**
+         * How far along the line he can come in one look: round a bend of 60 degrees that he cuts within the tolerance.
+         */
         const val REACH_IN_TOLERANCES = 4.0
         const val MIN_REACHES_IN_LINE = 4.0
 
@@ -95,7 +109,9 @@ internal class LineTracker(private val way: ArcLengthPath, private val tolerance
     }
 }
 
-/** A line as a way with places from 0 to its [length]; on a closed one the places go on with every round, and below 0. */
+/**
+ * A line as a way with places from 0 to its [length]; on a closed one the places go on with every round, and below 0.
+ */
 internal class ArcLengthPath(line: MarkFigure.Line) {
     private val isClosed = line.closed
     private val corners = (if (isClosed) line.points + line.points.first() else line.points).withoutRepetition()
@@ -110,14 +126,21 @@ internal class ArcLengthPath(line: MarkFigure.Line) {
 
     class Nearest(val at: Double, val distance: Double)
 
-    /** The place from [from] to [to] that is nearest to [place]; these may be beyond the ends of an open line, but not both. */
+    /**
+     * The place from [from] to [to] that is nearest to [place]; these may be beyond the ends of an open line, but not
+     * both.
+     */
     fun nearest(place: Point, from: Double, to: Double): Nearest {
         var offset = if (isClosed) kotlin.math.floor(from / length) * length else 0.0
         var number = pieceAt(from - offset)
         var nearest: Nearest? = null
         while (offset + places[number] <= to) {
             val candidate = nearestOfPiece(number, place, from - offset, to - offset)
-            if (nearest == null || candidate.distance < nearest.distance) nearest = Nearest(offset + candidate.at, candidate.distance)
+            if (nearest == null ||
+                candidate.distance < nearest.distance
+            ) {
+                nearest = Nearest(offset + candidate.at, candidate.distance)
+            }
             number++
             if (number == corners.size - 1) {
                 if (!isClosed) break
@@ -135,7 +158,10 @@ internal class ArcLengthPath(line: MarkFigure.Line) {
         val directionX = (end.x - begin.x) / along
         val directionY = (end.y - begin.y) / along
         val foot = (place.x - begin.x) * directionX + (place.y - begin.y) * directionY
-        val at = foot.coerceIn(0.0, along).coerceAtMost(to - places[number]).coerceAtLeast(minOf(from - places[number], along))
+        val at = foot.coerceIn(
+            0.0,
+            along,
+        ).coerceAtMost(to - places[number]).coerceAtLeast(minOf(from - places[number], along))
         return Nearest(
             places[number] + at,
             length(place.x - begin.x - at * directionX, place.y - begin.y - at * directionY),
@@ -156,6 +182,9 @@ internal class ArcLengthPath(line: MarkFigure.Line) {
     private companion object {
         fun way(from: Point, to: Point) = length(to.x - from.x, to.y - from.y)
 
-        fun List<Point>.withoutRepetition() = filterIndexed { number, point -> number == 0 || way(this[number - 1], point) > 0.0 }
+        fun List<Point>.withoutRepetition() = filterIndexed { number, point ->
+            number == 0 ||
+                way(this[number - 1], point) > 0.0
+        }
     }
 }

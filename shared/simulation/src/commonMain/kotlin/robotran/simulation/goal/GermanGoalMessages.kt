@@ -4,7 +4,10 @@ import robotran.language.listed
 import robotran.language.withComma
 import robotran.world.TouchKind
 
-/** The goals in German; one thing has one word: area - Bereich, barrier - Hindernis, block - Klotz, line - Linie, template - Vorlage. */
+/**
+ * The goals in German; one thing has one word: area - Bereich, barrier - Hindernis, block - Klotz, line - Linie,
+ * template - Vorlage.
+ */
 object GermanGoalMessages : GoalMessages {
     override fun reach(who: Mover, region: Region, whole: Boolean, within: Int?, stays: Boolean): String {
         val verb = if (who is Mover.Block) "Schieb" else "Bring"
@@ -13,7 +16,8 @@ object GermanGoalMessages : GoalMessages {
         return "$verb ${accusative(who)}${within(within)} $way$end."
     }
 
-    override fun stayOut(who: Mover, region: Region, whole: Boolean) = "Halt ${part(who, whole)} aus dem ${named(region)} heraus."
+    override fun stayOut(who: Mover, region: Region, whole: Boolean) =
+        "Halt ${part(who, whole)} aus dem ${named(region)} heraus."
 
     override fun stayIn(who: Mover, region: Region, whole: Boolean) = "Halt ${part(who, whole)} im ${named(region)}."
 
@@ -103,7 +107,8 @@ object GermanGoalMessages : GoalMessages {
     private fun part(who: Mover, whole: Boolean) = if (whole) "jeden Teil ${genitive(who)}" else accusative(who)
 
     /** Behind an article in the dative or the accusative. */
-    private fun named(region: Region): String = region.name?.let { "Bereich \"$it\"" } ?: "markierten Bereich ${name(region.place)}"
+    private fun named(region: Region): String =
+        region.name?.let { "Bereich \"$it\"" } ?: "markierten Bereich ${name(region.place)}"
 
     private fun name(place: PaperPlace): String = when (place) {
         PaperPlace.TOP_LEFT -> "oben links"

@@ -12,7 +12,10 @@ internal interface GoalEvaluator {
     /** Whether a goal that comes after this one may be begun. */
     val letsNextBegin: Boolean
 
-    /** The goal's turn has come in the middle of the run; what was before does not count. Not called if it counts from the beginning. */
+    /**
+     * The goal's turn has come in the middle of the run; what was before does not count. Not called if it counts from
+     * the beginning.
+     */
     fun begin(scene: Scene)
 
     fun observe(scene: Scene)
@@ -55,10 +58,20 @@ internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
     /** @param share how much of it is done, whatever its size; what is there already if null. */
     protected fun tell(status: GoalStatus, share: Double? = null) {
         val shown = if (status == GoalStatus.MET) 1.0 else share?.let(::belowOne) ?: belowOne(progress.progress)
-        if (status != progress.status || shown != progress.progress) progress = progress.copy(status = status, progress = shown)
+        if (status != progress.status ||
+            shown != progress.progress
+        ) {
+            progress = progress.copy(status = status, progress = shown)
+        }
     }
 
-    private fun belowOne(share: Double): Double = if (share > 0.0) minOf(floor(share * HUNDRED), HUNDRED - 1) / HUNDRED else 0.0
+    private fun belowOne(share: Double): Double = if (share >
+        0.0
+    ) {
+        minOf(floor(share * HUNDRED), HUNDRED - 1) / HUNDRED
+    } else {
+        0.0
+    }
 
     private companion object {
         const val HUNDRED = 100.0

@@ -11,7 +11,10 @@ internal class GoalEvaluators(
     private val messages: GoalMessages,
     private val parts: SentenceParts,
 ) {
-    /** The one for [goal]; its sentence is what the world's author says or, where he says nothing, made from the condition's figures. */
+    /**
+     * The one for [goal]; its sentence is what the world's author says or, where he says nothing, made from the
+     * condition's figures.
+     */
     fun of(goal: Goal): GoalEvaluator {
         val sentence = goal.says ?: sentenceOf(goal.condition)
         return evaluatorOf(goal.condition, sentence) ?: UnsatisfiableGoal(sentence)
@@ -20,18 +23,36 @@ internal class GoalEvaluators(
     /** Null if somebody or something that [condition] is about is not there. */
     private fun evaluatorOf(condition: GoalCondition, sentence: String): GoalEvaluator? = with(condition) {
         when (this) {
-            is GoalCondition.Reach -> places.actor(who)?.let { ReachEvaluator(sentence, this, it, places.region(region)) }
-            is GoalCondition.StayOut -> places.actor(who)?.let { StayOutEvaluator(sentence, this, it, places.region(region)) }
-            is GoalCondition.StayIn -> places.actor(who)?.let { StayInEvaluator(sentence, this, it, places.region(region)) }
+            is GoalCondition.Reach -> places.actor(who)?.let {
+                ReachEvaluator(sentence, this, it, places.region(region))
+            }
+
+            is GoalCondition.StayOut -> places.actor(who)?.let {
+                StayOutEvaluator(sentence, this, it, places.region(region))
+            }
+
+            is GoalCondition.StayIn -> places.actor(who)?.let {
+                StayInEvaluator(sentence, this, it, places.region(region))
+            }
+
             is GoalCondition.NeverTouch -> places.robot(who)?.let { NeverTouchEvaluator(sentence, this, it) }
+
             is GoalCondition.DrawTemplate -> world.template?.let { DrawTemplateEvaluator(sentence, this, it) }
+
             is GoalCondition.InkLength -> InkLengthEvaluator(sentence, this)
+
             is GoalCondition.FollowLine -> places.robot(who)?.let { followLineEvaluator(sentence, this, it, world) }
+
             is GoalCondition.EndWithin -> places.robot(who)?.let { EndWithinEvaluator(sentence, this, it) }
+
             is GoalCondition.ShowOnDisplay -> places.robot(who)?.let { ShowOnDisplayEvaluator(sentence, this, it) }
+
             is GoalCondition.PlaySound -> places.robot(who)?.let { PlaySoundEvaluator(sentence, this, it) }
+
             is GoalCondition.InOrder -> InOrderEvaluator(sentence, goals.map(::of))
+
             is GoalCondition.All -> AllEvaluator(sentence, goals.map(::of))
+
             is GoalCondition.AnyOf -> AnyOfEvaluator(sentence, goals.map(::of))
         }
     }
@@ -39,17 +60,35 @@ internal class GoalEvaluators(
     private fun sentenceOf(condition: GoalCondition): String = with(condition) {
         when (this) {
             is GoalCondition.Reach -> messages.reach(parts.mover(who), parts.region(region), whole, within, stays)
+
             is GoalCondition.StayOut -> messages.stayOut(parts.mover(who), parts.region(region), whole)
+
             is GoalCondition.StayIn -> messages.stayIn(parts.mover(who), parts.region(region), whole)
+
             is GoalCondition.NeverTouch -> messages.neverTouch(parts.mover(who), what.sorted())
+
             is GoalCondition.DrawTemplate -> messages.drawTemplate(number(tolerance), percent(coverage))
+
             is GoalCondition.InkLength -> messages.inkLength(minOf(this)?.let(::number), atMost?.let(::number))
-            is GoalCondition.FollowLine -> messages.followLine(parts.mover(who), parts.lineName(line), parts.isClosed(line), laps, within)
+
+            is GoalCondition.FollowLine -> messages.followLine(
+                parts.mover(who),
+                parts.lineName(line),
+                parts.isClosed(line),
+                laps,
+                within,
+            )
+
             is GoalCondition.EndWithin -> messages.endWithin(parts.mover(who), seconds)
+
             is GoalCondition.ShowOnDisplay -> messages.showOnDisplay(parts.mover(who), text.trim())
+
             is GoalCondition.PlaySound -> messages.playSound(parts.mover(who), times, lowest, highest)
+
             is GoalCondition.InOrder -> messages.inOrder()
+
             is GoalCondition.All -> messages.all()
+
             is GoalCondition.AnyOf -> messages.anyOf()
         }
     }

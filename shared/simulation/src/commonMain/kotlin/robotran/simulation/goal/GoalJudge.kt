@@ -7,13 +7,11 @@ import robotran.world.World
 import robotran.world.geometry.Trigonometry
 
 /** Judges how far the goals of [world] are met in one run, from its beginning. */
-internal class GoalJudge(
-    world: World,
-    trigonometry: Trigonometry,
-    messages: GoalMessages = EnglishGoalMessages,
-) {
+internal class GoalJudge(world: World, trigonometry: Trigonometry, messages: GoalMessages = EnglishGoalMessages) {
     private val places = Places(world, trigonometry)
-    private val evaluators = GoalEvaluators(world, places, messages, SentenceParts(world, trigonometry)).let { world.goals.map(it::of) }
+    private val evaluators = GoalEvaluators(world, places, messages, SentenceParts(world, trigonometry)).let {
+        world.goals.map(it::of)
+    }
     private var isOver = false
 
     /** How the world's goals stand, in its order; the same list as long as nothing changes. */
@@ -42,6 +40,9 @@ internal class GoalJudge(
     }
 
     private fun tell() {
-        if (evaluators.indices.any { evaluators[it].progress !== progress[it] }) progress = evaluators.map { it.progress }
+        if (evaluators.indices.any { evaluators[it].progress !== progress[it] }) {
+            progress =
+                evaluators.map { it.progress }
+        }
     }
 }

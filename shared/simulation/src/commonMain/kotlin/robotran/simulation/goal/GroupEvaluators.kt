@@ -5,7 +5,8 @@ import robotran.simulation.state.GoalStatus
 import kotlin.math.floor
 
 /** Judges a goal that is made of others. */
-internal abstract class GroupEvaluator(private val sentence: String, protected val parts: List<GoalEvaluator>) : GoalEvaluator {
+internal abstract class GroupEvaluator(private val sentence: String, protected val parts: List<GoalEvaluator>) :
+    GoalEvaluator {
     final override var progress = GoalProgress(sentence, GoalStatus.PENDING, 0.0, parts.map { it.progress })
         private set
 

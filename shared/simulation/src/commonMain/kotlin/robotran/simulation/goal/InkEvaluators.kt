@@ -6,7 +6,8 @@ import robotran.world.GoalCondition
 import robotran.world.Template
 
 /** Has so much been drawn? */
-internal class InkLengthEvaluator(sentence: String, private val goal: GoalCondition.InkLength) : SingleGoalEvaluator(sentence) {
+internal class InkLengthEvaluator(sentence: String, private val goal: GoalCondition.InkLength) :
+    SingleGoalEvaluator(sentence) {
     private val atLeast = goal.atLeast ?: 0.0
     private var lengthAtStart = 0.0
     private var isEnough = false
@@ -39,9 +40,16 @@ internal class DrawTemplateEvaluator(
     private val tracing = Tracing(template, goal.tolerance)
     private var seen: Ink? = null
 
-    override val letsNextBegin: Boolean get() = tracing.coverage >= goal.coverage && progress.status != GoalStatus.FAILED
+    override val letsNextBegin: Boolean get() = tracing.coverage >= goal.coverage &&
+        progress.status != GoalStatus.FAILED
 
-    override val statusAtEnd: GoalStatus get() = if (tracing.coverage >= goal.coverage) GoalStatus.MET else GoalStatus.FAILED
+    override val statusAtEnd: GoalStatus get() = if (tracing.coverage >=
+        goal.coverage
+    ) {
+        GoalStatus.MET
+    } else {
+        GoalStatus.FAILED
+    }
 
     override fun look(scene: Scene) {
         val ink = scene.state.ink

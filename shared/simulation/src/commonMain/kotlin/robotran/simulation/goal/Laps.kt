@@ -56,7 +56,8 @@ internal class Rounds(private val length: Double, goal: GoalCondition.FollowLine
 internal class EndToEnd(length: Double, private val goal: GoalCondition.FollowLine) : Laps() {
     /** The robot may begin with its pen at the end, and it leaves the line when its sensor comes beyond the other. */
     private val wanted =
-        length - minOf(Penbot.LIGHT_SENSOR_PLACE + goal.tolerance, length / MIN_PARTS) - minOf(goal.tolerance, length / MIN_PARTS)
+        length - minOf(Penbot.LIGHT_SENSOR_PLACE + goal.tolerance, length / MIN_PARTS) -
+            minOf(goal.tolerance, length / MIN_PARTS)
     private var legs = 0
     private var advance = Advance()
     private var mayGoUp = true

@@ -6,11 +6,13 @@ import robotran.world.geometry.cross
 import robotran.world.geometry.length
 
 /** How far a place is from what is in the outline, 0 in it. */
-internal fun Outline.distanceTo(place: Point): Double = if (contains(place.x, place.y)) 0.0 else distanceToEdge(place.x, place.y)
+internal fun Outline.distanceTo(place: Point): Double =
+    if (contains(place.x, place.y)) 0.0 else distanceToEdge(place.x, place.y)
 
 /** Whether all of this is in [region], edges together included. */
 internal fun Outline.isInside(region: Outline): Boolean = when (this) {
-    is Outline.Round -> region.contains(centre.x, centre.y) && region.distanceToEdge(centre.x, centre.y) >= radius - TOLERANCE
+    is Outline.Round -> region.contains(centre.x, centre.y) &&
+        region.distanceToEdge(centre.x, centre.y) >= radius - TOLERANCE
 
     is Outline.Angular -> corners.all { region.distanceTo(it) <= TOLERANCE } &&
         (region is Outline.Round || !crosses(region as Outline.Angular))
@@ -22,7 +24,10 @@ internal fun Outline.meets(region: Outline): Boolean = when {
 
     bounds.top < region.bounds.bottom || bounds.bottom > region.bounds.top -> false
 
-    this is Outline.Round && region is Outline.Round -> length(centre.x - region.centre.x, centre.y - region.centre.y) <=
+    this is Outline.Round && region is Outline.Round -> length(
+        centre.x - region.centre.x,
+        centre.y - region.centre.y,
+    ) <=
         radius + region.radius
 
     this is Outline.Round -> region.distanceTo(centre) <= radius
@@ -36,12 +41,11 @@ private fun Outline.Angular.meetsAngular(region: Outline.Angular): Boolean =
     corners.any { region.contains(it.x, it.y) } || region.corners.any { contains(it.x, it.y) } || crosses(region)
 
 /** Whether an edge of one goes through an edge of the other. */
-private fun Outline.Angular.crosses(other: Outline.Angular): Boolean =
-    corners.indices.any { number ->
-        val from = corners[number]
-        val to = corners[(number + 1) % corners.size]
-        other.corners.indices.any { cross(from, to, other.corners[it], other.corners[(it + 1) % other.corners.size]) }
-    }
+private fun Outline.Angular.crosses(other: Outline.Angular): Boolean = corners.indices.any { number ->
+    val from = corners[number]
+    val to = corners[(number + 1) % corners.size]
+    other.corners.indices.any { cross(from, to, other.corners[it], other.corners[(it + 1) % other.corners.size]) }
+}
 
 /** A tenth of a millimetre, in centimetres: nobody sees that. */
 private const val TOLERANCE = 0.01

@@ -24,7 +24,17 @@ internal class ReachEvaluator(
         val wasThere = progress.status == GoalStatus.MET
         when {
             isThere && (wasThere || !isTooLate) -> tell(GoalStatus.MET)
-            else -> tell(if (isTooLate) GoalStatus.FAILED else GoalStatus.PENDING, if (atStart > 0) 1 - distance / atStart else 0.0)
+
+            else -> tell(
+                if (isTooLate) GoalStatus.FAILED else GoalStatus.PENDING,
+                if (atStart >
+                    0
+                ) {
+                    1 - distance / atStart
+                } else {
+                    0.0
+                },
+            )
         }
     }
 }
@@ -36,12 +46,11 @@ internal class StayOutEvaluator(
     private val actor: Actor,
     private val region: Outline,
 ) : InvariantEvaluator(sentence) {
-    override fun isBroken(scene: Scene): Boolean =
-        if (goal.whole) {
-            scene.footprint(actor)?.meets(region) == true
-        } else {
-            scene.middle(actor)?.let { region.contains(it.x, it.y) } == true
-        }
+    override fun isBroken(scene: Scene): Boolean = if (goal.whole) {
+        scene.footprint(actor)?.meets(region) == true
+    } else {
+        scene.middle(actor)?.let { region.contains(it.x, it.y) } == true
+    }
 }
 
 /** Has the robot or block never left the region? */
@@ -51,10 +60,9 @@ internal class StayInEvaluator(
     private val actor: Actor,
     private val region: Outline,
 ) : InvariantEvaluator(sentence) {
-    override fun isBroken(scene: Scene): Boolean =
-        if (goal.whole) {
-            scene.footprint(actor)?.isInside(region) == false
-        } else {
-            scene.middle(actor)?.let { region.contains(it.x, it.y) } == false
-        }
+    override fun isBroken(scene: Scene): Boolean = if (goal.whole) {
+        scene.footprint(actor)?.isInside(region) == false
+    } else {
+        scene.middle(actor)?.let { region.contains(it.x, it.y) } == false
+    }
 }

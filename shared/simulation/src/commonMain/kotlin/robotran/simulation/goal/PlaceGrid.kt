@@ -11,7 +11,16 @@ import kotlin.math.floor
 internal class PlaceGrid(private val places: List<Point>, reach: Double) {
     private val left = places.minOfOrNull { it.x } ?: 0.0
     private val bottom = places.minOfOrNull { it.y } ?: 0.0
-    private val cell = maxOf(reach, (places.maxOfOrNull { maxOf(it.x - left, it.y - bottom) } ?: 0.0) / MAX_CELLS_A_SIDE, SMALLEST_CELL)
+    private val cell =
+        maxOf(
+            reach,
+            (
+                places.maxOfOrNull {
+                    maxOf(it.x - left, it.y - bottom)
+                } ?: 0.0
+            ) / MAX_CELLS_A_SIDE,
+            SMALLEST_CELL,
+        )
     private val columns = 1 + (places.maxOfOrNull { columnOf(it.x) } ?: 0)
     private val rows = 1 + (places.maxOfOrNull { rowOf(it.y) } ?: 0)
 
@@ -28,7 +37,10 @@ internal class PlaceGrid(private val places: List<Point>, reach: Double) {
         places.forEachIndexed { number, place -> sorted[next[cellOf(place)]++] = number }
     }
 
-    /** Calls with the numbers of all places that are not further than [distance] from a point; that is the reach at most. */
+    /**
+     * Calls with the numbers of all places that are not further than [distance] from a point; that is the reach at
+     * most.
+     */
     inline fun forEachWithin(x: Double, y: Double, distance: Double, call: (number: Int) -> Unit) {
         for (row in maxOf(0, rowOf(y - distance))..minOf(rows - 1, rowOf(y + distance))) {
             val from = maxOf(0, columnOf(x - distance))

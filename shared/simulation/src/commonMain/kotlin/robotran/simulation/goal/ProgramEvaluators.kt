@@ -63,7 +63,8 @@ internal class PlaySoundEvaluator(
     private var played = 0
 
     override fun look(scene: Scene) {
-        played += scene.newTones.getOrNull(actor.number).orEmpty().count { !it.ofFirmware && it.hertz in lowest..highest }
+        played +=
+            scene.newTones.getOrNull(actor.number).orEmpty().count { !it.ofFirmware && it.hertz in lowest..highest }
         if (played >= goal.times) tell(GoalStatus.MET) else tell(GoalStatus.PENDING, played.toDouble() / goal.times)
     }
 

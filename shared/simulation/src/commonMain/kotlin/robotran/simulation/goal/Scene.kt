@@ -29,11 +29,7 @@ internal sealed interface Actor {
  *
  * @property newTones of each robot, what its program has played since the last look.
  */
-internal class Scene(
-    val state: SessionState,
-    val newTones: List<List<SoundEvent.Tone>>,
-    private val places: Places,
-) {
+internal class Scene(val state: SessionState, val newTones: List<List<SoundEvent.Tone>>, private val places: Places) {
     /** Whether more than [seconds] of the run have gone by; never after null. */
     fun isAfter(seconds: Int?): Boolean = seconds != null && state.milliseconds > seconds * MILLISECONDS_PER_SECOND
 
@@ -51,7 +47,8 @@ internal class Scene(
     fun footprint(actor: Actor): Outline? = pose(actor)?.let { places.footprint(actor, it) }
 
     /** What is under the light sensor of a robot; null if it is nowhere. */
-    fun lightSensor(actor: Actor.OfRobots): Point? = pose(actor)?.let { places.ahead(it, Penbot.LIGHT_SENSOR_PLACE, 0.0) }
+    fun lightSensor(actor: Actor.OfRobots): Point? =
+        pose(actor)?.let { places.ahead(it, Penbot.LIGHT_SENSOR_PLACE, 0.0) }
 
     private fun pose(actor: Actor): Pose? = when (actor) {
         is Actor.OfRobots -> robot(actor)?.robot?.pose
@@ -65,15 +62,23 @@ internal class Places(private val world: World, private val trigonometry: Trigon
     private val footprints = mutableMapOf<Actor, Pair<Pose, Outline>>()
 
     /** The robot or block that goals call [name], or the first robot for null; null if there is none. */
-    fun actor(name: String?): Actor? = robot(name) ?: world.blocks.indexOfFirst { it.name == name }.takeIf { it >= 0 }?.let(Actor::OfBlocks)
+    fun actor(name: String?): Actor? =
+        robot(name) ?: world.blocks.indexOfFirst { it.name == name }.takeIf { it >= 0 }?.let(Actor::OfBlocks)
 
     /** The same for goals that only a robot can reach. */
-    fun robot(name: String?): Actor.OfRobots? =
-        if (name == null) Actor.OfRobots(0) else world.robots.indexOfFirst { it.name == name }.takeIf { it >= 0 }?.let(Actor::OfRobots)
+    fun robot(name: String?): Actor.OfRobots? = if (name ==
+        null
+    ) {
+        Actor.OfRobots(0)
+    } else {
+        world.robots.indexOfFirst { it.name == name }.takeIf { it >= 0 }?.let(Actor::OfRobots)
+    }
 
     fun region(shape: Shape): Outline = shape.outline(trigonometry)
 
-    fun blockCentre(number: Int, moved: Pose): Point = blocks[number].centre.let { Point(it.x + moved.x, it.y + moved.y) }
+    fun blockCentre(number: Int, moved: Pose): Point = blocks[number].centre.let {
+        Point(it.x + moved.x, it.y + moved.y)
+    }
 
     fun footprint(actor: Actor, pose: Pose): Outline {
         val known = footprints[actor]
@@ -98,7 +103,13 @@ internal class Places(private val world: World, private val trigonometry: Trigon
             is Outline.Round -> Outline.Round(centre, outline.radius)
 
             is Outline.Angular -> Outline.Angular(
-                outline.corners.map { ahead(Pose(centre.x, centre.y, moved.heading), it.x - block.centre.x, it.y - block.centre.y) },
+                outline.corners.map {
+                    ahead(
+                        Pose(centre.x, centre.y, moved.heading),
+                        it.x - block.centre.x,
+                        it.y - block.centre.y,
+                    )
+                },
             )
         }
     }

@@ -25,7 +25,8 @@ internal class SentenceParts(private val world: World, private val trigonometry:
     /** The name of the line; null if there is only one. */
     fun lineName(line: String): String? = line.takeIf { lines().size != 1 }
 
-    fun isClosed(line: String): Boolean = lines().find { it.name == line }?.let { (it.figure as MarkFigure.Line).closed } == true
+    fun isClosed(line: String): Boolean =
+        lines().find { it.name == line }?.let { (it.figure as MarkFigure.Line).closed } == true
 
     private fun place(bounds: Bounds): PaperPlace {
         val column = third((bounds.left + bounds.right) / 2, world.paper.width)

@@ -4,7 +4,10 @@ import robotran.language.listed
 import robotran.language.withComma
 import robotran.world.TouchKind
 
-/** The goals in Spanish; one thing has one word: area - zona, barrier - obstáculo, block - bloque, line - línea, template - plantilla. */
+/**
+ * The goals in Spanish; one thing has one word: area - zona, barrier - obstáculo, block - bloque, line - línea,
+ * template - plantilla.
+ */
 object SpanishGoalMessages : GoalMessages {
     override fun reach(who: Mover, region: Region, whole: Boolean, within: Int?, stays: Boolean): String {
         val verb = if (who is Mover.Block) "Empuja" else "Lleva"
@@ -13,13 +16,21 @@ object SpanishGoalMessages : GoalMessages {
         return "$verb ${name(who)}$way ${name(region)}${within(within)}$end."
     }
 
-    override fun stayOut(who: Mover, region: Region, whole: Boolean) = "Mantén ${part(who, whole)} fuera de ${name(region)}."
+    override fun stayOut(who: Mover, region: Region, whole: Boolean) =
+        "Mantén ${part(who, whole)} fuera de ${name(region)}."
 
-    override fun stayIn(who: Mover, region: Region, whole: Boolean) = "Mantén ${part(who, whole)} dentro de ${name(region)}."
+    override fun stayIn(who: Mover, region: Region, whole: Boolean) =
+        "Mantén ${part(who, whole)} dentro de ${name(region)}."
 
     override fun neverTouch(who: Mover, what: List<TouchKind>): String {
         val things = if (what.size == TouchKind.entries.size) "nada" else listed(what.map(::name), "ni")
-        return if (who == Mover.OwnRobot) "No toques nunca $things." else "${capital(name(who))} no debe tocar nunca $things."
+        return if (who ==
+            Mover.OwnRobot
+        ) {
+            "No toques nunca $things."
+        } else {
+            "${capital(name(who))} no debe tocar nunca $things."
+        }
     }
 
     override fun drawTemplate(tolerance: String, coverage: Int) =
@@ -62,7 +73,13 @@ object SpanishGoalMessages : GoalMessages {
             lowest == highest -> " de $lowest hercios"
             else -> " de entre $lowest y $highest hercios"
         }
-        return if (who == Mover.OwnRobot) "Haz sonar $sounds$pitch." else "${capital(name(who))} debe hacer sonar $sounds$pitch."
+        return if (who ==
+            Mover.OwnRobot
+        ) {
+            "Haz sonar $sounds$pitch."
+        } else {
+            "${capital(name(who))} debe hacer sonar $sounds$pitch."
+        }
     }
 
     override fun inOrder() = "Haz esto por orden."
@@ -91,7 +108,8 @@ object SpanishGoalMessages : GoalMessages {
 
     private fun part(who: Mover, whole: Boolean) = if (whole) "todas las partes ${ofName(who)}" else name(who)
 
-    private fun name(region: Region): String = region.name?.let { "la zona \"$it\"" } ?: "la zona marcada ${name(region.place)}"
+    private fun name(region: Region): String =
+        region.name?.let { "la zona \"$it\"" } ?: "la zona marcada ${name(region.place)}"
 
     private fun name(place: PaperPlace): String = when (place) {
         PaperPlace.TOP_LEFT -> "de arriba a la izquierda"

@@ -7,12 +7,20 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.length
 
 /**
- * Compares ink with a template while it is drawn. Both are taken as places at even distances; each place of ink is looked at once, when it is new.
+ * Compares ink with a template while it is drawn. Both are taken as places at even distances; each place of ink is
+ * looked at once, when it is new.
  *
  * @param tolerance how far ink may lie beside the template, in centimetres.
  */
 internal class Tracing(template: Template, private val tolerance: Double) {
-    private val length = template.strokes.sumOf { stroke -> stroke.zipWithNext { from, to -> length(to.x - from.x, to.y - from.y) }.sum() }
+    private val length = template.strokes.sumOf { stroke ->
+        stroke.zipWithNext { from, to ->
+            length(
+                to.x - from.x,
+                to.y - from.y,
+            )
+        }.sum()
+    }
     private val spacing = maxOf(minOf(FINEST_SPACING, tolerance / PLACES_PER_TOLERANCE), length / MAX_PLACES)
     private val places = PlaceGrid(template.strokes.flatMap { evenly(it) }, tolerance)
     private val isCovered = BooleanArray(places.size)
@@ -65,7 +73,10 @@ internal class Tracing(template: Template, private val tolerance: Double) {
 internal class EvenSampling(private val spacing: Double) {
     private var corner = Point(0.0, 0.0)
 
-    /** How far the last place is behind the corner; negative if it lies beyond it, on the piece that is not finished yet. */
+    /**
+     * How far the last place is behind the corner; negative if it lies beyond it, on the piece that is not finished
+     * yet.
+     */
     private var behind = 0.0
 
     fun begin(place: Point) {
@@ -73,7 +84,10 @@ internal class EvenSampling(private val spacing: Double) {
         behind = 0.0
     }
 
-    /** Goes on to [end]; if that is no corner, the piece may still become longer, and the next call is for the same piece. */
+    /**
+     * Goes on to [end]; if that is no corner, the piece may still become longer, and the next call is for the same
+     * piece.
+     */
     inline fun to(end: Point, isCorner: Boolean, call: (x: Double, y: Double) -> Unit) {
         val alongX = end.x - corner.x
         val alongY = end.y - corner.y
@@ -95,7 +109,10 @@ internal class EvenSampling(private val spacing: Double) {
 }
 
 /** Follows strokes while they are drawn; of each pen the last one may still grow, its last point may still move. */
-private class PenFollower(private val spacing: Double, private val inkAt: (x: Double, y: Double, isFirst: Boolean) -> Unit) {
+private class PenFollower(
+    private val spacing: Double,
+    private val inkAt: (x: Double, y: Double, isFirst: Boolean) -> Unit,
+) {
     /** So many strokes at the beginning are finished and done with. */
     private var done = 0
     private val pens = mutableMapOf<Int, Pen>()
@@ -116,7 +133,10 @@ private class PenFollower(private val spacing: Double, private val inkAt: (x: Do
 
     /** One robot's pen. */
     private inner class Pen {
-        /** How many of its strokes behind those that are [done] are finished, and how many of them were met in this round. */
+        /**
+         * How many of its strokes behind those that are [done] are finished, and how many of them were met in this
+         * round.
+         */
         var finished = 0
         var passed = 0
         private val walk = EvenSampling(spacing)

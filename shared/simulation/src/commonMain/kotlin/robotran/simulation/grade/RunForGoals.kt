@@ -14,11 +14,15 @@ import robotran.simulation.state.SessionState
  * - the first robot's program is over and for [QUIET_MILLISECONDS] nothing has moved or sounded any more, or
  * - [milliseconds] have passed.
  *
- * Then the run is over, and its goals are judged. The same programs in the same world give the same grade wherever it is done.
+ * Then the run is over, and its goals are judged. The same programs in the same world give the same grade wherever it
+ * is done.
  *
  * @param milliseconds the world's time limit if not given.
  */
-fun Session.runForGoals(milliseconds: Int = world.timeLimit * MILLISECONDS_PER_SECOND, endsWhenDecided: Boolean = true): Grade {
+fun Session.runForGoals(
+    milliseconds: Int = world.timeLimit * MILLISECONDS_PER_SECOND,
+    endsWhenDecided: Boolean = true,
+): Grade {
     pressRun()
     var left = milliseconds
     var quiet = 0
@@ -27,7 +31,14 @@ fun Session.runForGoals(milliseconds: Int = world.timeLimit * MILLISECONDS_PER_S
         val part = minOf(left, LOOK_MILLISECONDS)
         advance(part)
         left -= part
-        quiet = if (isOver(state) && !hasMoved(before, state) && state.robots.none { it.brick.sounding }) quiet + part else 0
+        quiet =
+            if (isOver(state) && !hasMoved(before, state) &&
+                state.robots.none { it.brick.sounding }
+            ) {
+                quiet + part
+            } else {
+                0
+            }
     }
     finish()
     val goals = state.goals

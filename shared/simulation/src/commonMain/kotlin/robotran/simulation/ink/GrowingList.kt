@@ -16,11 +16,8 @@ internal class GrowingList<T : Any> {
     /** What is in the list now, followed by [extras]; does not change when the list grows. */
     fun view(extras: List<T> = emptyList()): List<T> = View(items, size, extras)
 
-    private class View<T : Any>(
-        private val items: Array<Any?>,
-        private val kept: Int,
-        private val extras: List<T>,
-    ) : AbstractList<T>() {
+    private class View<T : Any>(private val items: Array<Any?>, private val kept: Int, private val extras: List<T>) :
+        AbstractList<T>() {
         override val size = kept + extras.size
 
         override fun get(index: Int): T = if (index in 0..<kept) at(items, index) else extras[index - kept]

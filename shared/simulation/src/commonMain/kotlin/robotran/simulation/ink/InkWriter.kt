@@ -17,11 +17,12 @@ internal class InkWriter(private val paper: Paper, robots: Int) {
 
     /** What has been drawn so far. */
     val ink: Ink
-        get() = snapshot ?: Ink(finished.view(pens.mapNotNull { it.stroke() }), lengthCentimetres).also { snapshot = it }
+        get() = snapshot
+            ?: Ink(finished.view(pens.mapNotNull { it.stroke() }), lengthCentimetres).also { snapshot = it }
 
     /**
-     * The pen of a robot is at [x], [y] now, having come there in a straight line; ink flows if its tip is [down] and there is paper under it. The answer is
-     * the piece that has been drawn by that, if any.
+     * The pen of a robot is at [x], [y] now, having come there in a straight line; ink flows if its tip is [down] and
+     * there is paper under it. The answer is the piece that has been drawn by that, if any.
      */
     fun move(robot: Int, x: Double, y: Double, down: Boolean): Pair<Point, Point>? {
         if (!down || !paper.contains(x, y)) {

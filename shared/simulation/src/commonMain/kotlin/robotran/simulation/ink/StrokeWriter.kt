@@ -8,14 +8,17 @@ import robotran.world.geometry.distance
 import robotran.world.geometry.length
 
 /**
- * One stroke while it is being drawn. Of the places the pen comes through it keeps those where the line bends: from the last kept corner
- * it follows the pen as long as one straight piece stays within [SimulationLimits.INK_TOLERANCE] of every place, which a
- * sector of allowed directions tells without remembering the places.
+ * One stroke while it is being drawn. Of the places the pen comes through it keeps those where the line bends: from the
+ * last kept corner it follows the pen as long as one straight piece stays within [SimulationLimits.INK_TOLERANCE] of
+ * every place, which a sector of allowed directions tells without remembering the places.
  */
 internal class StrokeWriter(start: Point) {
     private val corners = GrowingList<Point>().apply { add(start) }
 
-    /** The end of the piece being drawn, and the directions it may still turn to; null when the pen has not moved away from the last corner. */
+    /**
+     * The end of the piece being drawn, and the directions it may still turn to; null when the pen has not moved away
+     * from the last corner.
+     */
     private var end: Point? = null
     private var leftmost = start
     private var rightmost = start

@@ -14,8 +14,9 @@ internal class TrailWriter(robots: Int) {
 
     /** All pieces up to now; the same list until a robot moves. */
     val pieces: List<TrailPiece>
-        get() = snapshot ?: finished.view(current.mapIndexedNotNull { robot, way -> way?.let { TrailPiece(robot, it.points()) } })
-            .also { snapshot = it }
+        get() = snapshot
+            ?: finished.view(current.mapIndexedNotNull { robot, way -> way?.let { TrailPiece(robot, it.points()) } })
+                .also { snapshot = it }
 
     /** A robot has come to [x], [y]. */
     fun move(robot: Int, x: Double, y: Double) {

@@ -5,7 +5,10 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.distance
 import kotlin.math.floor
 
-/** The ink on the paper as the light sensor sees it: a raster so fine that a pen's line is six cells wide, in tiles that exist where there is ink. */
+/**
+ * The ink on the paper as the light sensor sees it: a raster so fine that a pen's line is six cells wide, in tiles that
+ * exist where there is ink.
+ */
 internal class InkRaster {
     private val tiles = HashMap<Long, LongArray>()
 

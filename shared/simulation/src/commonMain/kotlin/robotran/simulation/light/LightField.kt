@@ -10,7 +10,12 @@ import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.length
 
 /** The lamps and the light around, and how much of it comes to a place. */
-internal class LightField(lamps: List<Lamp>, var ambient: Double, private val physics: PhysicsWorld, trigonometry: Trigonometry) {
+internal class LightField(
+    lamps: List<Lamp>,
+    var ambient: Double,
+    private val physics: PhysicsWorld,
+    trigonometry: Trigonometry,
+) {
     private val cones = lamps.map { Cone(it, trigonometry) }
 
     /** How the lamps stand and shine now, in the world's order. */
@@ -57,8 +62,18 @@ internal class LightField(lamps: List<Lamp>, var ambient: Double, private val ph
         return Light.OWN_LAMP * Light.THINGS * part * part
     }
 
-    /** @param body whose robot is not in the way; with [NOBODY_IN_THE_WAY] no other is either: a beacon stands above all robots. */
-    private fun arriving(place: Point, cosine: Double, sine: Double, lamp: Point, brightness: Double, body: Int): Double {
+    /**
+     * @param body whose robot is not in the way; with [NOBODY_IN_THE_WAY] no other is either: a beacon stands above all
+     * robots.
+     */
+    private fun arriving(
+        place: Point,
+        cosine: Double,
+        sine: Double,
+        lamp: Point,
+        brightness: Double,
+        body: Int,
+    ): Double {
         val wayX = lamp.x - place.x
         val wayY = lamp.y - place.y
         val distance = maxOf(length(wayX, wayY), Light.NEAREST)

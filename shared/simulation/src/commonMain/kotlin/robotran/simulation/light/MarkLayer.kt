@@ -9,7 +9,10 @@ import kotlin.math.floor
 
 /** What is known of one mark within one square of the paper. */
 internal sealed interface MarkLayer {
-    /** How much of the light the mark sends back at a place of the square, or a negative number where it leaves the paper bare. */
+    /**
+     * How much of the light the mark sends back at a place of the square, or a negative number where it leaves the
+     * paper bare.
+     */
     fun reflectanceAt(x: Double, y: Double): Double
 
     /** It covers the whole square. */
@@ -22,7 +25,11 @@ internal sealed interface MarkLayer {
     }
 
     /** @property pieces those of a line's straight pieces that come into the square. */
-    class Along(private val pieces: List<Pair<Point, Point>>, private val halfWidth: Double, private val reflectance: Double) : MarkLayer {
+    class Along(
+        private val pieces: List<Pair<Point, Point>>,
+        private val halfWidth: Double,
+        private val reflectance: Double,
+    ) : MarkLayer {
         override fun reflectanceAt(x: Double, y: Double): Double {
             val place = Point(x, y)
             for ((from, to) in pieces) if (distance(place, from, to) <= halfWidth) return reflectance
@@ -48,7 +55,11 @@ internal sealed interface MarkLayer {
 }
 
 /** A figure, ready to be cut into the squares of the paper. */
-internal class PreparedMark(private val figure: MarkFigure, private val outline: Outline?, private val reflectance: Double) {
+internal class PreparedMark(
+    private val figure: MarkFigure,
+    private val outline: Outline?,
+    private val reflectance: Double,
+) {
     private val pieces = (figure as? MarkFigure.Line)?.let { line ->
         val pairs = line.points.zipWithNext()
         if (line.closed) pairs + (line.points.last() to line.points.first()) else pairs
@@ -80,7 +91,12 @@ internal class PreparedMark(private val figure: MarkFigure, private val outline:
 
     private fun boundsOf(map: MarkFigure.GreyMap): Bounds {
         val columns = map.rows.maxOfOrNull { it.length } ?: 0
-        return Bounds(map.corner.x, map.corner.y, map.corner.x + columns * map.cell, map.corner.y + map.rows.size * map.cell)
+        return Bounds(
+            map.corner.x,
+            map.corner.y,
+            map.corner.x + columns * map.cell,
+            map.corner.y + map.rows.size * map.cell,
+        )
     }
 
     private fun overlap(one: Bounds, other: Bounds) =

@@ -10,13 +10,17 @@ import robotran.world.geometry.outline
 import kotlin.math.floor
 
 /**
- * How light or dark the floor is: the paper with its marks and the ink on them, and the floor beside it. Marks are looked up by squares of the
- * paper, each of which is prepared when it is first looked at.
+ * How light or dark the floor is: the paper with its marks and the ink on them, and the floor beside it. Marks are
+ * looked up by squares of the paper, each of which is prepared when it is first looked at.
  */
 internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigonometry: Trigonometry) {
     val ink = InkRaster()
     private val prepared = marks.map { mark ->
-        PreparedMark(mark.figure, (mark.figure as? MarkFigure.Area)?.shape?.outline(trigonometry), mark.shade.reflectance)
+        PreparedMark(
+            mark.figure,
+            (mark.figure as? MarkFigure.Area)?.shape?.outline(trigonometry),
+            mark.shade.reflectance,
+        )
     }.reversed()
     private val squares = HashMap<Int, List<MarkLayer>>()
 
@@ -38,7 +42,10 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
         paper.contains(x - SPOT, y - SPOT) && paper.contains(x + SPOT, y + SPOT) &&
             (
                 prepared.isEmpty() ||
-                    (isBare(x - SPOT, y - SPOT) && isBare(x + SPOT, y - SPOT) && isBare(x - SPOT, y + SPOT) && isBare(x + SPOT, y + SPOT))
+                    (
+                        isBare(x - SPOT, y - SPOT) && isBare(x + SPOT, y - SPOT) && isBare(x - SPOT, y + SPOT) &&
+                            isBare(x + SPOT, y + SPOT)
+                    )
             )
 
     private fun isBare(x: Double, y: Double) = layersAt(x, y).isEmpty()
@@ -81,7 +88,10 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
         /** The radius of the spot that the sensor lights and sees, in centimetres. */
         const val SPOT = 0.4
 
-        /** The places that are looked at, x and y of each seen from the middle: a honeycomb of three rings, the same wherever the robot looks to. */
+        /**
+         * The places that are looked at, x and y of each seen from the middle: a honeycomb of three rings, the same
+         * wherever the robot looks to.
+         */
         val SPOT_PLACES: DoubleArray = honeycomb(rings = 3, step = SPOT / 3.3)
 
         fun honeycomb(rings: Int, step: Double): DoubleArray {

@@ -13,7 +13,10 @@ internal class BatteryNoise(streams: NoiseStreams, private val realism: Double) 
     /** The same as a part of what fresh batteries give. */
     val share: Double get() = volts / FRESH_VOLTS
 
-    /** Lets a millisecond pass in which as many motors were driven at full power as [motors] says; half a motor is one at half power. */
+    /**
+     * Lets a millisecond pass in which as many motors were driven at full power as [motors] says; half a motor is one
+     * at half power.
+     */
     fun tick(motors: Double) {
         if (realism == 0.0) return
         drawn += motors * MINUTES_PER_TICK

@@ -3,13 +3,15 @@ package robotran.simulation.noise
 import kotlin.math.sqrt
 
 /**
- * An endless row of random numbers that is the same wherever it is made. Each cause of chance has a stream of its own, known by a name, so that a
- * new cause, or one that draws more often, leaves the numbers of all others as they are.
+ * An endless row of random numbers that is the same wherever it is made. Each cause of chance has a stream of its own,
+ * known by a name, so that a new cause, or one that draws more often, leaves the numbers of all others as they are.
  *
  * The numbers are those of SplitMix64 (Steele, Lea and Flood, 2014), begun at a hash of seed and name.
  */
 internal class NoiseStream(seed: Int, name: String) {
-    private var state = name.fold(mixed(seed.toLong() + GOLDEN_GAMMA)) { hash, character -> mixed(hash xor character.code.toLong()) }
+    private var state = name.fold(mixed(seed.toLong() + GOLDEN_GAMMA)) { hash, character ->
+        mixed(hash xor character.code.toLong())
+    }
 
     private fun next(): Long {
         state += GOLDEN_GAMMA
@@ -20,8 +22,8 @@ internal class NoiseStream(seed: Int, name: String) {
     fun share(): Double = (next() ushr UNUSED_BITS) * SMALLEST_SHARE
 
     /**
-     * A number about 0 with a standard deviation of 1, never beyond 3.5: the sum of four even ones, which is close to the bell curve and, other than
-     * logarithms, comes out the same everywhere.
+     * A number about 0 with a standard deviation of 1, never beyond 3.5: the sum of four even ones, which is close to
+     * the bell curve and, other than logarithms, comes out the same everywhere.
      */
     fun normal(): Double {
         var bits = next()

@@ -1,11 +1,14 @@
 package robotran.simulation.noise
 
 /**
- * How much a robot strays at a realism of 1; at less, so much less. Figures without a source are chosen so that a pupil sees what they do within a sheet
- * of paper, at 1 as with a robot built in a hurry.
+ * How much a robot strays at a realism of 1; at less, so much less. Figures without a source are chosen so that a pupil
+ * sees what they do within a sheet of paper, at 1 as with a robot built in a hurry.
  */
 internal object Realism {
-    /** Standard deviation of a motor's strength, as a part: of two motors of a kit one is usually a few per cent stronger. */
+    /**
+     * Standard deviation of a motor's strength, as a part: of two motors of a kit one is usually a few per cent
+     * stronger.
+     */
     const val MOTOR_STRENGTH = 0.04
 
     /** Standard deviation of how a motor's speed flutters, as a part: as in TRIK Studio's 2D model. */

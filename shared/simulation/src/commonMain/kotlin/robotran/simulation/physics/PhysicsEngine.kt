@@ -10,5 +10,8 @@ interface PhysicsEngine {
     fun createWorld(settings: PhysicsSettings): PhysicsWorld
 }
 
-/** The physics of this platform: at once on the JVM and Android; in the browser it loads the physics module first, and throws if it cannot. */
+/**
+ * The physics of this platform: at once on the JVM and Android; in the browser it loads the physics module first, and
+ * throws if it cannot.
+ */
 expect suspend fun loadPhysicsEngine(): PhysicsEngine

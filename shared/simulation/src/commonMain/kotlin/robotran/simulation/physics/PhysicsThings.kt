@@ -34,7 +34,9 @@ internal fun PhysicsWorld.addBarrier(shape: Shape, trigonometry: Trigonometry) {
     addShape(TouchKind.BARRIERS, shape.outline(trigonometry), shape.centre)
 }
 
-/** Puts a block into the physics as a body that slides on the floor, its origin in [Shape.centre]; returns its number. */
+/**
+ * Puts a block into the physics as a body that slides on the floor, its origin in [Shape.centre]; returns its number.
+ */
 internal fun PhysicsWorld.addBlock(block: Block, trigonometry: Trigonometry): Int {
     val outline = block.shape.outline(trigonometry)
     val body = addShape(TouchKind.BLOCKS, outline, block.shape.centre)
@@ -50,7 +52,11 @@ private fun PhysicsWorld.addShape(kind: TouchKind, outline: Outline, centre: Poi
         is Outline.Round -> addCircle(body, 0.0, 0.0, outline.radius, Penbot.SHELL_FRICTION)
 
         is Outline.Angular -> addPolygon(
-            body, outline.corners.flatMap { listOf(it.x - centre.x, it.y - centre.y) }.toDoubleArray(), Penbot.SHELL_FRICTION,
+            body,
+            outline.corners.flatMap {
+                listOf(it.x - centre.x, it.y - centre.y)
+            }.toDoubleArray(),
+            Penbot.SHELL_FRICTION,
         )
     }
     return body

@@ -5,8 +5,8 @@ import robotran.simulation.noise.Realism
 import robotran.world.Penbot
 
 /**
- * A bumper's switch: in at the first touch, out again a moment after the last. Its contact bounces for some milliseconds whenever it closes or opens,
- * the longer the more realistic the world is.
+ * A bumper's switch: in at the first touch, out again a moment after the last. Its contact bounces for some
+ * milliseconds whenever it closes or opens, the longer the more realistic the world is.
  */
 internal class Bumper(private val stream: NoiseStream, private val realism: Double) {
     private var untilOut = 0
@@ -28,7 +28,11 @@ internal class Bumper(private val stream: NoiseStream, private val realism: Doub
         if (!touching && untilOut == 0 && bounces == 0 && !isClosed) return
         val wasPressed = isPressed
         untilOut = if (touching) Penbot.BUMPER_RETURN else maxOf(0, untilOut - 1)
-        if (isPressed != wasPressed && realism > 0) bounces = (realism * Realism.BOUNCE_MILLISECONDS * stream.share()).toInt() + 1
+        if (isPressed != wasPressed &&
+            realism > 0
+        ) {
+            bounces = (realism * Realism.BOUNCE_MILLISECONDS * stream.share()).toInt() + 1
+        }
         val wasClosed = isClosed
         isClosed = isPressed
         if (bounces > 0) {

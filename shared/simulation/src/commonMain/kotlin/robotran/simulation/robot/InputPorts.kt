@@ -50,18 +50,29 @@ internal class InputPorts(
         }
     }
 
-    private fun raw(sensor: PortSensor, port: Int, machine: SimulatedRobot, celsius: Double, light: (active: Boolean) -> Double): Int =
-        when (sensor) {
-            PortSensor.LEFT_BUMPER -> TouchSensor.raw(machine.leftBumper.isClosed)
-            PortSensor.RIGHT_BUMPER -> TouchSensor.raw(machine.rightBumper.isClosed)
-            PortSensor.TOUCH -> TouchSensor.raw(pressed[port])
-            PortSensor.LIGHT -> rounded(light(brick.sensorIsActive(port)) + lightNoise())
-            PortSensor.LEFT_ROTATION -> rotation(machine.leftWheel, port)
-            PortSensor.RIGHT_ROTATION -> rotation(machine.rightWheel, port)
-            PortSensor.TEMPERATURE -> temperature(celsius)
-        }
+    private fun raw(
+        sensor: PortSensor,
+        port: Int,
+        machine: SimulatedRobot,
+        celsius: Double,
+        light: (active: Boolean) -> Double,
+    ): Int = when (sensor) {
+        PortSensor.LEFT_BUMPER -> TouchSensor.raw(machine.leftBumper.isClosed)
+        PortSensor.RIGHT_BUMPER -> TouchSensor.raw(machine.rightBumper.isClosed)
+        PortSensor.TOUCH -> TouchSensor.raw(pressed[port])
+        PortSensor.LIGHT -> rounded(light(brick.sensorIsActive(port)) + lightNoise())
+        PortSensor.LEFT_ROTATION -> rotation(machine.leftWheel, port)
+        PortSensor.RIGHT_ROTATION -> rotation(machine.rightWheel, port)
+        PortSensor.TEMPERATURE -> temperature(celsius)
+    }
 
-    private fun lightNoise() = if (realism == 0.0) 0.0 else lightBias + realism * Realism.LIGHT_NOISE * lightNoise.normal()
+    private fun lightNoise() = if (realism ==
+        0.0
+    ) {
+        0.0
+    } else {
+        lightBias + realism * Realism.LIGHT_NOISE * lightNoise.normal()
+    }
 
     private fun rotation(wheel: Wheel, port: Int): Int {
         val count = floor(wheel.turned / Penbot.WHEEL_CIRCUMFERENCE * RotationSensor.COUNTS_PER_TURN).toInt()

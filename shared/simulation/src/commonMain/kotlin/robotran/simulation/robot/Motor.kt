@@ -7,11 +7,13 @@ import robotran.world.Penbot
 import kotlin.math.abs
 
 /**
- * A motor with its gears, as the speed of the tyre in cm/s. How fast it turns depends on the share of the time for which its port is switched on, on the
- * voltage, and on what holds against it: a load slows it down, the more the less it is driven, and stalls it in the end.
+ * A motor with its gears, as the speed of the tyre in cm/s. How fast it turns depends on the share of the time for
+ * which its port is switched on, on the voltage, and on what holds against it: a load slows it down, the more the less
+ * it is driven, and stalls it in the end.
  *
- * It runs on the average of the port's pulses rather than on each of them: the pulses are ten times shorter than the motor can follow,
- * and which of them a command happens to begin with would make the same program drive a little further or less far.
+ * It runs on the average of the port's pulses rather than on each of them: the pulses are ten times shorter than the
+ * motor can follow, and which of them a command happens to begin with would make the same program drive a little
+ * further or less far.
  */
 internal class Motor {
     /** Forwards positive. */
@@ -71,12 +73,14 @@ internal class Motor {
             SLOTS * (Penbot.TOP_SPEED - Penbot.CALIBRATED_SPEED) / (2.0 * Penbot.CALIBRATED_SPEED - Penbot.TOP_SPEED)
 
         /**
-         * The speed of a driven tyre at a power of 0..7, in cm/s. It rises ever less with power, as that of a lightly loaded gearmotor does,
-         * through [Penbot.CALIBRATED_SPEED] at [Penbot.CALIBRATED_POWER] and [Penbot.TOP_SPEED] at 7.
+         * The speed of a driven tyre at a power of 0..7, in cm/s. It rises ever less with power, as that of a lightly
+         * loaded gearmotor does, through [Penbot.CALIBRATED_SPEED] at [Penbot.CALIBRATED_POWER] and [Penbot.TOP_SPEED]
+         * at 7.
          */
         fun drivenSpeed(power: Int): Double {
             val slots = power + 1.0
-            return Penbot.CALIBRATED_SPEED * (slots * (CALIBRATED_SLOTS + HALF_SLOTS)) / (CALIBRATED_SLOTS * (slots + HALF_SLOTS))
+            return Penbot.CALIBRATED_SPEED * (slots * (CALIBRATED_SLOTS + HALF_SLOTS)) /
+                (CALIBRATED_SLOTS * (slots + HALF_SLOTS))
         }
     }
 }

@@ -42,7 +42,11 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val trigono
     val touchedKinds: Int get() = contacts ushr PhysicsWorld.FIXTURE_BITS
 
     val pose: Pose
-        get() = Pose(motion.x, motion.y, normalHeading(trigonometry.angle(motion.cosine, motion.sine) / RADIANS_PER_DEGREE))
+        get() = Pose(
+            motion.x,
+            motion.y,
+            normalHeading(trigonometry.angle(motion.cosine, motion.sine) / RADIANS_PER_DEGREE),
+        )
 
     /** Before a step of the physics: the tyres push. */
     fun push(traction: TyreImpulses) {
@@ -63,7 +67,9 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val trigono
         contacts = 0
     }
 
-    /** How fast it moves forwards over the floor at the place on the axle that lies [place] to the left of its middle. */
+    /**
+     * How fast it moves forwards over the floor at the place on the axle that lies [place] to the left of its middle.
+     */
     fun groundSpeed(place: Double): Double =
         motion.velocityX * motion.cosine + motion.velocityY * motion.sine - motion.angularVelocity * place
 
@@ -77,8 +83,10 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val trigono
         if (forwards != 0.0 || sideways != 0.0) {
             physics.applyImpulse(
                 body,
-                forwards * cosine - sideways * sine, forwards * sine + sideways * cosine,
-                x - place * sine, y + place * cosine,
+                forwards * cosine - sideways * sine,
+                forwards * sine + sideways * cosine,
+                x - place * sine,
+                y + place * cosine,
             )
         }
     }
@@ -86,6 +94,10 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val trigono
     private fun addBox(back: Double, front: Double, middle: Double, width: Double): Int {
         val left = middle + width / 2
         val right = middle - width / 2
-        return physics.addPolygon(body, doubleArrayOf(back, right, front, right, front, left, back, left), Penbot.SHELL_FRICTION)
+        return physics.addPolygon(
+            body,
+            doubleArrayOf(back, right, front, right, front, left, back, left),
+            Penbot.SHELL_FRICTION,
+        )
     }
 }

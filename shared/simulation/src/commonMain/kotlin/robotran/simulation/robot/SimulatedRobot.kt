@@ -79,8 +79,16 @@ internal class SimulatedRobot(
         val left = leftWheel.speedChange
         val right = rightWheel.speedChange
         val place = Penbot.WHEEL_TRACK / 2
-        leftWheel.endStep(force(traction.left - rollingImpulse(left, right)), traction.leftSlips, body.groundSpeed(place))
-        rightWheel.endStep(force(traction.right - rollingImpulse(right, left)), traction.rightSlips, body.groundSpeed(-place))
+        leftWheel.endStep(
+            force(traction.left - rollingImpulse(left, right)),
+            traction.leftSlips,
+            body.groundSpeed(place),
+        )
+        rightWheel.endStep(
+            force(traction.right - rollingImpulse(right, left)),
+            traction.rightSlips,
+            body.groundSpeed(-place),
+        )
     }
 
     private fun force(impulse: Double) = impulse / SimulationLimits.PHYSICS_STEP_SECONDS

@@ -25,12 +25,13 @@ internal data class TyreImpulses(
 )
 
 /**
- * The impulses with which the tyres, turning at [leftSpeed] and [rightSpeed] in cm/s, roll without slipping for the next step, as far
- * as they grip. A tyre whose impulse would be more than friction can give slips and gives just that much.
+ * The impulses with which the tyres, turning at [leftSpeed] and [rightSpeed] in cm/s, roll without slipping for the
+ * next step, as far as they grip. A tyre whose impulse would be more than friction can give slips and gives just that
+ * much.
  *
- * Rolling means three things for the point halfway between the wheels: its speed forwards is the mean of the tyres', it does not move
- * sideways, and the robot turns by their difference. Three equations for three unknowns: the impulse of each tyre forwards, and the one
- * sideways, which both tyres share.
+ * Rolling means three things for the point halfway between the wheels: its speed forwards is the mean of the tyres', it
+ * does not move sideways, and the robot turns by their difference. Three equations for three unknowns: the impulse of
+ * each tyre forwards, and the one sideways, which both tyres share.
  */
 internal fun traction(motion: BodyMotion, leftSpeed: Double, rightSpeed: Double): TyreImpulses {
     val forwards = motion.velocityX * motion.cosine + motion.velocityY * motion.sine
@@ -45,15 +46,23 @@ internal fun traction(motion: BodyMotion, leftSpeed: Double, rightSpeed: Double)
     val right = (both + difference) / 2
     val leftGrip = grip(left, across / 2)
     val rightGrip = grip(right, across / 2)
-    return TyreImpulses(left * leftGrip, right * rightGrip, across / 2 * leftGrip, across / 2 * rightGrip, leftGrip < 1.0, rightGrip < 1.0)
+    return TyreImpulses(
+        left * leftGrip,
+        right * rightGrip,
+        across / 2 * leftGrip,
+        across / 2 * rightGrip,
+        leftGrip < 1.0,
+        rightGrip < 1.0,
+    )
 }
 
 /**
- * The impulse along the robot's way that changes the speed of a freely rolling robot's tyres by [own] at this wheel and by [other] at the other one: what a tyre
- * gives beyond that goes into a load.
+ * The impulse along the robot's way that changes the speed of a freely rolling robot's tyres by [own] at this wheel and
+ * by [other] at the other one: what a tyre gives beyond that goes into a load.
  */
 internal fun rollingImpulse(own: Double, other: Double): Double {
-    val twist = (Penbot.INERTIA + Penbot.MASS * Penbot.MASS_PLACE * Penbot.MASS_PLACE) * (own - other) / Penbot.WHEEL_TRACK
+    val twist =
+        (Penbot.INERTIA + Penbot.MASS * Penbot.MASS_PLACE * Penbot.MASS_PLACE) * (own - other) / Penbot.WHEEL_TRACK
     return Penbot.MASS * (own + other) / 4 + twist / Penbot.WHEEL_TRACK
 }
 

@@ -7,7 +7,10 @@ import robotran.simulation.noise.WheelNoise
 import robotran.world.Penbot
 import kotlin.math.abs
 
-/** One driven wheel: its motor, what the floor does to it, and how far it has turned. Speeds are in cm/s, ways in centimetres. */
+/**
+ * One driven wheel: its motor, what the floor does to it, and how far it has turned. Speeds are in cm/s, ways in
+ * centimetres.
+ */
 internal class Wheel(private val noise: WheelNoise) {
     private val motor = Motor()
     private var floats = true
@@ -19,7 +22,10 @@ internal class Wheel(private val noise: WheelNoise) {
     var turned = 0.0
         private set
 
-    /** At what speed the tyre carries the robot in the step of the physics that is being made, and by how much that has changed. */
+    /**
+     * At what speed the tyre carries the robot in the step of the physics that is being made, and by how much that has
+     * changed.
+     */
     var speed = 0.0
         private set
     val speedChange: Double get() = speed - speedBefore
@@ -52,12 +58,19 @@ internal class Wheel(private val noise: WheelNoise) {
     /**
      * The step is over.
      *
-     * @param force what the floor held the tyre back with, beyond what changing the speed takes, in kg cm/s2; forwards positive.
+     * @param force what the floor held the tyre back with, beyond what changing the speed takes, in kg cm/s2; forwards
+     * positive.
      * @param slips whether the tyre has slipped.
      * @param ground how fast the robot moves over the floor at this wheel.
      */
     fun endStep(force: Double, slips: Boolean, ground: Double) {
-        val felt = if (abs(force) > Penbot.UNFELT_LOAD) force - (if (force > 0) Penbot.UNFELT_LOAD else -Penbot.UNFELT_LOAD) else 0.0
+        val felt = if (abs(force) >
+            Penbot.UNFELT_LOAD
+        ) {
+            force - (if (force > 0) Penbot.UNFELT_LOAD else -Penbot.UNFELT_LOAD)
+        } else {
+            0.0
+        }
         load = if (felt == 0.0 && abs(load) < Penbot.UNFELT_LOAD) 0.0 else load + (felt - load) * LOAD_RESPONSE
         if (slips) {
             turned += travel

@@ -1,7 +1,8 @@
 package robotran.simulation.state
 
 /**
- * How a goal stands. Equal goals that are judged alike give equal progress on every target: it is made by basic arithmetic only.
+ * How a goal stands. Equal goals that are judged alike give equal progress on every target: it is made by basic
+ * arithmetic only.
  *
  * @property sentence what is to be done, for a pupil.
  * @property progress 0..1 in hundredths; 1 only if it is met. Of what must never happen it is 0 until the run is over.
@@ -18,7 +19,10 @@ enum class GoalStatus {
     /** Not decided yet; for what must never happen: it has not happened yet. */
     PENDING,
 
-    /** Stays so, but for a condition that does not ([robotran.world.GoalCondition.staysMet]) and for what is made of one. */
+    /**
+     * Stays so, but for a condition that does not ([robotran.world.GoalCondition.staysMet]) and for what is made of
+     * one.
+     */
     MET,
 
     /** It cannot be met any more in this run. */

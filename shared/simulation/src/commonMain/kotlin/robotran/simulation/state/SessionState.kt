@@ -13,7 +13,8 @@ import robotran.world.geometry.Pose
  *
  * @property milliseconds virtual time since the session began.
  * @property robots as many as the world has, in its order.
- * @property blocks where the world's blocks are now, in its order: how far the origin of each has moved from where the world has it, and turned.
+ * @property blocks where the world's blocks are now, in its order: how far the origin of each has moved from where the
+ * world has it, and turned.
  * @property lamps the world's lamps, in its order, as they stand and shine now.
  * @property ink what has been drawn so far.
  * @property goals how the world's goals stand, in its order.
@@ -64,16 +65,10 @@ data class RobotSnapshot(
  * @property light the light that is everywhere, in the units of [Light].
  * @property celsius how warm it is.
  */
-data class AmbientConditions(
-    val light: Double = Light.DIM_ROOM,
-    val celsius: Double = World.ROOM_TEMPERATURE,
-)
+data class AmbientConditions(val light: Double = Light.DIM_ROOM, val celsius: Double = World.ROOM_TEMPERATURE)
 
 /** Where a lamp is now and whether it shines. */
-data class LampState(
-    val place: Point,
-    val on: Boolean,
-)
+data class LampState(val place: Point, val on: Boolean)
 
 /**
  * The penbot as it stands on the paper.

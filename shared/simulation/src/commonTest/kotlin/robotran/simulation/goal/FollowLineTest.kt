@@ -19,8 +19,15 @@ class FollowLineTest {
     /** Two triangles that share their tip at 50, 30, in which the line crosses itself. */
     private val eight = listOf(20.0 to 10.0, 80.0 to 50.0, 80.0 to 10.0, 20.0 to 50.0)
 
-    private fun world(points: List<Pair<Double, Double>>, closed: Boolean) =
-        sheet.copy(marks = listOf(Mark(MarkFigure.Line(points.map { Point(it.first, it.second) }, 2.0, closed), name = "line")))
+    private fun world(points: List<Pair<Double, Double>>, closed: Boolean) = sheet.copy(
+        marks = listOf(
+            Mark(
+                MarkFigure.Line(points.map { Point(it.first, it.second) }, 2.0, closed),
+                name =
+                    "line",
+            ),
+        ),
+    )
 
     private suspend fun round(points: List<Pair<Double, Double>>, laps: Double = 1.0, within: Int? = null) =
         run(Goal(FollowLine("line", laps, within = within)), world = world(points, closed = true))
@@ -71,8 +78,17 @@ class FollowLineTest {
     fun `cutting corners within the tolerance and weaving is following`() = runTest {
         val run = round(square)
         run.drive(
-            30.0 to 12.0, 45.0 to 12.0, 48.0 to 15.0, 52.0 to 30.0, 48.0 to 45.0, 44.0 to 49.0, 15.0 to 51.0, 11.0 to 45.0,
-            12.0 to 14.0, 16.0 to 12.0, 30.0 to 9.0,
+            30.0 to 12.0,
+            45.0 to 12.0,
+            48.0 to 15.0,
+            52.0 to 30.0,
+            48.0 to 45.0,
+            44.0 to 49.0,
+            15.0 to 51.0,
+            11.0 to 45.0,
+            12.0 to 14.0,
+            16.0 to 12.0,
+            30.0 to 9.0,
         )
         assertEquals(GoalStatus.MET, run.status)
     }

@@ -37,7 +37,9 @@ internal class Run(world: World, trigonometry: Trigonometry) {
     val judge = GoalJudge(world, trigonometry)
     private val brick = Brick(emptyList()).state
     private var milliseconds = 0L
-    private var robots = world.robots.map { RobotSnapshot(brick, RobotState(it.start, 0.0, 0.0, false, false, false), 0, emptyList(), 0) }
+    private var robots = world.robots.map {
+        RobotSnapshot(brick, RobotState(it.start, 0.0, 0.0, false, false, false), 0, emptyList(), 0)
+    }
     private var blocks = world.blocks.map { Pose(0.0, 0.0, 0.0) }
     private var ink = Ink.NONE
     private var strokes: List<InkStroke> = emptyList()
@@ -90,7 +92,12 @@ internal class Run(world: World, trigonometry: Trigonometry) {
 
     fun finish() = judge.finish(state)
 
-    private fun lengthOf(stroke: InkStroke) = stroke.points.zipWithNext { from, to -> length(to.x - from.x, to.y - from.y) }.sum()
+    private fun lengthOf(stroke: InkStroke) = stroke.points.zipWithNext { from, to ->
+        length(
+            to.x - from.x,
+            to.y - from.y,
+        )
+    }.sum()
 
     private fun look(change: () -> Unit) {
         change()

@@ -34,7 +34,11 @@ class GoalSentenceTest {
         blocks = listOf(Block(rectangle(10.0, 10.0, 14.0, 14.0), name = "box")),
         marks = listOf(
             Mark(MarkFigure.Area(home), name = "home"),
-            Mark(MarkFigure.Line(listOf(Point(0.0, 0.0), Point(9.0, 9.0), Point(0.0, 9.0)), 2.0, closed = true), name = "loop"),
+            Mark(
+                MarkFigure.Line(listOf(Point(0.0, 0.0), Point(9.0, 9.0), Point(0.0, 9.0)), 2.0, closed = true),
+                name =
+                    "loop",
+            ),
             Mark(MarkFigure.Line(listOf(Point(0.0, 0.0), Point(9.0, 9.0)), 2.0), name = "road"),
         ),
     )
@@ -56,22 +60,26 @@ class GoalSentenceTest {
             Goal(NeverTouch(setOf(TouchKind.ROBOTS, TouchKind.WALLS, TouchKind.BARRIERS))) to
                 "Never touch a wall, a barrier or another robot.",
             Goal(NeverTouch(setOf(TouchKind.BLOCKS), who = "red")) to "Let the robot \"red\" never touch a block.",
-            Goal(DrawTemplate(tolerance = 1.5)) to "Draw over the template: 90 % of it, and not more than 1.5 cm beside it.",
+            Goal(DrawTemplate(tolerance = 1.5)) to
+                "Draw over the template: 90 % of it, and not more than 1.5 cm beside it.",
             Goal(InkLength(20.0, null)) to "Draw 20 cm or more.",
             Goal(InkLength(null, 30.5)) to "Do not draw more than 30.5 cm.",
             Goal(InkLength(20.0, 30.0)) to "Draw 20 to 30 cm.",
             Goal(FollowLine("loop")) to "Follow the line \"loop\" once round.",
-            Goal(FollowLine("loop", laps = 3.0, within = 60)) to "Follow the line \"loop\" 3 times round within 60 seconds.",
+            Goal(FollowLine("loop", laps = 3.0, within = 60)) to
+                "Follow the line \"loop\" 3 times round within 60 seconds.",
             Goal(FollowLine("road")) to "Follow the line \"road\" from one end to the other.",
             Goal(FollowLine("road", laps = 2.0, who = "red")) to
                 "Let the robot \"red\" follow the line \"road\" from one end to the other, 2 times.",
             Goal(FollowLine("road", laps = 0.8)) to "Follow the line \"road\" for 80 % of its length.",
             Goal(EndWithin(1)) to "Your program must come to its end within 1 second.",
-            Goal(EndWithin(20, who = "red")) to "The program of the robot \"red\" must come to its end within 20 seconds.",
+            Goal(EndWithin(20, who = "red")) to
+                "The program of the robot \"red\" must come to its end within 20 seconds.",
             Goal(ShowOnDisplay(" HELLO")) to "Show \"HELLO\" on the display.",
             Goal(PlaySound()) to "Play a tone.",
             Goal(PlaySound(3, lowest = 400, highest = 500)) to "Play 3 tones of 400 to 500 hertz.",
-            Goal(PlaySound(2, lowest = 440, highest = 440, who = "red")) to "Let the robot \"red\" play 2 tones of 440 hertz.",
+            Goal(PlaySound(2, lowest = 440, highest = 440, who = "red")) to
+                "Let the robot \"red\" play 2 tones of 440 hertz.",
             Goal(InOrder(listOf(Goal(PlaySound())))) to "Do these one after the other.",
             Goal(All(listOf(Goal(PlaySound())))) to "Do all of these.",
             Goal(AnyOf(listOf(Goal(PlaySound())))) to "Do one of these.",

@@ -20,11 +20,18 @@ import kotlin.test.assertTrue
 
 class InkGoalTest {
     /** A corner of 20 cm and 10 cm. */
-    private val corner = sheet.copy(template = Template(listOf(listOf(Point(20.0, 20.0), Point(40.0, 20.0), Point(40.0, 30.0)))))
+    private val corner = sheet.copy(
+        template = Template(listOf(listOf(Point(20.0, 20.0), Point(40.0, 20.0), Point(40.0, 30.0)))),
+    )
 
     @Test
     fun `enough is drawn when it is`() = runTest {
-        val run = run(Goal(InkLength(atLeast = 10.0, atMost = null)), Goal(InkLength(null, 12.0)), Goal(InkLength(10.0, 12.0)))
+        val run =
+            run(
+                Goal(InkLength(atLeast = 10.0, atMost = null)),
+                Goal(InkLength(null, 12.0)),
+                Goal(InkLength(10.0, 12.0)),
+            )
         run.draws(0.0 to 0.0, 5.0 to 0.0)
         assertEquals(listOf(0.5, 0.0, 0.5), run.goals.map { it.progress })
         run.draws(0.0 to 1.0, 6.0 to 1.0)
@@ -90,7 +97,8 @@ class InkGoalTest {
 
     @Test
     fun `ink that is looked at while it is drawn counts as much as all at once`() {
-        val template = Template(listOf(listOf(Point(10.0, 10.0), Point(50.0, 10.0), Point(50.0, 50.0), Point(12.0, 31.0))))
+        val template =
+            Template(listOf(listOf(Point(10.0, 10.0), Point(50.0, 10.0), Point(50.0, 50.0), Point(12.0, 31.0))))
         val writer = InkWriter(sheet.paper, robots = 2)
         val watching = Tracing(template, tolerance = 1.0)
         // Two pens that draw at the same time, each with breaks of its own: one along the template, one across it.
@@ -111,13 +119,33 @@ class InkGoalTest {
     @Test
     fun `the largest drawing over the largest template is judged while it grows`() {
         val paper = Paper(1000.0, 1000.0)
-        val template = Template(List(200) { row -> List(100) { Point(it * 10.0, row * 5.0 + if (it % 2 == 0) 0.0 else 4.0) } })
+        val template = Template(
+            List(200) { row ->
+                List(100) {
+                    Point(
+                        it * 10.0,
+                        row * 5.0 + if (it % 2 == 0) 0.0 else 4.0,
+                    )
+                }
+            },
+        )
         val tracing = Tracing(template, tolerance = 1.0)
         val writer = InkWriter(paper, robots = 1)
         val corners = SimulationLimits.MAXIMUM_INK_POINTS
         for (number in 0..<corners) {
             val row = number / 1000
-            writer.move(0, if (row % 2 == 0) number % 1000.0 else 999.0 - number % 1000, row * 5.0 + number % 2, down = true)
+            writer.move(
+                0,
+                if (row % 2 ==
+                    0
+                ) {
+                    number % 1000.0
+                } else {
+                    999.0 - number % 1000
+                },
+                row * 5.0 + number % 2,
+                down = true,
+            )
             tracing.follow(writer.ink)
         }
         assertTrue(writer.ink.strokes.single().points.size > corners / 2)

@@ -60,7 +60,15 @@ class PlaceGoalTest {
 
     @Test
     fun `a dented region does not hold what lies over its dent`() = runTest {
-        val corners = listOf(0.0 to 0.0, 60.0 to 0.0, 60.0 to 60.0, 31.0 to 60.0, 30.0 to 20.0, 29.0 to 60.0, 0.0 to 60.0)
+        val corners = listOf(
+            0.0 to 0.0,
+            60.0 to 0.0,
+            60.0 to 60.0,
+            31.0 to 60.0,
+            30.0 to 20.0,
+            29.0 to 60.0,
+            0.0 to 60.0,
+        )
         val dented = Shape.Polygon(corners.map { Point(it.first, it.second) })
         val run = run(Goal(Reach(dented, whole = true)))
         run.robotAt(28.0, 40.0)
@@ -122,7 +130,11 @@ class PlaceGoalTest {
     @Test
     fun `a triangle turns about the middle of its area`() = runTest {
         val triangle = Block(Shape.Polygon(listOf(Point(0.0, 0.0), Point(9.0, 0.0), Point(0.0, 9.0))), name = "wedge")
-        val run = run(Goal(Reach(rectangle(2.9, 2.9, 3.1, 3.1), who = "wedge")), world = sheet.copy(blocks = listOf(triangle)))
+        val run =
+            run(
+                Goal(Reach(rectangle(2.9, 2.9, 3.1, 3.1), who = "wedge")),
+                world = sheet.copy(blocks = listOf(triangle)),
+            )
         run.blockAt(0.0, 0.0, heading = 77.0)
         assertEquals(GoalStatus.MET, run.status)
     }

@@ -35,8 +35,13 @@ class RunForGoalsTest {
     private val nothing = ScriptedProgram { }
     private val forward30 = ScriptedProgram { forward(30.0) }
 
-    private fun world(vararg goals: Goal) =
-        World("A sheet", Paper(100.0, 80.0), listOf(RobotPlacement(Pose(50.0, 40.0, 0.0))), goals = goals.toList(), timeLimit = 10)
+    private fun world(vararg goals: Goal) = World(
+        "A sheet",
+        Paper(100.0, 80.0),
+        listOf(RobotPlacement(Pose(50.0, 40.0, 0.0))),
+        goals = goals.toList(),
+        timeLimit = 10,
+    )
 
     private suspend fun grade(world: World, vararg programs: RcxProgram?): Grade {
         val session = Session(world, programs.map { RobotLoad(listOfNotNull(it)) }, loadPhysicsEngine())
@@ -75,7 +80,13 @@ class RunForGoalsTest {
     @Test
     fun `the run is over at once when nothing can be met any more`() = runTest {
         val wall = Wall(Point(70.0, 0.0), Point(70.0, 80.0), 1.0)
-        val grade = grade(world(Goal(NeverTouch(setOf(TouchKind.WALLS)))).copy(walls = listOf(wall)), ScriptedProgram { forward(100.0) })
+        val grade =
+            grade(
+                world(Goal(NeverTouch(setOf(TouchKind.WALLS)))).copy(walls = listOf(wall)),
+                ScriptedProgram {
+                    forward(100.0)
+                },
+            )
         assertFalse(grade.passed)
         assertTrue(grade.seconds in 0.4..0.8, "${grade.seconds}")
     }
@@ -91,7 +102,9 @@ class RunForGoalsTest {
 
     @Test
     fun `a drawing is graded by its ink`() = runTest {
-        val corners = listOf(50.0 to 40.0, 70.0 to 40.0, 70.0 to 60.0, 50.0 to 60.0, 50.0 to 40.0).map { Point(it.first, it.second) }
+        val corners = listOf(50.0 to 40.0, 70.0 to 40.0, 70.0 to 60.0, 50.0 to 60.0, 50.0 to 40.0).map {
+            Point(it.first, it.second)
+        }
         val goals = arrayOf(Goal(DrawTemplate(tolerance = 0.5, coverage = 0.95)), Goal(InkLength(79.0, 81.0)))
         val world = world(*goals).copy(template = Template(listOf(corners)), timeLimit = 30)
         assertTrue(grade(world, ScriptedProgram.square).passed)

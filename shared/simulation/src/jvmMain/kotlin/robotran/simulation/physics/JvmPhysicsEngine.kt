@@ -24,7 +24,8 @@ private object JvmPhysicsEngine : PhysicsEngine {
 private class JvmPhysicsWorld(private val world: RigidWorld) : PhysicsWorld {
     override fun addBody(kind: Int, x: Double, y: Double, angle: Double) = world.addBody(kind, x, y, angle)
 
-    override fun addPolygon(body: Int, corners: DoubleArray, friction: Double) = world.addPolygon(body, corners, friction)
+    override fun addPolygon(body: Int, corners: DoubleArray, friction: Double) =
+        world.addPolygon(body, corners, friction)
 
     override fun addCircle(body: Int, x: Double, y: Double, radius: Double, friction: Double) =
         world.addCircle(body, x, y, radius, friction)
@@ -35,7 +36,8 @@ private class JvmPhysicsWorld(private val world: RigidWorld) : PhysicsWorld {
 
     override fun place(body: Int, x: Double, y: Double, angle: Double) = world.place(body, x, y, angle)
 
-    override fun setMass(body: Int, x: Double, y: Double, mass: Double, inertia: Double) = world.setMass(body, x, y, mass, inertia)
+    override fun setMass(body: Int, x: Double, y: Double, mass: Double, inertia: Double) =
+        world.setMass(body, x, y, mass, inertia)
 
     override fun applyImpulse(body: Int, impulseX: Double, impulseY: Double, x: Double, y: Double) =
         world.applyImpulse(body, impulseX, impulseY, x, y)
@@ -43,8 +45,13 @@ private class JvmPhysicsWorld(private val world: RigidWorld) : PhysicsWorld {
     override fun step() = world.step()
 
     override fun motion(body: Int) = BodyMotion(
-        world.x(body), world.y(body), world.cosine(body), world.sine(body),
-        world.velocityX(body), world.velocityY(body), world.angularVelocity(body),
+        world.x(body),
+        world.y(body),
+        world.cosine(body),
+        world.sine(body),
+        world.velocityX(body),
+        world.velocityY(body),
+        world.angularVelocity(body),
     )
 
     override fun contacts(body: Int) = world.contacts(body)

@@ -6,7 +6,13 @@ import kotlin.js.Promise
 
 /** The functions of `PhysicsModule.java`, compiled to WebAssembly; worlds, bodies and fixtures are numbers. */
 internal external interface PhysicsModule : JsAny {
-    fun createWorld(stepSeconds: Double, stepParts: Int, lengthTolerance: Double, velocityIterations: Int, positionIterations: Int): Int
+    fun createWorld(
+        stepSeconds: Double,
+        stepParts: Int,
+        lengthTolerance: Double,
+        velocityIterations: Int,
+        positionIterations: Int,
+    ): Int
 
     fun closeWorld(world: Int)
 
@@ -54,7 +60,8 @@ internal external interface PhysicsModule : JsAny {
 }
 
 /** A dynamic import, so that the module is fetched only when it is wanted, and so that bundlers find it. */
-internal fun importPhysicsModule(): Promise<PhysicsModule> = js("import('./physics.mjs').then(module => module.loadModule())")
+internal fun importPhysicsModule(): Promise<PhysicsModule> =
+    js("import('./physics.mjs').then(module => module.loadModule())")
 
 internal fun DoubleArray.toJsArray(): JsAny = newFloat64Array(size).also { copy ->
     forEachIndexed { place, value -> put(copy, place, value) }

@@ -18,7 +18,10 @@ private class WasmPhysicsEngine(private val module: PhysicsModule) : PhysicsEngi
     }
 
     override fun createWorld(settings: PhysicsSettings): PhysicsWorld = with(settings) {
-        WasmPhysicsWorld(module, module.createWorld(stepSeconds, stepParts, lengthTolerance, velocityIterations, positionIterations))
+        WasmPhysicsWorld(
+            module,
+            module.createWorld(stepSeconds, stepParts, lengthTolerance, velocityIterations, positionIterations),
+        )
     }
 }
 
@@ -46,8 +49,13 @@ private class WasmPhysicsWorld(private val module: PhysicsModule, private val wo
     override fun step() = module.step(world)
 
     override fun motion(body: Int) = BodyMotion(
-        module.x(world, body), module.y(world, body), module.cosine(world, body), module.sine(world, body),
-        module.velocityX(world, body), module.velocityY(world, body), module.angularVelocity(world, body),
+        module.x(world, body),
+        module.y(world, body),
+        module.cosine(world, body),
+        module.sine(world, body),
+        module.velocityX(world, body),
+        module.velocityY(world, body),
+        module.angularVelocity(world, body),
     )
 
     override fun contacts(body: Int) = module.contacts(world, body)

@@ -1,8 +1,8 @@
 package robotran.textediting.api
 
 /**
- * Reads what the library's source of a class says about it. It holds for sources as the library has them: a member begins four blanks from the
- * left and has its comment above it.
+ * Reads what the library's source of a class says about it. It holds for sources as the library has them: a member
+ * begins four blanks from the left and has its comment above it.
  */
 internal fun readApiClass(name: String, path: String, source: String): ApiClass {
     var help = ""
@@ -45,7 +45,9 @@ private fun commentFrom(lines: List<String>, first: Int): List<String> {
 
 /** What a comment says before its first full stop and its tags. */
 private fun firstSentence(comment: String): String {
-    val text = comment.replace("/**", "").replace("*/", "").split(' ').filter { it.isNotEmpty() && it != "*" }.joinToString(" ").trim()
+    val text = comment.replace("/**", "").replace("*/", "").split(' ').filter {
+        it.isNotEmpty() && it != "*"
+    }.joinToString(" ").trim()
     val plain = text.substringBefore(" @").replace("{@code ", "").replace("}", "").removePrefix("@")
     val end = plain.indexOf(". ")
     return if (end < 0) plain else plain.take(end + 1)
@@ -68,7 +70,18 @@ private fun memberIn(declaration: String, help: String, isInterface: Boolean, cl
     val name = words.last()
     val type = words.dropLast(1).lastOrNull { it !in MODIFIERS } ?: return null
     val isInner = type == "class" || type == "interface" || name == className
-    return if (isInner) null else ApiMember(name, type, parameters, "static" in words || (isInterface && parameters == null), help)
+    return if (isInner) {
+        null
+    } else {
+        ApiMember(
+            name,
+            type,
+            parameters,
+            "static" in words || (isInterface && parameters == null),
+            help,
+        )
+    }
 }
 
-private val MODIFIERS = setOf("public", "static", "final", "abstract", "native", "synchronized", "protected", "transient", "volatile")
+private val MODIFIERS =
+    setOf("public", "static", "final", "abstract", "native", "synchronized", "protected", "transient", "volatile")

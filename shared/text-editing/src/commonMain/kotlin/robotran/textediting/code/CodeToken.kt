@@ -6,11 +6,7 @@ package robotran.textediting.code
  * @property start its first column, from 0.
  * @property end the column behind its last character.
  */
-data class CodeToken(
-    val kind: CodeTokenKind,
-    val start: Int,
-    val end: Int,
-)
+data class CodeToken(val kind: CodeTokenKind, val start: Int, val end: Int)
 
 /** What pieces of code are told apart by their colours. */
 enum class CodeTokenKind {
@@ -31,7 +27,4 @@ enum class CodeTokenKind {
  *
  * @property endsInComment whether the next line begins inside a comment.
  */
-data class LinePieces(
-    val pieces: List<CodeToken>,
-    val endsInComment: Boolean,
-)
+data class LinePieces(val pieces: List<CodeToken>, val endsInComment: Boolean)

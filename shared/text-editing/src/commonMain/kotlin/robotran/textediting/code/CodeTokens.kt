@@ -6,10 +6,7 @@ import robotran.robolang.robolangPieces
 import robotran.textediting.text.TextLines
 
 /** The pieces of the lines of a program, worked out when they are asked for. */
-class CodeTokens(
-    private val lines: TextLines,
-    private val language: ProgramLanguage,
-) {
+class CodeTokens(private val lines: TextLines, private val language: ProgramLanguage) {
     private val startsInComment: BooleanArray? by lazy(LazyThreadSafetyMode.PUBLICATION) { commentStarts() }
 
     /** Whether [line], from 0, begins inside a comment of several lines. */

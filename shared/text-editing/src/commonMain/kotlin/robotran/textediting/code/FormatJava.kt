@@ -1,8 +1,9 @@
 package robotran.textediting.code
 
 /**
- * Lays out Java: four blanks for each block around a line, eight more where a line goes on, no blanks at line ends, at most one empty line at a
- * time and `\n` at the end. What stands in a line stays as it is, and formatted again it stays as a whole. Never throws, whatever [source] holds.
+ * Lays out Java: four blanks for each block around a line, eight more where a line goes on, no blanks at line ends, at
+ * most one empty line at a time and `\n` at the end. What stands in a line stays as it is, and formatted again it stays
+ * as a whole. Never throws, whatever [source] holds.
  */
 fun formatJava(source: String): String {
     val layout = JavaLayout()
@@ -72,7 +73,9 @@ private class JavaLayout {
         if (open.lastOrNull()?.sign.let { it == '(' || it == '[' }) return 0
         val last = code.last()
         val end = content.substring(last.start, last.end)
-        val words = code.takeWhile { it.kind != CodeTokenKind.SIGN || content[it.start] == '}' }.map { content.substring(it.start, it.end) }
+        val words = code.takeWhile {
+            it.kind != CodeTokenKind.SIGN || content[it.start] == '}'
+        }.map { content.substring(it.start, it.end) }
         val keyword = words.firstOrNull { it != "}" }
         return when {
             end == ";" || end == "{" || end == "}" || end == "," || end == ":" -> 0

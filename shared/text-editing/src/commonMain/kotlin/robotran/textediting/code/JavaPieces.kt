@@ -4,8 +4,10 @@ import robotran.textediting.api.LejosApi
 
 /** The words that Java of a brick's time keeps for itself. */
 val JAVA_KEYWORDS: List<String> = (
-    "abstract boolean break byte case catch char class const continue default do double else extends false final finally float for " +
-        "goto if implements import instanceof int interface long native new null package private protected public return short static " +
+    "abstract boolean break byte case catch char class const continue default do double else extends false final " +
+        "finally float for " +
+        "goto if implements import instanceof int interface long native new null package private protected public " +
+        "return short static " +
         "super switch synchronized this throw throws transient true try void volatile while"
 ).split(' ')
 

@@ -24,5 +24,5 @@ fun renamedInJava(source: String, old: String, new: String): String {
 }
 
 /** Whether a class of Java can be called so. */
-fun isJavaName(name: String): Boolean =
-    name.isNotEmpty() && name !in JAVA_KEYWORDS && !name.first().isDigit() && name.all { it.isLetterOrDigit() || it == '_' }
+fun isJavaName(name: String): Boolean = name.isNotEmpty() && name !in JAVA_KEYWORDS && !name.first().isDigit() &&
+    name.all { it.isLetterOrDigit() || it == '_' }

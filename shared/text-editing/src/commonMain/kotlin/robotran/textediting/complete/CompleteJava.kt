@@ -30,14 +30,19 @@ internal fun completeJava(draft: Draft, help: WordHelp, isWanted: Boolean): Comp
     } else {
         namesIn(draft, lineStart + start) +
             JAVA_KEYWORDS.map { completionOf(it, KEYWORD_ENDINGS[it].takeIf { isAtEnd }, help) } +
-            LejosApi.classNames.sorted().map { Completion(it, CompletionKind.CLASS, help = LejosApi.classOf(it)?.help?.ifEmpty { null }) }
+            LejosApi.classNames.sorted().map {
+                Completion(it, CompletionKind.CLASS, help = LejosApi.classOf(it)?.help?.ifEmpty { null })
+            }
     }
     if (!isWanted && candidates.any { it.isWritten(typed) }) return null
     val items = matching(typed, candidates).filter { it.inserted != typed }
     return if (items.isEmpty()) null else CompletionList(lineStart + start, items)
 }
 
-/** The names with points between them that stand before a point, such as `Motor` and `A`; empty if there is something else. */
+/**
+ * The names with points between them that stand before a point, such as `Motor` and `A`; empty if there is something
+ * else.
+ */
 private fun receiverOf(before: List<String>): List<String> {
     val names = mutableListOf<String>()
     var place = before.lastIndex
@@ -55,7 +60,9 @@ private fun membersBehind(receiver: List<String>, draft: Draft): List<Completion
     var type = if (LejosApi.classOf(first) != null) first else typeOfVariable(first, draft) ?: return emptyList()
     var isClass = LejosApi.classOf(first) != null
     for (name in receiver.drop(1)) {
-        type = LejosApi.membersOf(type).firstOrNull { it.name == name && it.parameters == null }?.type ?: return emptyList()
+        type =
+            LejosApi.membersOf(type).firstOrNull { it.name == name && it.parameters == null }?.type
+                ?: return emptyList()
         isClass = false
     }
     return LejosApi.membersOf(type).filter { it.isStatic == isClass }.map(::completionOf)
@@ -94,7 +101,11 @@ private fun namesIn(draft: Draft, writing: Int): List<Completion> {
         val inLine = pieces.of(line)
         inLine.forEachIndexed { place, piece ->
             val isMember = place > 0 && text[inLine[place - 1].start] == '.'
-            if (piece.kind != CodeTokenKind.NAME || isMember || draft.lines.start(line) + piece.start == writing) return@forEachIndexed
+            if (piece.kind != CodeTokenKind.NAME || isMember ||
+                draft.lines.start(line) + piece.start == writing
+            ) {
+                return@forEachIndexed
+            }
             val name = text.substring(piece.start, piece.end)
             val isCalled = inLine.getOrNull(place + 1)?.let { text[it.start] == '(' } == true
             found.getOrPut(name) {
@@ -109,7 +120,8 @@ private fun namesIn(draft: Draft, writing: Int): List<Completion> {
 private val KEYWORD_ENDINGS = (
     mapOf("if" to " (|)", "while" to " (|)", "for" to " (|)", "catch" to " (|)") +
         (
-            "abstract class extends final implements import instanceof interface new package private protected public static " +
+            "abstract class extends final implements import instanceof interface new package private protected " +
+                "public static " +
                 "synchronized throw throws"
         ).split(' ').associateWith { " " }
 ).mapValues { CompletionSuffix.of(it.value) }

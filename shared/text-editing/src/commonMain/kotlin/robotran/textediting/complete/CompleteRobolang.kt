@@ -16,7 +16,10 @@ internal fun completeRobolang(draft: Draft, help: WordHelp, isWanted: Boolean): 
     val pieces = CodeTokens(draft.lines, ProgramLanguage.ROBOLANG).of(line)
     val text = draft.lines.line(line)
     val around = pieces.firstOrNull { column > it.start && column <= it.end }
-    val word = around?.takeIf { it.kind == CodeTokenKind.NAME || it.kind == CodeTokenKind.KEYWORD || it.kind == CodeTokenKind.KNOWN }
+    val word = around?.takeIf {
+        it.kind == CodeTokenKind.NAME || it.kind == CodeTokenKind.KEYWORD ||
+            it.kind == CodeTokenKind.KNOWN
+    }
     if (around != null && word == null && around.kind != CodeTokenKind.SIGN) return null
     val start = word?.start ?: column
     val typed = text.substring(start, column)
@@ -32,7 +35,10 @@ internal fun completeRobolang(draft: Draft, help: WordHelp, isWanted: Boolean): 
         val last = before.last()
         val own = FOLLOWER_ENDINGS[last].orEmpty()
         FOLLOWERS[last]?.let { words(it, help, own.takeIf { isAtEnd }) }
-            ?: (valueWords(help, (VALUE_ENDINGS + own).takeIf { isAtEnd }) + names + functions(help) + words(RobolangWords.keywords, help))
+            ?: (
+                valueWords(help, (VALUE_ENDINGS + own).takeIf { isAtEnd }) + names + functions(help) +
+                    words(RobolangWords.keywords, help)
+            )
     }
     if (!isWanted && candidates.any { it.isWritten(typed) }) return null
     val items = matching(typed, candidates.distinctBy { it.label }).filter { it.inserted != typed }
@@ -84,7 +90,8 @@ private fun declares(draft: Draft, line: Int): Boolean {
 
 private fun String.startsWith(word: String, start: Int, end: Int): Boolean {
     val behind = start + word.length
-    return behind < end && regionMatches(start, word, 0, word.length, ignoreCase = true) && !isWordCharacter(this[behind])
+    return behind < end && regionMatches(start, word, 0, word.length, ignoreCase = true) &&
+        !isWordCharacter(this[behind])
 }
 
 private val DECLARATIONS = listOf("var", "const", "procedure", "function", "for")

@@ -23,11 +23,17 @@ data class Completion(
     val asksOn: Boolean = false,
 ) {
     /** Whether it is what was [typed] already, so that there is nothing left to offer. */
-    internal fun isWritten(typed: String): Boolean = inserted.equals(typed, ignoreCase = true) || label.equals(typed, ignoreCase = true)
+    internal fun isWritten(typed: String): Boolean =
+        inserted.equals(typed, ignoreCase = true) || label.equals(typed, ignoreCase = true)
 }
 
 /** A call of [name], with the caret between its brackets. */
-internal fun callOf(name: String, kind: CompletionKind): Completion = Completion("$name()", kind, "$name()", name.length + 1)
+internal fun callOf(name: String, kind: CompletionKind): Completion = Completion(
+    "$name()",
+    kind,
+    "$name()",
+    name.length + 1,
+)
 
 /** What can be offered. */
 enum class CompletionKind { WORD, BLOCK, NAME, FUNCTION, METHOD, FIELD, CLASS }
@@ -38,10 +44,7 @@ enum class CompletionKind { WORD, BLOCK, NAME, FUNCTION, METHOD, FIELD, CLASS }
  * @property start where that which is completed begins; it ends at the caret.
  * @property items the most likely first; never empty.
  */
-data class CompletionList(
-    val start: Int,
-    val items: List<Completion>,
-)
+data class CompletionList(val start: Int, val items: List<Completion>)
 
 /** Says in a line what a word of a language is for. */
 fun interface WordHelp {
@@ -56,10 +59,17 @@ fun Draft.completed(list: CompletionList, chosen: Completion): Draft {
     val inserted = chosen.inserted.replace("\n", "\n" + indent)
     val caret = chosen.inserted.take(chosen.caret).replace("\n", "\n" + indent).length
     val place = list.start + caret
-    return replaced(list.start, selection.caret, inserted).copy(selection = TextSelection(place - chosen.selected, place))
+    return replaced(
+        list.start,
+        selection.caret,
+        inserted,
+    ).copy(selection = TextSelection(place - chosen.selected, place))
 }
 
-/** Those of [candidates] that [typed] may become: first those that begin with it, then those that have it at the beginning of a part. */
+/**
+ * Those of [candidates] that [typed] may become: first those that begin with it, then those that have it at the
+ * beginning of a part.
+ */
 internal fun matching(typed: String, candidates: List<Completion>): List<Completion> {
     val (starting, others) = candidates.partition { it.label.startsWith(typed, ignoreCase = true) }
     val inside = others.filter { typed.length >= MIN_INSIDE && hasPart(it.label, typed) }

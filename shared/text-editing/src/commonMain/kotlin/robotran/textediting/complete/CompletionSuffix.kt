@@ -7,13 +7,12 @@ package robotran.textediting.complete
  * @property caret where in [text] the caret is afterwards.
  * @property selected how many characters before the caret are selected, for a value to be written over.
  */
-internal class CompletionSuffix private constructor(
-    val text: String,
-    val caret: Int,
-    val selected: Int,
-) {
+internal class CompletionSuffix private constructor(val text: String, val caret: Int, val selected: Int) {
     companion object {
-        /** Reads [marked]: what is between two strokes is selected, a single one is where the caret is; otherwise it is at the end. */
+        /**
+         * Reads [marked]: what is between two strokes is selected, a single one is where the caret is; otherwise it is
+         * at the end.
+         */
         fun of(marked: String): CompletionSuffix {
             val parts = marked.split('|')
             val text = parts.joinToString("")
@@ -29,5 +28,12 @@ internal class CompletionSuffix private constructor(
 /** [word] with its [ending], if it has one and nothing stands behind the caret yet. */
 internal fun completionOf(word: String, ending: CompletionSuffix?, help: WordHelp): Completion {
     if (ending == null) return Completion(word, CompletionKind.WORD, help = help.of(word))
-    return Completion(word, CompletionKind.WORD, word + ending.text, word.length + ending.caret, help.of(word), ending.selected)
+    return Completion(
+        word,
+        CompletionKind.WORD,
+        word + ending.text,
+        word.length + ending.caret,
+        help.of(word),
+        ending.selected,
+    )
 }

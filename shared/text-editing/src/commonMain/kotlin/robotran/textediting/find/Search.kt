@@ -12,11 +12,7 @@ import robotran.textediting.text.isWordCharacter
  * @property matchCase whether capitals and small letters are told apart.
  * @property wholeWords whether it must not be a part of a longer word.
  */
-data class Search(
-    val text: String,
-    val matchCase: Boolean = false,
-    val wholeWords: Boolean = false,
-) {
+data class Search(val text: String, val matchCase: Boolean = false, val wholeWords: Boolean = false) {
     /** Where it stands in [source], one behind the other, at most [MAX_MATCHES]. */
     fun matchesIn(source: String): List<TextSpan> {
         if (text.isEmpty()) return emptyList()
@@ -42,7 +38,10 @@ data class Search(
     }
 }
 
-/** The place in [matches] of the one that comes next after what is selected, the first behind the last; -1 if there are none. */
+/**
+ * The place in [matches] of the one that comes next after what is selected, the first behind the last; -1 if there are
+ * none.
+ */
 fun Draft.nextMatch(matches: List<TextSpan>): Int {
     if (matches.isEmpty()) return -1
     val isAtMatch = matches.any { it.start == selection.start && it.end == selection.end }
@@ -58,7 +57,8 @@ fun Draft.previousMatch(matches: List<TextSpan>): Int {
 }
 
 /** This text with [match] selected. */
-fun Draft.withSelected(match: TextSpan): Draft = copy(selection = TextSelection(match.start, match.end).within(text.length))
+fun Draft.withSelected(match: TextSpan): Draft =
+    copy(selection = TextSelection(match.start, match.end).within(text.length))
 
 /** This text with each of [matches], in their order, replaced by [replacement]. */
 fun Draft.withAllReplaced(matches: List<TextSpan>, replacement: String): Draft {

@@ -5,10 +5,7 @@ package robotran.textediting.text
  *
  * @property text its lines end in `\n`.
  */
-data class Draft(
-    val text: String,
-    val selection: TextSelection = TextSelection(0),
-) {
+data class Draft(val text: String, val selection: TextSelection = TextSelection(0)) {
     /** Where the lines of [text] are. */
     val lines: TextLines by lazy(LazyThreadSafetyMode.PUBLICATION) { TextLines(text) }
 
@@ -32,10 +29,7 @@ data class Draft(
  * @property anchor where the selecting began.
  * @property caret where it has come to, and where one writes.
  */
-data class TextSelection(
-    val anchor: Int,
-    val caret: Int = anchor,
-) {
+data class TextSelection(val anchor: Int, val caret: Int = anchor) {
     val start: Int get() = minOf(anchor, caret)
     val end: Int get() = maxOf(anchor, caret)
     val isEmpty: Boolean get() = anchor == caret
@@ -45,9 +39,6 @@ data class TextSelection(
 }
 
 /** A piece of a text, from [start] up to but without [end]. */
-data class TextSpan(
-    val start: Int,
-    val end: Int,
-) {
+data class TextSpan(val start: Int, val end: Int) {
     val length: Int get() = end - start
 }

@@ -6,11 +6,7 @@ internal class DamagedClassFile(val reason: String) : RuntimeException(reason)
 internal fun damaged(reason: String): Nothing = throw DamagedClassFile(reason)
 
 /** Reads big-endian numbers from [bytes] between [position] and [end]; going beyond the end is damage. */
-internal class ByteReader(
-    private val bytes: ByteArray,
-    var position: Int = 0,
-    val end: Int = bytes.size,
-) {
+internal class ByteReader(private val bytes: ByteArray, var position: Int = 0, val end: Int = bytes.size) {
     val isAtEnd: Boolean get() = position == end
 
     fun unsignedByte(): Int {

@@ -14,7 +14,11 @@ internal sealed interface ClassFileResult {
 /** Reads [bytes], whatever they are; [expectedName] stands in the refusal, with dots. */
 internal fun readClassFile(bytes: ByteArray, expectedName: String, messages: ClassFileMessages): ClassFileResult {
     fun refused(message: String) = ClassFileResult.Rejected(LinkError(message, expectedName))
-    if (bytes.size > TinyVmLimits.CLASS_FILE_BYTES) return refused(messages.classFileTooLong(TinyVmLimits.CLASS_FILE_BYTES))
+    if (bytes.size >
+        TinyVmLimits.CLASS_FILE_BYTES
+    ) {
+        return refused(messages.classFileTooLong(TinyVmLimits.CLASS_FILE_BYTES))
+    }
     return try {
         val reader = ByteReader(bytes)
         if (bytes.size < HEADER_BYTES || reader.int() != MAGIC) return refused(messages.notAClassFile())
@@ -85,7 +89,11 @@ private class ClassFileReader(private val reader: ByteReader, private val consta
         val variables = ArrayList<LocalVariable>()
         readAttributes(content) { attribute, part ->
             when (attribute) {
-                "LineNumberTable" -> repeat(part.unsignedShort()) { lines += part.unsignedShort() to part.unsignedShort() }
+                "LineNumberTable" -> repeat(part.unsignedShort()) {
+                    lines +=
+                        part.unsignedShort() to part.unsignedShort()
+                }
+
                 "LocalVariableTable" -> repeat(part.unsignedShort()) { variables += readVariable(part) }
             }
         }

@@ -1,6 +1,9 @@
 package robotran.tinyvm.classfile
 
-/** The constants of a class file by their indices, from 1. Whatever is asked for and is not there, or is another kind, is damage. */
+/**
+ * The constants of a class file by their indices, from 1. Whatever is asked for and is not there, or is another kind,
+ * is damage.
+ */
 internal class ConstantPool(private val constants: List<Constant?>) {
     /** All of them, in their order. */
     val all: List<Constant> get() = constants.filterNotNull()

@@ -3,8 +3,8 @@ package robotran.tinyvm.classfile
 import robotran.tinyvm.config.TinyVmLimits
 
 /**
- * The types of a method's parameters and of what it returns, each as a class file writes it: `I`, `Z`, `[C`, `Ljava/lang/String;`, and
- * `V` for nothing.
+ * The types of a method's parameters and of what it returns, each as a class file writes it: `I`, `Z`, `[C`,
+ * `Ljava/lang/String;`, and `V` for nothing.
  */
 internal class MethodDescriptor private constructor(val parameters: List<String>, val result: String) {
     /** Words that the parameters take, `this` not counted: long and double take two. */

@@ -1,9 +1,9 @@
 package robotran.tinyvm.config
 
 /**
- * How much there can be of anything. What the linker of leJOS refuses has its source in `CodeUtilities`, `ClassRecord`, `MethodRecord` and
- * `TinyVMConstants` of `js.tinyvm` in leJOS 3.0, what the machine refuses in its `memory.c` and `threads.c`; the rest keeps hostile class
- * files within bounded time and memory.
+ * How much there can be of anything. What the linker of leJOS refuses has its source in `CodeUtilities`, `ClassRecord`,
+ * `MethodRecord` and `TinyVMConstants` of `js.tinyvm` in leJOS 3.0, what the machine refuses in its `memory.c` and
+ * `threads.c`; the rest keeps hostile class files within bounded time and memory.
  */
 object TinyVmLimits {
     /** Versions of class files: 45 of JDK 1.1 to 52 of Java 8. */
@@ -16,8 +16,8 @@ object TinyVmLimits {
     const val CLASSES = 255
 
     /**
-     * Bytes of a brick's memory for a program and its objects: from 0x8000 to 0xEF31 there are 28 KB, of which leJOS takes about 16. Source:
-     * leJOS `main.c`.
+     * Bytes of a brick's memory for a program and its objects: from 0x8000 to 0xEF31 there are 28 KB, of which leJOS
+     * takes about 16. Source: leJOS `main.c`.
      */
     const val MEMORY_BYTES = 0xEF32 - 0x8000 - 16 * 1024
 

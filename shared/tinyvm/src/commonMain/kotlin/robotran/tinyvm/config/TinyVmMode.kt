@@ -5,6 +5,9 @@ enum class TinyVmMode {
     /** With all the brick's peculiarities; each one that bites is explained. */
     BRICK,
 
-    /** With a collected heap and the arithmetic of the Java language; where the brick would do something else, there is a warning. */
+    /**
+     * With a collected heap and the arithmetic of the Java language; where the brick would do something else, there is
+     * a warning.
+     */
     FORGIVING,
 }

@@ -1,9 +1,10 @@
 package robotran.tinyvm.debug
 
 /**
- * Writes decimal numbers as the class library of the brick does, with at most seven figures, such as `2.5` or `1.5E10`: by the same steps in
- * 32-bit numbers, so that the text is the same on every platform and the one that a program shows. Robolang's `decimalText` rounds in 64 bits: about
- * one number in nine comes out different in its last figure, so the two cannot be one.
+ * Writes decimal numbers as the class library of the brick does, with at most seven figures, such as `2.5` or `1.5E10`:
+ * by the same steps in 32-bit numbers, so that the text is the same on every platform and the one that a program shows.
+ * Robolang's `decimalText` rounds in 64 bits: about one number in nine comes out different in its last figure, so the
+ * two cannot be one.
  */
 internal object BrickFloatText {
     fun of(number: Float): String = when {

@@ -40,7 +40,10 @@ internal class Inspector(private val machine: VirtualMachine) {
         return Statement(line, depth, thread.number, thread.frame.method.owner.sourceFile)
     }
 
-    /** Whether [thread] stands before a statement; one that waits is still in the middle of the statement that it waits in. */
+    /**
+     * Whether [thread] stands before a statement; one that waits is still in the middle of the statement that it waits
+     * in.
+     */
     fun isBeforeStatement(thread: VmThread?): Boolean =
         thread != null && thread.depth > 0 && thread.state == ThreadState.READY && thread.frame.isBeforeStatement
 
@@ -51,13 +54,15 @@ internal class Inspector(private val machine: VirtualMachine) {
     }
 
     /**
-     * What the own method at the place [index] of the call stack of [thread] knows: its variables, the fields of `this`, the static fields of
-     * its class.
+     * What the own method at the place [index] of the call stack of [thread] knows: its variables, the fields of
+     * `this`, the static fields of its class.
      */
     fun variables(thread: VmThread?, index: Int): List<VariableScope> {
         val frame = ownFrames(thread).getOrNull(index) ?: return emptyList()
         val owner = frame.method.owner
-        val statics = owner.fields.filter { it.isStatic }.map { VariableView(it.name, values.of(it.descriptor, machine.statics[it.slot])) }
+        val statics = owner.fields.filter {
+            it.isStatic
+        }.map { VariableView(it.name, values.of(it.descriptor, machine.statics[it.slot])) }
         return listOf(
             VariableScope(nameOf(frame), locals(thread, frame)),
             VariableScope("this", fieldsOfThis(thread, frame)),
@@ -74,11 +79,26 @@ internal class Inspector(private val machine: VirtualMachine) {
         val reference = thread.stack[frame.base]
         val type = frame.method.owner
         if (!machine.heap.isObject(reference) || !machine.heap.typeOf(reference).isA(type)) return emptyList()
-        return generateSequence(type) { it.superclass }.toList().asReversed().flatMap { it.fields }.filter { !it.isStatic }
-            .map { VariableView(it.name, values.of(it.descriptor, machine.heap.words[reference + Heap.HEADER_WORDS + it.slot])) }
+        return generateSequence(type) {
+            it.superclass
+        }.toList().asReversed().flatMap { it.fields }.filter { !it.isStatic }
+            .map {
+                VariableView(
+                    it.name,
+                    values.of(
+                        it.descriptor,
+                        machine.heap.words[
+                            reference + Heap.HEADER_WORDS +
+                                it.slot,
+                        ],
+                    ),
+                )
+            }
     }
 
-    private fun ownFrames(thread: VmThread?): List<Frame> = thread?.callStack.orEmpty().filter { it.method.owner.isOfProgram }
+    private fun ownFrames(thread: VmThread?): List<Frame> = thread?.callStack.orEmpty().filter {
+        it.method.owner.isOfProgram
+    }
 
     private fun nameOf(frame: Frame): String = when (frame.method.name) {
         "<init>" -> "new ${frame.method.owner.sourceName}"

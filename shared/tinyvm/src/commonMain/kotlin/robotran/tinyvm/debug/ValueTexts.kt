@@ -5,7 +5,10 @@ import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.run.Heap
 import robotran.tinyvm.run.VirtualMachine
 
-/** Writes values as a Java program would. A variable may not have been given its value yet, so a reference need not be one. */
+/**
+ * Writes values as a Java program would. A variable may not have been given its value yet, so a reference need not be
+ * one.
+ */
 internal class ValueTexts(private val machine: VirtualMachine) {
     /** The value [word] of a variable of the type [descriptor]. */
     fun of(descriptor: String, word: Int): String = when (descriptor[0]) {

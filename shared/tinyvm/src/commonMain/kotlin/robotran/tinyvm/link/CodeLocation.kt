@@ -4,9 +4,17 @@ import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.diagnostic.LinkException
 import robotran.tinyvm.messages.LinkMessages
 
-/** Where in a program something is wrong: a class with slashes in its name, a method and a line as far as they are known. */
-internal class CodeLocation(private val className: String, private val methodName: String? = null, private val line: Int = 0) {
-    fun refuse(message: String): Nothing = throw LinkException(LinkError(message, className.replace('/', '.'), methodName, line))
+/**
+ * Where in a program something is wrong: a class with slashes in its name, a method and a line as far as they are
+ * known.
+ */
+internal class CodeLocation(
+    private val className: String,
+    private val methodName: String? = null,
+    private val line: Int = 0,
+) {
+    fun refuse(message: String): Nothing =
+        throw LinkException(LinkError(message, className.replace('/', '.'), methodName, line))
 
     fun unsound(messages: LinkMessages): Nothing = refuse(messages.codeUnsound())
 }

@@ -20,7 +20,8 @@ internal sealed class HeapType(val id: Int, val descriptor: String) {
 }
 
 /** @property element the type of its elements if they are objects, null for numbers. */
-internal class ArrayType(id: Int, descriptor: String, val element: HeapType?, private val root: LinkedClass) : HeapType(id, descriptor) {
+internal class ArrayType(id: Int, descriptor: String, val element: HeapType?, private val root: LinkedClass) :
+    HeapType(id, descriptor) {
     /** How the type of an element is written; a single letter for numbers. */
     val elementDescriptor: String = descriptor.drop(1)
 

@@ -73,7 +73,13 @@ internal class InstructionReader(
                 made(opcode, place, place + reader.signedShort())
             }
 
-            Opcode.LDC2_W, in Opcode.GETSTATIC..Opcode.INVOKESTATIC, Opcode.NEW, Opcode.ANEWARRAY, Opcode.CHECKCAST, Opcode.INSTANCEOF -> {
+            Opcode.LDC2_W,
+            in Opcode.GETSTATIC..Opcode.INVOKESTATIC,
+            Opcode.NEW,
+            Opcode.ANEWARRAY,
+            Opcode.CHECKCAST,
+            Opcode.INSTANCEOF,
+            -> {
                 made(opcode, place, reader.unsignedShort())
             }
 
@@ -100,8 +106,8 @@ internal class InstructionReader(
     }
 
     /**
-     * `number += 1000`: the linker of leJOS knows no wide bytecodes, but compilers write one for what a pupil cannot avoid, so it is accepted
-     * where one of another compiler could stand.
+     * `number += 1000`: the linker of leJOS knows no wide bytecodes, but compilers write one for what a pupil cannot
+     * avoid, so it is accepted where one of another compiler could stand.
      */
     private fun largeStep(opcode: Int, place: Int): Instruction? {
         if (opcode != Opcode.WIDE || code.bytes.getOrNull(place + 1) != Opcode.IINC.toByte()) return null
@@ -112,7 +118,11 @@ internal class InstructionReader(
         return made(Opcode.IINC, place, local, step)
     }
 
-    private fun shortForm(first: Int, index: Int, place: Int) = made(first + index / SHORT_FORMS, place, index % SHORT_FORMS)
+    private fun shortForm(first: Int, index: Int, place: Int) = made(
+        first + index / SHORT_FORMS,
+        place,
+        index % SHORT_FORMS,
+    )
 
     private fun made(opcode: Int, place: Int, operand: Int = 0, second: Int = 0) =
         Instruction(opcode, place, reader.position, operand, second)
@@ -123,7 +133,8 @@ internal class InstructionReader(
         const val SHORT_FORMS = 4
 
         val WITHOUT_OPERANDS: Set<Int> = (Opcode.IALOAD..Opcode.SALOAD).toSet() + (Opcode.IASTORE..Opcode.SWAP) +
-            (Opcode.IRETURN..Opcode.RETURN) + Opcode.ARRAYLENGTH + Opcode.ATHROW + Opcode.MONITORENTER + Opcode.MONITOREXIT
+            (Opcode.IRETURN..Opcode.RETURN) + Opcode.ARRAYLENGTH + Opcode.ATHROW + Opcode.MONITORENTER +
+            Opcode.MONITOREXIT
 
         /** Source: leJOS `CodeUtilities.java`. */
         val LACKED: Map<Int, UnsupportedFeature> = mapOf(
@@ -136,6 +147,9 @@ internal class InstructionReader(
             Opcode.INVOKEDYNAMIC to UnsupportedFeature.INVOKE_DYNAMIC,
             114 to UnsupportedFeature.DECIMAL_REMAINDER,
             115 to UnsupportedFeature.DECIMAL_REMAINDER,
-        ) + listOf(97, 101, 105, 109, 113, 117, 121, 123, 125, 127, 129, 131, 148).associateWith { UnsupportedFeature.LONG_ARITHMETIC }
+        ) +
+            listOf(97, 101, 105, 109, 113, 117, 121, 123, 125, 127, 129, 131, 148).associateWith {
+                UnsupportedFeature.LONG_ARITHMETIC
+            }
     }
 }

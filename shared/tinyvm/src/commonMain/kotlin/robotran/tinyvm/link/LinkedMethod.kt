@@ -10,7 +10,8 @@ import robotran.tinyvm.classfile.MethodEntry
  * A method with its place.
  *
  * @property number its place among all methods of a program.
- * @property signatureNumber the number of its name and descriptor among all of a program, which a brick shows when nobody catches an exception.
+ * @property signatureNumber the number of its name and descriptor among all of a program, which a brick shows when
+ * nobody catches an exception.
  */
 internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val number: Int, val signatureNumber: Int) {
     val name: String get() = entry.name
@@ -43,8 +44,8 @@ internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val 
 /**
  * A method's code in the form that is executed: operations of [Operation] with their operands, all references resolved.
  *
- * @property handlers four numbers for each handler: where it begins and ends to watch, where it goes on, and the id of the type it
- * catches, -1 for everything.
+ * @property handlers four numbers for each handler: where it begins and ends to watch, where it goes on, and the id of
+ * the type it catches, -1 for everything.
  * @property places for each word of [code] the byte of the class file it came from.
  */
 internal class MethodBody(

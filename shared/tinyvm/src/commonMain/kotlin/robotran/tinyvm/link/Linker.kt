@@ -34,10 +34,26 @@ internal class Linker(
         linkBodies()
         types.members.completeInterfaces(types.classes)
         val bytes = ProgramSize(types.classes, texts.texts).bytes(listOf(main, run))
-        if (bytes > TinyVmLimits.PROGRAM_BYTES) start.refuse(messages.programTooLarge(bytes, TinyVmLimits.PROGRAM_BYTES))
+        if (bytes >
+            TinyVmLimits.PROGRAM_BYTES
+        ) {
+            start.refuse(messages.programTooLarge(bytes, TinyVmLimits.PROGRAM_BYTES))
+        }
         return LinkedProgram(
-            main, types.types, types.classes, types.members.methods, types.members.statics, texts.texts, bytes,
-            exceptions, text, textField, characters, thread, run, types.throwable,
+            main,
+            types.types,
+            types.classes,
+            types.members.methods,
+            types.members.statics,
+            texts.texts,
+            bytes,
+            exceptions,
+            text,
+            textField,
+            characters,
+            thread,
+            run,
+            types.throwable,
         )
     }
 
@@ -62,7 +78,12 @@ internal class Linker(
         val entry = method.entry.code
         when {
             method.isNative -> {
-                if (!nativeMethods("${method.owner.name}.${method.signature}")) place.refuse(messages.nativeMethod(method.name))
+                if (!nativeMethods(
+                        "${method.owner.name}.${method.signature}",
+                    )
+                ) {
+                    place.refuse(messages.nativeMethod(method.name))
+                }
             }
 
             entry != null -> {
@@ -82,7 +103,11 @@ internal class Linker(
         check(entry.maxStack, TinyVmLimits.OPERANDS, Counted.OPERANDS)
         check(entry.handlers.size, TinyVmLimits.EXCEPTION_HANDLERS, Counted.HANDLERS)
         check(entry.bytes.size, TinyVmLimits.CODE_BYTES, Counted.CODE_BYTES)
-        if (method.owner.isInterface && !method.isStatic) place.refuse(messages.lacks(UnsupportedFeature.INTERFACE_CODE))
+        if (method.owner.isInterface &&
+            !method.isStatic
+        ) {
+            place.refuse(messages.lacks(UnsupportedFeature.INTERFACE_CODE))
+        }
         if (entry.maxLocals < method.argumentWords) place.unsound(messages)
     }
 

@@ -27,7 +27,11 @@ internal class MemberTable(private val messages: LinkMessages) {
         val file = linked.file
         val place = CodeLocation(file.name)
         if (file.fields.size > TinyVmLimits.FIELDS) place.refuse(messages.tooMany(Counted.FIELDS, TinyVmLimits.FIELDS))
-        if (file.methods.size > TinyVmLimits.METHODS) place.refuse(messages.tooMany(Counted.METHODS, TinyVmLimits.METHODS))
+        if (file.methods.size >
+            TinyVmLimits.METHODS
+        ) {
+            place.refuse(messages.tooMany(Counted.METHODS, TinyVmLimits.METHODS))
+        }
         placeFields(linked)
         placeMethods(linked, place)
     }
@@ -47,8 +51,12 @@ internal class MemberTable(private val messages: LinkMessages) {
         val references = linked.superclass?.referenceWords?.toMutableList() ?: mutableListOf()
         linked.fields = linked.file.fields.map { entry ->
             val field = LinkedField(
-                linked, entry.name, entry.descriptor, entry.isStatic,
-                if (entry.isStatic) allStatics.size else words++, initialValue(linked, entry),
+                linked,
+                entry.name,
+                entry.descriptor,
+                entry.isStatic,
+                if (entry.isStatic) allStatics.size else words++,
+                initialValue(linked, entry),
             )
             if (entry.isStatic) allStatics += field else bytes += brickBytesOf(entry.descriptor)
             if (!entry.isStatic && field.isReference) references += field.slot
@@ -64,10 +72,18 @@ internal class MemberTable(private val messages: LinkMessages) {
         val constants = linked.file.constants
         return when (val constant = constants.constant(entry.constantIndex)) {
             is Constant.Whole -> InitialValue.Word(constant.value)
+
             is Constant.Decimal -> InitialValue.Word(constant.value.toBits())
+
             is Constant.Long -> InitialValue.Word(constant.value.toInt())
+
             is Constant.Double -> InitialValue.Word(constant.value.toFloat().toBits())
-            is Constant.StringText -> InitialValue.Text(constants.string(constant)).takeIf { entry.descriptor == "Ljava/lang/String;" }
+
+            is Constant.StringText -> InitialValue.Text(constants.string(constant)).takeIf {
+                entry.descriptor ==
+                    "Ljava/lang/String;"
+            }
+
             else -> null
         }.takeIf { it !is InitialValue.Word || !isReferenceDescriptor(entry.descriptor) }
     }
@@ -79,7 +95,10 @@ internal class MemberTable(private val messages: LinkMessages) {
             val method = LinkedMethod(linked, entry, allMethods.size, signature)
             allMethods += method
             if (method.argumentWords > TinyVmLimits.PARAMETERS) {
-                CodeLocation(linked.name, method.name).refuse(messages.tooMany(Counted.PARAMETERS, TinyVmLimits.PARAMETERS))
+                CodeLocation(
+                    linked.name,
+                    method.name,
+                ).refuse(messages.tooMany(Counted.PARAMETERS, TinyVmLimits.PARAMETERS))
             }
             if (linked.isInterface && entry.code != null &&
                 entry.name != "<clinit>"

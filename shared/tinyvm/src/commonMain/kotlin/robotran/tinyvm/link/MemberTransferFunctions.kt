@@ -47,7 +47,15 @@ internal class MemberTransferFunctions(
 
     private fun pushOf(descriptor: String, situation: FrameState, place: CodeLocation) {
         val isReference = isReferenceDescriptor(descriptor)
-        situation.pushValue(if (isReference) VerificationType.reference(types.typeOf(descriptor, place)) else VerificationType.ofLetter(descriptor[0]))
+        situation.pushValue(
+            if (isReference) {
+                VerificationType.reference(
+                    types.typeOf(descriptor, place),
+                )
+            } else {
+                VerificationType.ofLetter(descriptor[0])
+            },
+        )
     }
 
     private companion object {

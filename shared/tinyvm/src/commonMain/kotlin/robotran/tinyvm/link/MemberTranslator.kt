@@ -32,7 +32,11 @@ internal class MemberTranslator(
             }
 
             called.owner.isInterface -> {
-                writer.write(Operation.CALL_INTERFACE, types.members.interfaceNumber(called.signature), called.argumentWords)
+                writer.write(
+                    Operation.CALL_INTERFACE,
+                    types.members.interfaceNumber(called.signature),
+                    called.argumentWords,
+                )
             }
 
             else -> {

@@ -1,8 +1,8 @@
 package robotran.tinyvm.link
 
 /**
- * The operations that the interpreter executes, each followed by its operands. They stand for one bytecode each, save [STATEMENT], which
- * costs nothing. A long or a double lies on the stack as its word and an unused one above it.
+ * The operations that the interpreter executes, each followed by its operands. They stand for one bytecode each, save
+ * [STATEMENT], which costs nothing. A long or a double lies on the stack as its word and an unused one above it.
  */
 internal object Operation {
     /** Operand: the line. Only in a program's own classes, before the first bytecode of each line. */
@@ -121,7 +121,10 @@ internal object Operation {
     const val CALL_STATIC = 90
     const val CALL_EXACTLY = 91
 
-    /** Operands: the place among the virtual methods or the number of the interface method, and the words of the arguments. */
+    /**
+     * Operands: the place among the virtual methods or the number of the interface method, and the words of the
+     * arguments.
+     */
     const val CALL_VIRTUAL = 92
     const val CALL_INTERFACE = 93
     const val RETURN = 94

@@ -4,18 +4,32 @@ package robotran.tinyvm.link
 internal object OperationTables {
     /** For int, long, float, double, objects, bytes, characters and shorts. */
     val STORES = listOf(
-        Operation.SET_ELEMENT, Operation.SET_WIDE, Operation.SET_ELEMENT, Operation.SET_WIDE,
-        Operation.SET_REFERENCE, Operation.SET_BYTE, Operation.SET_CHARACTER, Operation.SET_SHORT,
+        Operation.SET_ELEMENT,
+        Operation.SET_WIDE,
+        Operation.SET_ELEMENT,
+        Operation.SET_WIDE,
+        Operation.SET_REFERENCE,
+        Operation.SET_BYTE,
+        Operation.SET_CHARACTER,
+        Operation.SET_SHORT,
     )
 
     /** In the order of the bytecodes: equal, not equal, less, not less, greater, not greater. */
     val IF_ZERO = listOf(
-        Operation.IF_ZERO, Operation.IF_NOT_ZERO, Operation.IF_NEGATIVE,
-        Operation.IF_NOT_NEGATIVE, Operation.IF_POSITIVE, Operation.IF_NOT_POSITIVE,
+        Operation.IF_ZERO,
+        Operation.IF_NOT_ZERO,
+        Operation.IF_NEGATIVE,
+        Operation.IF_NOT_NEGATIVE,
+        Operation.IF_POSITIVE,
+        Operation.IF_NOT_POSITIVE,
     )
 
     val IF_EQUAL = listOf(
-        Operation.IF_EQUAL, Operation.IF_NOT_EQUAL, Operation.IF_LESS,
-        Operation.IF_NOT_LESS, Operation.IF_GREATER, Operation.IF_NOT_GREATER,
+        Operation.IF_EQUAL,
+        Operation.IF_NOT_EQUAL,
+        Operation.IF_LESS,
+        Operation.IF_NOT_LESS,
+        Operation.IF_GREATER,
+        Operation.IF_NOT_GREATER,
     )
 }

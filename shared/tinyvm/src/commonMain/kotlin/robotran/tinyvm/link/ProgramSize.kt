@@ -4,8 +4,9 @@ import robotran.tinyvm.classfile.Constant
 import robotran.tinyvm.classfile.MethodEntry
 
 /**
- * About how many bytes of a brick's memory a program takes when it is linked: a record for each class, method that may be called, `catch`,
- * constant and static field, their content, and the code. Source of the records: `TinyVMConstants` and the record classes of leJOS 3.0.
+ * About how many bytes of a brick's memory a program takes when it is linked: a record for each class, method that may
+ * be called, `catch`, constant and static field, their content, and the code. Source of the records: `TinyVMConstants`
+ * and the record classes of leJOS 3.0.
  */
 internal class ProgramSize(private val classes: List<LinkedClass>, private val texts: List<String>) {
     private val bySignature: Map<String, List<LinkedMethod>> = classes.flatMap { it.methods }.groupBy { it.signature }
@@ -13,7 +14,8 @@ internal class ProgramSize(private val classes: List<LinkedClass>, private val t
     /** @param first what is called by itself: `main`, and `run` of threads. */
     fun bytes(first: List<LinkedMethod>): Int {
         val methods = calledFrom(first + classes.mapNotNull { it.initializer })
-        return classes.sumOf { bytesOf(it) } + methods.sumOf { bytesOf(it.entry) } + texts.sumOf { CONSTANT_RECORD + it.length }
+        return classes.sumOf { bytesOf(it) } + methods.sumOf { bytesOf(it.entry) } +
+            texts.sumOf { CONSTANT_RECORD + it.length }
     }
 
     private fun calledFrom(first: List<LinkedMethod>): Set<LinkedMethod> {

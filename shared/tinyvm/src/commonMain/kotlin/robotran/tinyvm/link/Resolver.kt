@@ -7,7 +7,11 @@ import robotran.tinyvm.messages.LinkMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 
 /** Finds what the instructions of a class name. */
-internal class Resolver(private val constants: ConstantPool, private val types: TypeTable, private val messages: LinkMessages) {
+internal class Resolver(
+    private val constants: ConstantPool,
+    private val types: TypeTable,
+    private val messages: LinkMessages,
+) {
     fun type(index: Int, place: CodeLocation): HeapType = types.typeNamed(constants.className(index), place)
 
     /** The array whose elements are of the type at [index]. */
@@ -39,8 +43,16 @@ internal class Resolver(private val constants: ConstantPool, private val types: 
         val owner = types.typeNamed(member.owner, place) as? LinkedClass ?: types.root
         val method = owner.findMethod(member.name, member.descriptor)
             ?: owner.takeIf { it.isInterface }?.let { types.root.findMethod(member.name, member.descriptor) }
-        if (method == null || method.isStatic != isStatic) place.refuse(messages.methodMissing(owner.sourceName, member.name))
-        if (method.isConstructor && method.owner !== owner) place.refuse(messages.methodMissing(owner.sourceName, owner.sourceName))
+        if (method == null ||
+            method.isStatic != isStatic
+        ) {
+            place.refuse(messages.methodMissing(owner.sourceName, member.name))
+        }
+        if (method.isConstructor &&
+            method.owner !== owner
+        ) {
+            place.refuse(messages.methodMissing(owner.sourceName, owner.sourceName))
+        }
         return method
     }
 

@@ -9,7 +9,10 @@ package robotran.tinyvm.link
  */
 internal class SimpleInstruction(val operation: Int, val takes: String, val gives: String, val constant: Int? = null)
 
-/** The simple bytecodes by their numbers; null for the others. Source: The Java Virtual Machine Specification, chapter 6. */
+/**
+ * The simple bytecodes by their numbers; null for the others. Source: The Java Virtual Machine Specification, chapter
+ * 6.
+ */
 internal val SIMPLE_INSTRUCTIONS: Array<SimpleInstruction?> = arrayOfNulls<SimpleInstruction>(256).also { table ->
     fun add(opcode: Int, takes: String, gives: String, operation: Int) {
         table[opcode] = SimpleInstruction(operation, takes, gives)
@@ -25,9 +28,17 @@ internal val SIMPLE_INSTRUCTIONS: Array<SimpleInstruction?> = arrayOfNulls<Simpl
     for (value in 0..2) constant(11 + value, "F", value.toFloat().toBits())
     for (value in 0..1) constant(14 + value, "D", value.toFloat().toBits())
     val whole = listOf(
-        96 to Operation.ADD, 100 to Operation.SUBTRACT, 104 to Operation.MULTIPLY, 108 to Operation.DIVIDE, 112 to Operation.REMAINDER,
-        120 to Operation.SHIFT_LEFT, 122 to Operation.SHIFT_RIGHT, 124 to Operation.SHIFT_RIGHT_UNSIGNED,
-        126 to Operation.AND, 128 to Operation.OR, 130 to Operation.XOR,
+        96 to Operation.ADD,
+        100 to Operation.SUBTRACT,
+        104 to Operation.MULTIPLY,
+        108 to Operation.DIVIDE,
+        112 to Operation.REMAINDER,
+        120 to Operation.SHIFT_LEFT,
+        122 to Operation.SHIFT_RIGHT,
+        124 to Operation.SHIFT_RIGHT_UNSIGNED,
+        126 to Operation.AND,
+        128 to Operation.OR,
+        130 to Operation.XOR,
     )
     for ((opcode, operation) in whole) add(opcode, "II", "I", operation)
     for (index in 0..3) add(98 + 4 * index, "FF", "F", Operation.ADD_DECIMAL + index)

@@ -3,8 +3,8 @@ package robotran.tinyvm.link
 import robotran.tinyvm.config.TinyVmLimits
 
 /**
- * The subroutines (`finally` blocks of older compilers) that a piece of code is inside of. Code is looked at once for each place it is
- * called from, so the verifier knows exactly where each subroutine goes back to.
+ * The subroutines (`finally` blocks of older compilers) that a piece of code is inside of. Code is looked at once for
+ * each place it is called from, so the verifier knows exactly where each subroutine goes back to.
  */
 internal class SubroutineContexts {
     private class Context(val returnPlace: Int, val outer: Int)
@@ -15,7 +15,10 @@ internal class SubroutineContexts {
     /** How many contexts there are, [NONE] included. */
     val count: Int get() = contexts.size + 1
 
-    /** The context of a subroutine that is called in [context] and goes back to [returnPlace]; null if too many are inside each other. */
+    /**
+     * The context of a subroutine that is called in [context] and goes back to [returnPlace]; null if too many are
+     * inside each other.
+     */
     fun enter(context: Int, returnPlace: Int): Int? {
         var outer = context
         var depth = 0

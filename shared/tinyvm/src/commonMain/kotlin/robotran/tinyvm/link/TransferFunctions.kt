@@ -6,7 +6,10 @@ import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.LinkMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 
-/** Works out what an instruction does to a [FrameState], checking that it may, and notes what it names in [code]. Branches aside. */
+/**
+ * Works out what an instruction does to a [FrameState], checking that it may, and notes what it names in [code].
+ * Branches aside.
+ */
 internal class TransferFunctions(
     private val method: LinkedMethod,
     private val types: TypeTable,
@@ -27,7 +30,8 @@ internal class TransferFunctions(
                 for (letter in simple.gives) situation.pushValue(VerificationType.ofLetter(letter))
             }
 
-            instruction.opcode in Opcode.IALOAD..Opcode.SALOAD || instruction.opcode in Opcode.IASTORE..Opcode.SASTORE -> {
+            instruction.opcode in Opcode.IALOAD..Opcode.SALOAD ||
+                instruction.opcode in Opcode.IASTORE..Opcode.SASTORE -> {
                 arrays.element(instruction.opcode, situation)
             }
 
@@ -67,7 +71,11 @@ internal class TransferFunctions(
             in Opcode.ILOAD until Opcode.ALOAD -> {
                 val kind = VerificationType.ofLetter(KINDS[instruction.opcode - Opcode.ILOAD])
                 if (situation.local(operand) != kind) unsound()
-                if (VerificationType.isWide(kind) && situation.local(operand + 1) != VerificationType.SECOND_WORD) unsound()
+                if (VerificationType.isWide(kind) &&
+                    situation.local(operand + 1) != VerificationType.SECOND_WORD
+                ) {
+                    unsound()
+                }
                 situation.pushValue(kind)
             }
 
@@ -177,7 +185,10 @@ internal class TransferFunctions(
         if (isWide != wide) unsound()
     }
 
-    private fun named(instruction: Instruction, type: HeapType): HeapType = type.also { code.types[instruction.place] = it }
+    private fun named(instruction: Instruction, type: HeapType): HeapType = type.also {
+        code.types[instruction.place] =
+            it
+    }
 
     private companion object {
         const val ACONST_NULL = 1

@@ -22,17 +22,29 @@ internal class Translator(
             positions[place] = writer.size
             val instruction = code.reached[place] ?: continue
             writer.place = place
-            if (place in statements && code.beginsStatement[place]) writer.write(Operation.STATEMENT, entry.lines.lineAt(place))
+            if (place in statements &&
+                code.beginsStatement[place]
+            ) {
+                writer.write(Operation.STATEMENT, entry.lines.lineAt(place))
+            }
             translate(instruction)
         }
         positions[entry.bytes.size] = writer.size
-        return MethodBody(writer.finish(positions), handlers(positions), writer.finishedPlaces(), entry.lines, entry.variables)
+        return MethodBody(
+            writer.finish(positions),
+            handlers(positions),
+            writer.finishedPlaces(),
+            entry.lines,
+            entry.variables,
+        )
     }
 
     private fun handlers(positions: IntArray): IntArray = entry.handlers
         .filter { it.target in code.reached.indices && code.reached[it.target] != null && it.start < it.end }
         .flatMap { handler ->
-            val type = handler.catchType?.let { types.classNamed(it, CodeLocation(method.owner.name, method.name)).id } ?: CATCHES_ALL
+            val type =
+                handler.catchType?.let { types.classNamed(it, CodeLocation(method.owner.name, method.name)).id }
+                    ?: CATCHES_ALL
             val end = minOf(handler.end, entry.bytes.size)
             listOf(positions[handler.start], positions[end], positions[handler.target], type)
         }.toIntArray()
@@ -42,11 +54,19 @@ internal class Translator(
         val simple = SIMPLE_INSTRUCTIONS[opcode]
         when {
             simple?.constant != null -> writer.write(simple.operation, simple.constant)
+
             simple != null -> writer.write(simple.operation)
-            opcode in Opcode.IFEQ..Opcode.JSR || opcode == Opcode.IFNULL || opcode == Opcode.IFNONNULL -> branch(instruction)
+
+            opcode in Opcode.IFEQ..Opcode.JSR || opcode == Opcode.IFNULL || opcode == Opcode.IFNONNULL -> branch(
+                instruction,
+            )
+
             opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> members.field(instruction)
+
             opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> members.call(instruction)
+
             opcode in WITH_TYPE -> members.typed(instruction)
+
             else -> other(instruction)
         }
     }
@@ -67,11 +87,29 @@ internal class Translator(
             }
 
             in Opcode.ILOAD..Opcode.ALOAD -> {
-                writer.write(if ((opcode - Opcode.ILOAD) % 2 == 1) Operation.LOAD_WIDE else Operation.LOAD, instruction.operand)
+                writer.write(
+                    if ((opcode - Opcode.ILOAD) % 2 ==
+                        1
+                    ) {
+                        Operation.LOAD_WIDE
+                    } else {
+                        Operation.LOAD
+                    },
+                    instruction.operand,
+                )
             }
 
             in Opcode.ISTORE..Opcode.ASTORE -> {
-                writer.write(if ((opcode - Opcode.ISTORE) % 2 == 1) Operation.STORE_WIDE else Operation.STORE, instruction.operand)
+                writer.write(
+                    if ((opcode - Opcode.ISTORE) % 2 ==
+                        1
+                    ) {
+                        Operation.STORE_WIDE
+                    } else {
+                        Operation.STORE
+                    },
+                    instruction.operand,
+                )
             }
 
             in Opcode.IALOAD..Opcode.SALOAD -> {
@@ -157,7 +195,12 @@ internal class Translator(
         private const val BIPUSH = 16
         private const val SIPUSH = 17
         private val WITH_TYPE = setOf(
-            Opcode.NEW, Opcode.NEWARRAY, Opcode.ANEWARRAY, Opcode.MULTIANEWARRAY, Opcode.CHECKCAST, Opcode.INSTANCEOF,
+            Opcode.NEW,
+            Opcode.NEWARRAY,
+            Opcode.ANEWARRAY,
+            Opcode.MULTIANEWARRAY,
+            Opcode.CHECKCAST,
+            Opcode.INSTANCEOF,
         )
     }
 }

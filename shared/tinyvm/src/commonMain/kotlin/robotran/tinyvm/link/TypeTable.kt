@@ -40,13 +40,18 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
     }
 
     /** The class with the internal name [name]. */
-    fun classNamed(name: String, place: CodeLocation): LinkedClass = byDescriptor["L$name;"] as LinkedClass? ?: link(name, place)
+    fun classNamed(name: String, place: CodeLocation): LinkedClass =
+        byDescriptor["L$name;"] as LinkedClass? ?: link(name, place)
 
     private fun arrayType(descriptor: String, place: CodeLocation): ArrayType {
         if (descriptor.takeWhile { it == '[' }.length > TinyVmLimits.ARRAY_DIMENSIONS) place.unsound(messages)
         val elementDescriptor = descriptor.drop(1)
         val element = if (isReferenceDescriptor(elementDescriptor)) typeOf(elementDescriptor, place) else null
-        if (++arrayTypes > TinyVmLimits.ARRAY_TYPES) place.refuse(messages.tooMany(Counted.ARRAY_TYPES, TinyVmLimits.ARRAY_TYPES))
+        if (++arrayTypes >
+            TinyVmLimits.ARRAY_TYPES
+        ) {
+            place.refuse(messages.tooMany(Counted.ARRAY_TYPES, TinyVmLimits.ARRAY_TYPES))
+        }
         val root = root
         return ArrayType(allTypes.size, descriptor, element, root).also { add(it) }
     }
@@ -55,13 +60,30 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
         val file = files.find(name) ?: place.refuse(messages.classMissing(name.replace('/', '.')))
         val own = CodeLocation(name)
         if (!beingLinked.add(name)) own.refuse(messages.classLoop(name.replace('/', '.')))
-        if (beingLinked.size > TinyVmLimits.ANCESTORS) own.refuse(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
+        if (beingLinked.size >
+            TinyVmLimits.ANCESTORS
+        ) {
+            own.refuse(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
+        }
         if (file.superName == null && name != ROOT) own.unsound(messages)
         val superclass = file.superName?.let { classNamed(it, own) }
         val interfaces = file.interfaces.map { classNamed(it, own) }
         if (superclass?.isInterface == true || interfaces.any { !it.isInterface }) own.unsound(messages)
-        val linked = LinkedClass(allTypes.size, allClasses.size, file, superclass, interfaces, files.isOwn(name), files.sourceFileOf(name))
-        if (linked.ancestorCount > TinyVmLimits.ANCESTORS) own.refuse(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
+        val linked =
+            LinkedClass(
+                allTypes.size,
+                allClasses.size,
+                file,
+                superclass,
+                interfaces,
+                files.isOwn(name),
+                files.sourceFileOf(name),
+            )
+        if (linked.ancestorCount >
+            TinyVmLimits.ANCESTORS
+        ) {
+            own.refuse(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
+        }
         add(linked)
         allClasses += linked
         if (allClasses.size > TinyVmLimits.CLASSES) own.refuse(messages.tooMany(Counted.CLASSES, TinyVmLimits.CLASSES))

@@ -1,8 +1,9 @@
 package robotran.tinyvm.link
 
 /**
- * What the verifier knows of a word among locals and operands, as a number: one of these kinds, [reference] of a type of objects, or
- * [returnAddress] of a subroutine. Only words of the same kind are ever exchanged, so a number never passes for a reference.
+ * What the verifier knows of a word among locals and operands, as a number: one of these kinds, [reference] of a type
+ * of objects, or [returnAddress] of a subroutine. Only words of the same kind are ever exchanged, so a number never
+ * passes for a reference.
  */
 internal object VerificationType {
     /** Nothing that may be read. */

@@ -7,8 +7,9 @@ import robotran.tinyvm.messages.LinkMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 
 /**
- * Follows all ways through a method and knows, before each instruction, what kind of value each local and operand holds. What it lets pass
- * cannot leave its stack, take a number for a reference, reach into an object of another class, or run off the end of the code.
+ * Follows all ways through a method and knows, before each instruction, what kind of value each local and operand
+ * holds. What it lets pass cannot leave its stack, take a number for a reference, reach into an object of another
+ * class, or run off the end of the code.
  */
 internal class Verifier(
     private val method: LinkedMethod,
@@ -110,7 +111,13 @@ internal class Verifier(
         if (!method.isStatic) situation.setLocal(slot++, VerificationType.reference(method.owner))
         for (parameter in method.types.parameters) {
             val isReference = isReferenceDescriptor(parameter)
-            val value = if (isReference) VerificationType.reference(types.typeOf(parameter, placeOf(0))) else VerificationType.ofLetter(parameter[0])
+            val value = if (isReference) {
+                VerificationType.reference(
+                    types.typeOf(parameter, placeOf(0)),
+                )
+            } else {
+                VerificationType.ofLetter(parameter[0])
+            }
             situation.setLocal(slot, value)
             slot += if (VerificationType.isWide(value)) 2 else 1
         }

@@ -2,13 +2,19 @@ package robotran.tinyvm.messages
 
 /** What is said in English of a class that cannot be put on the brick. */
 internal object EnglishLinkMessages : LinkMessages {
-    override fun noMainMethod() = "There is nothing to start: write a method \"public static void main(String[] args)\" in one class."
+    override fun noMainMethod() =
+        "There is nothing to start: write a method \"public static void main(String[] args)\" in one class."
 
     override fun classMissing(name: String) = "There is no class $name on the brick."
 
     override fun fieldMissing(className: String, name: String) = when (className to name) {
-        "java.lang.System" to "out" -> "The brick has no System.out. Show texts with TextLCD.print, and numbers with LCD.showNumber."
-        else -> "On the brick, $className has no \"$name\"."
+        "java.lang.System" to "out" -> {
+            "The brick has no System.out. Show texts with TextLCD.print, and numbers with LCD.showNumber."
+        }
+
+        else -> {
+            "On the brick, $className has no \"$name\"."
+        }
     }
 
     override fun methodMissing(className: String, name: String) = "On the brick, $className has no method \"$name\"."
@@ -20,9 +26,11 @@ internal object EnglishLinkMessages : LinkMessages {
     override fun tooMany(counted: Counted, limit: Int) = "A brick takes at most $limit ${nameOf(counted)}."
 
     override fun programTooLarge(bytes: Int, limit: Int) =
-        "This program takes about $bytes bytes of the brick's memory, but it has room for $limit. Use fewer classes of leJOS, or write less code."
+        "This program takes about $bytes bytes of the brick's memory, but it has room for $limit. Use fewer classes " +
+            "of leJOS, or write less code."
 
-    override fun nativeMethod(name: String) = "The brick has no built-in method \"$name\". Write it in Java, without \"native\"."
+    override fun nativeMethod(name: String) =
+        "The brick has no built-in method \"$name\". Write it in Java, without \"native\"."
 
     override fun lacks(feature: UnsupportedFeature) = when (feature) {
         UnsupportedFeature.SWITCH -> {

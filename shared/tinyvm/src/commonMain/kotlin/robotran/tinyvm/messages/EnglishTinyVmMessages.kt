@@ -13,7 +13,8 @@ private object EnglishClassFileMessages : ClassFileMessages {
     override fun classFileTooLong(limit: Int) = "This class file is longer than $limit bytes. A brick holds far less."
 
     override fun classFileTooNew() =
-        "This class was compiled for a newer Java than a brick understands. Compile it with --release 8, or open its source here."
+        "This class was compiled for a newer Java than a brick understands. Compile it with --release 8, or open its " +
+            "source here."
 
     override fun classFileDamaged() = "This class file is damaged: compile the program again."
 }

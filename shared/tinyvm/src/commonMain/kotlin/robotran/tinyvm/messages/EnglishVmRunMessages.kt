@@ -48,13 +48,36 @@ internal object EnglishVmRunMessages : RunMessages {
         "Of its $allBytes bytes, the program itself takes about $programBytes."
 
     override fun wouldBite(quirk: Quirk) = when (quirk) {
-        Quirk.DIVISOR_OF_16_BITS -> "A real brick would drop all but 16 bits of this divisor and get another result."
-        Quirk.INDEX_OF_16_BITS -> "A real brick would drop all but 16 bits of this index and might meet another element."
-        Quirk.SIGNED_CHARACTER -> "On a real brick, this char would become negative."
-        Quirk.UNCHECKED_INTERFACE -> "A real brick would not notice that the object does not implement this interface."
-        Quirk.LONG_ARRAY -> "A real brick has no arrays of more than 511 elements: it would throw an OutOfMemoryError."
-        Quirk.HEAP_FULL -> "A real brick's memory would be full by now: it never gives memory back."
-        Quirk.NOT_A_NUMBER -> "A real brick would take this as equal to all other numbers."
-        Quirk.JOIN_DOES_NOTHING -> "On a real brick, join does not wait, so here it does not either."
+        Quirk.DIVISOR_OF_16_BITS -> {
+            "A real brick would drop all but 16 bits of this divisor and get another result."
+        }
+
+        Quirk.INDEX_OF_16_BITS -> {
+            "A real brick would drop all but 16 bits of this index and might meet another element."
+        }
+
+        Quirk.SIGNED_CHARACTER -> {
+            "On a real brick, this char would become negative."
+        }
+
+        Quirk.UNCHECKED_INTERFACE -> {
+            "A real brick would not notice that the object does not implement this interface."
+        }
+
+        Quirk.LONG_ARRAY -> {
+            "A real brick has no arrays of more than 511 elements: it would throw an OutOfMemoryError."
+        }
+
+        Quirk.HEAP_FULL -> {
+            "A real brick's memory would be full by now: it never gives memory back."
+        }
+
+        Quirk.NOT_A_NUMBER -> {
+            "A real brick would take this as equal to all other numbers."
+        }
+
+        Quirk.JOIN_DOES_NOTHING -> {
+            "On a real brick, join does not wait, so here it does not either."
+        }
     }
 }

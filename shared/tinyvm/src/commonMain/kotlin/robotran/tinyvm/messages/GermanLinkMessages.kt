@@ -17,9 +17,11 @@ internal object GermanLinkMessages : LinkMessages {
         }
     }
 
-    override fun methodMissing(className: String, name: String) = "Auf dem Stein hat $className keine Methode \"$name\"."
+    override fun methodMissing(className: String, name: String) =
+        "Auf dem Stein hat $className keine Methode \"$name\"."
 
-    override fun classTwice(name: String) = "Es gibt zwei Klassen, die $name heißen. Gib einer davon einen anderen Namen."
+    override fun classTwice(name: String) =
+        "Es gibt zwei Klassen, die $name heißen. Gib einer davon einen anderen Namen."
 
     override fun classLoop(name: String) = "Die Klasse $name kann sich nicht selbst erweitern."
 
@@ -29,7 +31,8 @@ internal object GermanLinkMessages : LinkMessages {
         "Dieses Programm braucht etwa $bytes Bytes vom Speicher des Steins, aber nur $limit passen hinein. " +
             "Nimm weniger Klassen von leJOS, oder schreib weniger."
 
-    override fun nativeMethod(name: String) = "Der Stein hat keine eingebaute Methode \"$name\". Schreib sie in Java, ohne \"native\"."
+    override fun nativeMethod(name: String) =
+        "Der Stein hat keine eingebaute Methode \"$name\". Schreib sie in Java, ohne \"native\"."
 
     override fun lacks(feature: UnsupportedFeature) = when (feature) {
         UnsupportedFeature.SWITCH -> {
@@ -37,7 +40,8 @@ internal object GermanLinkMessages : LinkMessages {
         }
 
         UnsupportedFeature.LONG_ARITHMETIC -> {
-            "Der Stein kann mit long-Zahlen nicht rechnen und sie nicht vergleichen. Mach vorher ein int daraus: (int) time."
+            "Der Stein kann mit long-Zahlen nicht rechnen und sie nicht vergleichen. Mach vorher ein int daraus: " +
+                "(int) time."
         }
 
         UnsupportedFeature.DECIMAL_REMAINDER -> {
@@ -53,15 +57,18 @@ internal object GermanLinkMessages : LinkMessages {
         }
 
         UnsupportedFeature.MANY_CONSTANTS -> {
-            "Diese Klasse hat zu viele verschiedene Texte und große Zahlen für den Stein. Verschieb ein paar in eine andere Klasse."
+            "Diese Klasse hat zu viele verschiedene Texte und große Zahlen für den Stein. Verschieb ein paar in eine " +
+                "andere Klasse."
         }
 
         UnsupportedFeature.INVOKE_DYNAMIC -> {
-            "Der Stein kennt keine Lambdas und keine neueren Arten, Texte zu verbinden. Übersetz für ein älteres Java, oder schreib eine Klasse."
+            "Der Stein kennt keine Lambdas und keine neueren Arten, Texte zu verbinden. Übersetz für ein älteres " +
+                "Java, oder schreib eine Klasse."
         }
 
         UnsupportedFeature.ARRAY_TEST -> {
-            "Der Stein kann Arrays nicht prüfen und nicht umwandeln. Behalt das Array in einer Variable seines eigenen Typs."
+            "Der Stein kann Arrays nicht prüfen und nicht umwandeln. Behalt das Array in einer Variable seines " +
+                "eigenen Typs."
         }
 
         UnsupportedFeature.CLASS_LITERAL -> {
@@ -77,7 +84,8 @@ internal object GermanLinkMessages : LinkMessages {
         }
     }
 
-    override fun codeUnsound() = "Diese Klassendatei ist beschädigt, ihr Code ergibt keinen Sinn: Übersetz das Programm noch einmal."
+    override fun codeUnsound() =
+        "Diese Klassendatei ist beschädigt, ihr Code ergibt keinen Sinn: Übersetz das Programm noch einmal."
 
     private fun nameOf(counted: Counted) = when (counted) {
         Counted.CLASSES -> "Klassen in einem Programm, die von leJOS mitgezählt"

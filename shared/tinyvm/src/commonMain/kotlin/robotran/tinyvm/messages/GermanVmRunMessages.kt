@@ -6,7 +6,8 @@ import robotran.tinyvm.config.Quirk
 internal object GermanVmRunMessages : RunMessages {
     override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
         val said = if (text.isEmpty()) exception else "$exception ($text)"
-        return "Niemand hat diese Ausnahme gefangen: $said. Ein Stein brummt und zeigt $methodNumber und $exceptionNumber."
+        return "Niemand hat diese Ausnahme gefangen: $said. Ein Stein brummt und zeigt $methodNumber und " +
+            "$exceptionNumber."
     }
 
     override fun bites(quirk: Quirk) = when (quirk) {
@@ -23,7 +24,8 @@ internal object GermanVmRunMessages : RunMessages {
         }
 
         Quirk.UNCHECKED_INTERFACE -> {
-            "Auf einem Stein geht jedes Objekt als jedes Interface durch: Hier wurde nicht wirklich geprüft oder umgewandelt."
+            "Auf einem Stein geht jedes Objekt als jedes Interface durch: Hier wurde nicht wirklich geprüft oder " +
+                "umgewandelt."
         }
 
         Quirk.LONG_ARRAY -> {
@@ -31,7 +33,8 @@ internal object GermanVmRunMessages : RunMessages {
         }
 
         Quirk.HEAP_FULL -> {
-            "Der Speicher des Steins ist voll. Er gibt nie Speicher zurück, also mach Objekte, Arrays und Texte nur einmal und " +
+            "Der Speicher des Steins ist voll. Er gibt nie Speicher zurück, also mach Objekte, Arrays und Texte nur " +
+                "einmal und " +
                 "benutz sie wieder."
         }
 

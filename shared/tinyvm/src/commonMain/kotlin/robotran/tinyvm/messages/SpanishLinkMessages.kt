@@ -17,7 +17,8 @@ internal object SpanishLinkMessages : LinkMessages {
         }
     }
 
-    override fun methodMissing(className: String, name: String) = "En el ladrillo, $className no tiene ningún método \"$name\"."
+    override fun methodMissing(className: String, name: String) =
+        "En el ladrillo, $className no tiene ningún método \"$name\"."
 
     override fun classTwice(name: String) = "Hay dos clases que se llaman $name. Dale otro nombre a una de ellas."
 
@@ -26,9 +27,11 @@ internal object SpanishLinkMessages : LinkMessages {
     override fun tooMany(counted: Counted, limit: Int) = "En un ladrillo caben como mucho $limit ${nameOf(counted)}."
 
     override fun programTooLarge(bytes: Int, limit: Int) =
-        "Este programa ocupa unos $bytes bytes de la memoria del ladrillo, pero solo caben $limit. Usa menos clases de leJOS o escribe menos código."
+        "Este programa ocupa unos $bytes bytes de la memoria del ladrillo, pero solo caben $limit. Usa menos clases " +
+            "de leJOS o escribe menos código."
 
-    override fun nativeMethod(name: String) = "El ladrillo no trae ningún método \"$name\". Escríbelo en Java, sin \"native\"."
+    override fun nativeMethod(name: String) =
+        "El ladrillo no trae ningún método \"$name\". Escríbelo en Java, sin \"native\"."
 
     override fun lacks(feature: UnsupportedFeature) = when (feature) {
         UnsupportedFeature.SWITCH -> {
@@ -52,11 +55,13 @@ internal object SpanishLinkMessages : LinkMessages {
         }
 
         UnsupportedFeature.MANY_CONSTANTS -> {
-            "Esta clase tiene demasiados textos distintos y números grandes para el ladrillo. Pasa algunos a otra clase."
+            "Esta clase tiene demasiados textos distintos y números grandes para el ladrillo. Pasa algunos a otra " +
+                "clase."
         }
 
         UnsupportedFeature.INVOKE_DYNAMIC -> {
-            "El ladrillo no conoce las lambdas ni las formas nuevas de unir textos. Compila para un Java más antiguo, o escribe una clase."
+            "El ladrillo no conoce las lambdas ni las formas nuevas de unir textos. Compila para un Java más " +
+                "antiguo, o escribe una clase."
         }
 
         UnsupportedFeature.ARRAY_TEST -> {
@@ -76,7 +81,8 @@ internal object SpanishLinkMessages : LinkMessages {
         }
     }
 
-    override fun codeUnsound() = "Este archivo de clase está dañado y su código no tiene sentido: compila el programa otra vez."
+    override fun codeUnsound() =
+        "Este archivo de clase está dañado y su código no tiene sentido: compila el programa otra vez."
 
     private fun nameOf(counted: Counted) = when (counted) {
         Counted.CLASSES -> "clases en un programa, contando las de leJOS"

@@ -23,7 +23,8 @@ internal object SpanishVmRunMessages : RunMessages {
         }
 
         Quirk.UNCHECKED_INTERFACE -> {
-            "En un ladrillo, cualquier objeto vale por cualquier interfaz: esta comprobación o conversión no se ha hecho de verdad."
+            "En un ladrillo, cualquier objeto vale por cualquier interfaz: esta comprobación o conversión no se ha " +
+                "hecho de verdad."
         }
 
         Quirk.LONG_ARRAY -> {
@@ -31,7 +32,8 @@ internal object SpanishVmRunMessages : RunMessages {
         }
 
         Quirk.HEAP_FULL -> {
-            "La memoria del ladrillo está llena. Nunca devuelve memoria, así que haz los objetos, arrays y textos una sola vez y " +
+            "La memoria del ladrillo está llena. Nunca devuelve memoria, así que haz los objetos, arrays y textos " +
+                "una sola vez y " +
                 "úsalos de nuevo."
         }
 

@@ -3,7 +3,10 @@ package robotran.tinyvm.messages
 import robotran.language.Language
 import robotran.tinyvm.config.Quirk
 
-/** The table of everything the virtual machine says to a learner, one function a message. Another language is another implementation. */
+/**
+ * The table of everything the virtual machine says to a learner, one function a message. Another language is another
+ * implementation.
+ */
 interface TinyVmMessages :
     ClassFileMessages,
     LinkMessages,
@@ -54,7 +57,19 @@ interface LinkMessages {
 }
 
 /** What there can be too much of in a program. */
-enum class Counted { CLASSES, ARRAY_TYPES, FIELDS, METHODS, LOCALS, OPERANDS, PARAMETERS, HANDLERS, CODE_BYTES, TEXT_CHARACTERS, ANCESTORS }
+enum class Counted {
+    CLASSES,
+    ARRAY_TYPES,
+    FIELDS,
+    METHODS,
+    LOCALS,
+    OPERANDS,
+    PARAMETERS,
+    HANDLERS,
+    CODE_BYTES,
+    TEXT_CHARACTERS,
+    ANCESTORS,
+}
 
 /** What Java has and a TinyVM lacks. */
 enum class UnsupportedFeature {

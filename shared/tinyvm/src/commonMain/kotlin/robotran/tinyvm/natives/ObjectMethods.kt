@@ -9,12 +9,20 @@ import robotran.tinyvm.run.action
 
 /** `java.lang.Object`. Source: leJOS `threads.c`. */
 internal val objectMethods: Map<String, NativeMethod> = mapOf(
-    "java/lang/Object.wait()V" to action { machine, thread, first -> await(machine, thread, thread.stack[first], null) },
+    "java/lang/Object.wait()V" to action {
+        machine,
+        thread,
+        first,
+        ->
+        await(machine, thread, thread.stack[first], null)
+    },
     "java/lang/Object.wait(J)V" to action { machine, thread, first ->
         await(machine, thread, thread.stack[first], thread.stack[first + 1])
     },
-    "java/lang/Object.notify()V" to action { machine, thread, first -> wake(machine, thread, thread.stack[first], all = false) },
-    "java/lang/Object.notifyAll()V" to action { machine, thread, first -> wake(machine, thread, thread.stack[first], all = true) },
+    "java/lang/Object.notify()V" to
+        action { machine, thread, first -> wake(machine, thread, thread.stack[first], all = false) },
+    "java/lang/Object.notifyAll()V" to
+        action { machine, thread, first -> wake(machine, thread, thread.stack[first], all = true) },
     "java/lang/Object.getDataAddress(Ljava/lang/Object;)I" to NativeMethod { machine, thread, first ->
         machine.arrays.addressOf(thread.stack[first])
     },
@@ -38,7 +46,8 @@ private fun await(machine: VirtualMachine, thread: VmThread, lock: Int, millisec
         else -> {
             thread.givenUp = machine.monitors.giveUp(lock, thread)
             thread.waitsFor = lock
-            thread.wakesAt = if (milliseconds == null || milliseconds == 0) 0 else machine.rom.milliseconds + milliseconds
+            thread.wakesAt =
+                if (milliseconds == null || milliseconds == 0) 0 else machine.rom.milliseconds + milliseconds
             thread.state = ThreadState.WAITING
         }
     }

@@ -18,9 +18,14 @@ internal val sensorMethods: Map<String, NativeMethod> = mapOf(
     "josx/platform/rcx/Sensor.setSensorValue(III)V" to action { machine, thread, first ->
         val port = thread.stack[first]
         val field = SensorField.entries.find { it.code == thread.stack[first + 2] }
-        if (port in 0 until SensorCode.PORTS && field != null) machine.rom.setSensorValue(port, thread.stack[first + 1], field)
+        if (port in 0 until SensorCode.PORTS &&
+            field != null
+        ) {
+            machine.rom.setSensorValue(port, thread.stack[first + 1], field)
+        }
     },
-    "josx/platform/rcx/Poll.setPoller()V" to action { machine, thread, first -> machine.poller.register(thread.stack[first]) },
+    "josx/platform/rcx/Poll.setPoller()V" to
+        action { machine, thread, first -> machine.poller.register(thread.stack[first]) },
     "josx/platform/rcx/Poll.setThrottle(I)V" to action { machine, thread, first ->
         machine.poller.setThrottle(thread.stack[first + 1])
     },

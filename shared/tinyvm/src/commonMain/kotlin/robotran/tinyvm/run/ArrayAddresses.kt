@@ -5,12 +5,17 @@ import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.brickBytesOf
 
 /**
- * Shows arrays in the brick's memory to ROM routines, which take and leave results at addresses. An array has an address from the moment it
- * is asked for; its elements are copied to the memory before somebody looks there, and back afterwards.
+ * Shows arrays in the brick's memory to ROM routines, which take and leave results at addresses. An array has an
+ * address from the moment it is asked for; its elements are copied to the memory before somebody looks there, and back
+ * afterwards.
  *
  * @param charge told how many bytecodes the copying takes as long as.
  */
-internal class ArrayAddresses(private val heap: Heap, private val memory: RcxMemory, private val charge: (Int) -> Unit) {
+internal class ArrayAddresses(
+    private val heap: Heap,
+    private val memory: RcxMemory,
+    private val charge: (Int) -> Unit,
+) {
     private class Shown(val array: Int, val address: Int, val elementBytes: Int, val length: Int) {
         val end: Int get() = address + length * elementBytes
     }
@@ -50,7 +55,10 @@ internal class ArrayAddresses(private val heap: Heap, private val memory: RcxMem
         return added
     }
 
-    /** Where [bytes] are free; if nowhere, the arrays that were shown last make room, so that those of the class library stay. */
+    /**
+     * Where [bytes] are free; if nowhere, the arrays that were shown last make room, so that those of the class library
+     * stay.
+     */
     private fun freeAddress(bytes: Int): Int {
         while (true) {
             var address = VirtualMachineConstants.FIRST_ARRAY_ADDRESS
@@ -70,14 +78,22 @@ internal class ArrayAddresses(private val heap: Heap, private val memory: RcxMem
     private fun copyOut(array: Shown) {
         for (index in 0 until array.length) {
             val element = heap.words[array.array + Heap.HEADER_WORDS + index]
-            for (byte in 0 until array.elementBytes) memory.writeByte(addressOf(array, index, byte), element shr shiftOf(array, byte))
+            for (byte in 0 until array.elementBytes) {
+                memory.writeByte(
+                    addressOf(array, index, byte),
+                    element shr shiftOf(array, byte),
+                )
+            }
         }
     }
 
     private fun copyBack(array: Shown) {
         for (index in 0 until array.length) {
             var element = 0
-            for (byte in 0 until array.elementBytes) element = element shl BYTE_BITS or memory.readByte(addressOf(array, index, byte))
+            for (byte in 0 until array.elementBytes) {
+                element =
+                    element shl BYTE_BITS or memory.readByte(addressOf(array, index, byte))
+            }
             heap.words[array.array + Heap.HEADER_WORDS + index] = when (array.elementBytes) {
                 1 -> element.toByte().toInt()
                 2 -> element.toShort().toInt()
@@ -88,7 +104,8 @@ internal class ArrayAddresses(private val heap: Heap, private val memory: RcxMem
 
     private fun addressOf(array: Shown, index: Int, byte: Int) = array.address + index * array.elementBytes + byte
 
-    private fun shiftOf(array: Shown, byte: Int) = (minOf(array.elementBytes, 4) - 1 - byte).coerceAtLeast(0) * BYTE_BITS
+    private fun shiftOf(array: Shown, byte: Int) =
+        (minOf(array.elementBytes, 4) - 1 - byte).coerceAtLeast(0) * BYTE_BITS
 
     private companion object {
         const val BYTE_BITS = 8

@@ -14,5 +14,11 @@ internal class ArrayAddressing(machine: VirtualMachine, private val arithmetic: 
     }
 
     /** What [place] stands for when it is no place. */
-    fun failure(place: Int): BuiltInException = if (place == 0) BuiltInException.NULL_POINTER else BuiltInException.ARRAY_INDEX
+    fun failure(place: Int): BuiltInException = if (place ==
+        0
+    ) {
+        BuiltInException.NULL_POINTER
+    } else {
+        BuiltInException.ARRAY_INDEX
+    }
 }

@@ -17,8 +17,9 @@ internal class Calls(
     private val uncaught: (VmThread, Int) -> Unit,
 ) {
     /**
-     * Calls [method], whose arguments are the topmost operands, from [caller], whose `next` is behind the call, as its `top` is behind the
-     * arguments. If the method has to wait for a monitor, `next` is put back by [callWords] so that the call is made again.
+     * Calls [method], whose arguments are the topmost operands, from [caller], whose `next` is behind the call, as its
+     * `top` is behind the arguments. If the method has to wait for a monitor, `next` is put back by [callWords] so that
+     * the call is made again.
      */
     fun call(thread: VmThread, caller: Frame, method: LinkedMethod, callWords: Int) {
         val first = caller.top - method.argumentWords
@@ -46,7 +47,9 @@ internal class Calls(
         }
     }
 
-    /** Begins the first method of [thread], whose only argument is [argument]; false if it has to wait for a monitor. */
+    /**
+     * Begins the first method of [thread], whose only argument is [argument]; false if it has to wait for a monitor.
+     */
     fun begin(thread: VmThread, method: LinkedMethod, argument: Int): Boolean {
         thread.stack[0] = argument
         val lock = lockOf(thread, method, 0)
@@ -67,7 +70,10 @@ internal class Calls(
         thread.state = ThreadState.BLOCKED
     }
 
-    /** Leaves the innermost method with [words] of result on the top of its operands; the thread ends with its first method. */
+    /**
+     * Leaves the innermost method with [words] of result on the top of its operands; the thread ends with its first
+     * method.
+     */
     fun leave(thread: VmThread, words: Int) {
         val frame = thread.frame
         val first = frame.top - words
@@ -90,7 +96,11 @@ internal class Calls(
         }
         machine.isReady[unready.number] = true
         val initializer = unready.initializer ?: return
-        if (initializer.body == null || !enter(thread, initializer, thread.frame.top, 0)) throwNew(thread, BuiltInException.STACK_OVERFLOW)
+        if (initializer.body == null ||
+            !enter(thread, initializer, thread.frame.top, 0)
+        ) {
+            throwNew(thread, BuiltInException.STACK_OVERFLOW)
+        }
     }
 
     fun throwNew(thread: VmThread, kind: BuiltInException) = throwObject(thread, machine.exception(kind))

@@ -5,8 +5,8 @@ import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.messages.RunMessages
 
 /**
- * What happens when nobody catches an exception: its thread ends, and the brick shows the numbers of the method and of the exception's
- * class. Source: leJOS `main.c`, handle_uncaught_exception.
+ * What happens when nobody catches an exception: its thread ends, and the brick shows the numbers of the method and of
+ * the exception's class. Source: leJOS `main.c`, handle_uncaught_exception.
  */
 internal class Failures(private val machine: VirtualMachine, private val messages: RunMessages) {
     /** The exception that ended the program, as it ended its last thread. */

@@ -1,6 +1,9 @@
 package robotran.tinyvm.run
 
-/** The free parts of a heap, taken from front to back. What is too small for a request is passed over until the next collection. */
+/**
+ * The free parts of a heap, taken from front to back. What is too small for a request is passed over until the next
+ * collection.
+ */
 internal class FreeBlocks() {
     private val starts = IntStack()
     private val ends = IntStack()

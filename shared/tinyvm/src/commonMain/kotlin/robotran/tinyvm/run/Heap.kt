@@ -7,9 +7,9 @@ import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.brickBytesOf
 
 /**
- * The memory for objects. A reference is the place of an object's first word in [words], 0 for null: the id of its type, the number of its
- * elements (0 if it is no array), then its fields or elements, a word each. On a brick, what an object takes of the memory is counted in
- * the brick's own bytes, and nothing ever comes back.
+ * The memory for objects. A reference is the place of an object's first word in [words], 0 for null: the id of its
+ * type, the number of its elements (0 if it is no array), then its fields or elements, a word each. On a brick, what an
+ * object takes of the memory is counted in the brick's own bytes, and nothing ever comes back.
  *
  * @param types by their ids.
  * @param bytes how many of a brick there are for objects.
@@ -68,8 +68,9 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
     fun isObject(word: Int): Boolean = word in FIRST_OBJECT until words.size && begins[word]
 
     /**
-     * Makes the room of all objects free again that cannot be reached from [roots], which may hold any other number, too.
-     * Returns false if so little came free that it is not worth going on. Afterwards [wasKept] tells which are left.
+     * Makes the room of all objects free again that cannot be reached from [roots], which may hold any other number,
+     * too. Returns false if so little came free that it is not worth going on. Afterwards [wasKept] tells which are
+     * left.
      */
     fun collect(roots: ((Int) -> Unit) -> Unit): Boolean {
         marked.clear()

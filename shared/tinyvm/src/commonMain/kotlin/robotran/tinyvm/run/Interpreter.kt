@@ -4,8 +4,9 @@ import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.Operation
 
 /**
- * Executes the operations of one thread until the budget is used up, it cannot go on, or it is to pause before a statement. The verifier
- * has seen to it that no operation meets anything it cannot work on, so nothing is checked here that depends on the code alone.
+ * Executes the operations of one thread until the budget is used up, it cannot go on, or it is to pause before a
+ * statement. The verifier has seen to it that no operation meets anything it cannot work on, so nothing is checked here
+ * that depends on the code alone.
  */
 internal class Interpreter(private val machine: VirtualMachine, private val calls: Calls) {
     private val words = machine.heap.words
@@ -29,7 +30,9 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
     /** Goes on with [thread], which is ready. */
     fun run(thread: VmThread) {
         isPaused = false
-        while (machine.budget > 0 && thread.state == ThreadState.READY && !isPaused && !machine.isYielding && !machine.isExited) {
+        while (machine.budget > 0 && thread.state == ThreadState.READY && !isPaused && !machine.isYielding &&
+            !machine.isExited
+        ) {
             when {
                 thread.pending != 0 -> beginnings.throwPending(thread)
                 thread.depth == 0 -> beginnings.begin(thread)
@@ -387,7 +390,12 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
                     if (receiver == 0) {
                         calls.throwNew(thread, BuiltInException.NULL_POINTER)
                     } else {
-                        calls.call(thread, frame, types[words[receiver]].virtualMethods[code[next]], TWO_OPERANDS_AND_OPERATION)
+                        calls.call(
+                            thread,
+                            frame,
+                            types[words[receiver]].virtualMethods[code[next]],
+                            TWO_OPERANDS_AND_OPERATION,
+                        )
                     }
                     return
                 }

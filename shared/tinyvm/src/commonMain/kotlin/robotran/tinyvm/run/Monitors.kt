@@ -1,6 +1,9 @@
 package robotran.tinyvm.run
 
-/** Which threads have entered which monitors. The monitor of an object has its reference, that of a class a negative number. */
+/**
+ * Which threads have entered which monitors. The monitor of an object has its reference, that of a class a negative
+ * number.
+ */
 internal class Monitors {
     private class Monitor(val owner: VmThread, var entered: Int)
 

@@ -51,13 +51,15 @@ internal class NumberOperations(machine: VirtualMachine, private val arithmetic:
             Operation.COMPARE_DECIMAL_LOW, Operation.COMPARE_DECIMAL_HIGH -> {
                 frame.top--
                 val withoutNumber = if (operation == Operation.COMPARE_DECIMAL_LOW) -1 else 1
-                stack[frame.top - 1] = compare(Float.fromBits(stack[frame.top - 1]), Float.fromBits(stack[frame.top]), withoutNumber)
+                stack[frame.top - 1] =
+                    compare(Float.fromBits(stack[frame.top - 1]), Float.fromBits(stack[frame.top]), withoutNumber)
             }
 
             Operation.COMPARE_DOUBLE_LOW, Operation.COMPARE_DOUBLE_HIGH -> {
                 frame.top -= 3
                 val withoutNumber = if (operation == Operation.COMPARE_DOUBLE_LOW) -1 else 1
-                stack[frame.top - 1] = compare(Float.fromBits(stack[frame.top - 1]), Float.fromBits(stack[frame.top + 1]), withoutNumber)
+                stack[frame.top - 1] =
+                    compare(Float.fromBits(stack[frame.top - 1]), Float.fromBits(stack[frame.top + 1]), withoutNumber)
             }
 
             Operation.WIDEN -> {
@@ -102,7 +104,8 @@ internal class NumberOperations(machine: VirtualMachine, private val arithmetic:
 
             Operation.TO_CHARACTER -> {
                 val value = stack[frame.top - 1]
-                stack[frame.top - 1] = if (value and SIXTEENTH_BIT == 0) value and 0xFFFF else arithmetic.largeCharacter(value)
+                stack[frame.top - 1] =
+                    if (value and SIXTEENTH_BIT == 0) value and 0xFFFF else arithmetic.largeCharacter(value)
             }
 
             Operation.TO_SHORT -> {

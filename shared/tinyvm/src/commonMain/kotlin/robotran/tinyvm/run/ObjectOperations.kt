@@ -6,7 +6,11 @@ import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.Operation
 
 /** The operations on objects and arrays that are too seldom for the interpreter's loop. */
-internal class ObjectOperations(private val machine: VirtualMachine, private val calls: Calls, private val places: ArrayAddressing) {
+internal class ObjectOperations(
+    private val machine: VirtualMachine,
+    private val calls: Calls,
+    private val places: ArrayAddressing,
+) {
     private val words = machine.heap.words
     private val types = machine.program.types.toTypedArray()
     private val tests = TypeTests(machine)
@@ -39,7 +43,14 @@ internal class ObjectOperations(private val machine: VirtualMachine, private val
             Operation.SET_SHORT -> {
                 frame.top -= 3
                 val place = places.find(stack[frame.top], stack[frame.top + 1])
-                if (place <= 0) calls.throwNew(thread, places.failure(place)) else words[place] = stack[frame.top + 2].toShort().toInt()
+                if (place <=
+                    0
+                ) {
+                    calls.throwNew(thread, places.failure(place))
+                } else {
+                    words[place] =
+                        stack[frame.top + 2].toShort().toInt()
+                }
             }
 
             Operation.SET_REFERENCE -> {
@@ -99,7 +110,13 @@ internal class ObjectOperations(private val machine: VirtualMachine, private val
 
             Operation.THROW -> {
                 val exception = stack[--frame.top]
-                if (exception == 0) calls.throwNew(thread, BuiltInException.NULL_POINTER) else calls.throwObject(thread, exception)
+                if (exception ==
+                    0
+                ) {
+                    calls.throwNew(thread, BuiltInException.NULL_POINTER)
+                } else {
+                    calls.throwObject(thread, exception)
+                }
             }
 
             Operation.CAST -> {
@@ -137,7 +154,11 @@ internal class ObjectOperations(private val machine: VirtualMachine, private val
 
             Operation.EXIT_MONITOR -> {
                 val lock = stack[--frame.top]
-                if (lock != 0 && !machine.monitors.exit(lock, thread)) calls.throwNew(thread, BuiltInException.ILLEGAL_MONITOR_STATE)
+                if (lock != 0 &&
+                    !machine.monitors.exit(lock, thread)
+                ) {
+                    calls.throwNew(thread, BuiltInException.ILLEGAL_MONITOR_STATE)
+                }
             }
 
             else -> {
@@ -160,7 +181,13 @@ internal class ObjectOperations(private val machine: VirtualMachine, private val
     }
 
     private fun push(thread: VmThread, frame: Frame, reference: Int) {
-        if (reference == 0) calls.throwNew(thread, BuiltInException.OUT_OF_MEMORY) else thread.stack[frame.top++] = reference
+        if (reference ==
+            0
+        ) {
+            calls.throwNew(thread, BuiltInException.OUT_OF_MEMORY)
+        } else {
+            thread.stack[frame.top++] = reference
+        }
     }
 
     private companion object {

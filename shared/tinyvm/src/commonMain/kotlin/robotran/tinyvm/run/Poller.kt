@@ -6,8 +6,9 @@ import robotran.rcxrom.sensors.SensorRequest
 import robotran.tinyvm.link.LinkedClass
 
 /**
- * Tells the program what changed at the sensors and buttons, as josx `Poll` wants it: the bits of what changed are added to the field
- * `changed` of the object it registered, and all threads that wait for it are woken. Looking is no ROM call. Source: leJOS `poll.c`.
+ * Tells the program what changed at the sensors and buttons, as josx `Poll` wants it: the bits of what changed are
+ * added to the field `changed` of the object it registered, and all threads that wait for it are woken. Looking is no
+ * ROM call. Source: leJOS `poll.c`.
  */
 internal class Poller(private val machine: VirtualMachine) {
     private val values = IntArray(SensorCode.PORTS)

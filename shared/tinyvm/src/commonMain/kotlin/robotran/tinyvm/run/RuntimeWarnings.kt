@@ -6,8 +6,15 @@ import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.RunMessages
 
-/** What a learner is told of a run, each thing once a line. @param programBytes what the program itself takes of the brick's memory. */
-internal class RuntimeWarnings(private val mode: TinyVmMode, private val messages: RunMessages, private val programBytes: Int) {
+/**
+ * What a learner is told of a run, each thing once a line. @param programBytes what the program itself takes of the
+ * brick's memory.
+ */
+internal class RuntimeWarnings(
+    private val mode: TinyVmMode,
+    private val messages: RunMessages,
+    private val programBytes: Int,
+) {
     private val places = HashSet<Triple<Quirk, Int, String?>>()
 
     /** All so far; a new list with each that comes. */
@@ -21,7 +28,10 @@ internal class RuntimeWarnings(private val mode: TinyVmMode, private val message
 
     private fun messageOf(quirk: Quirk): String = when {
         mode == TinyVmMode.FORGIVING -> messages.wouldBite(quirk)
-        quirk == Quirk.HEAP_FULL -> messages.bites(quirk) + " " + messages.sharesMemory(programBytes, TinyVmLimits.MEMORY_BYTES)
+
+        quirk == Quirk.HEAP_FULL -> messages.bites(quirk) + " " +
+            messages.sharesMemory(programBytes, TinyVmLimits.MEMORY_BYTES)
+
         else -> messages.bites(quirk)
     }
 }

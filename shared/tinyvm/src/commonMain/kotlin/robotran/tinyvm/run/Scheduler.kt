@@ -50,7 +50,9 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
 
     /** When the first of the threads that all wait now wakes by itself; null if none does. */
     val nextWake: Long?
-        get() = living.filter { it.wakesAt > 0 && (it.state == ThreadState.SLEEPING || it.state == ThreadState.WAITING) }
+        get() = living.filter {
+            it.wakesAt > 0 && (it.state == ThreadState.SLEEPING || it.state == ThreadState.WAITING)
+        }
             .minOfOrNull { it.wakesAt }
 
     /** Wakes one thread that waits for [lock], or all. */

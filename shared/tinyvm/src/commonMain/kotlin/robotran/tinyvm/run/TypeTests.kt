@@ -10,7 +10,10 @@ internal class TypeTests(private val machine: VirtualMachine) {
     private val types = machine.program.types
     private val isBrick = machine.mode == TinyVmMode.BRICK
 
-    /** Whether the object [reference], not null, passes for the type with this id: on a brick, every object passes for an interface. */
+    /**
+     * Whether the object [reference], not null, passes for the type with this id: on a brick, every object passes for
+     * an interface.
+     */
     fun passesFor(reference: Int, typeId: Int): Boolean {
         val target = types[typeId]
         val isReally = machine.heap.typeOf(reference).isA(target)

@@ -90,14 +90,19 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
     }
 
     /** The thread whose object is [reference], which need not be started. */
-    fun threadOf(reference: Int): VmThread =
-        threadsByReference.getOrPut(reference) { VmThread(reference, current?.priority ?: VirtualMachineConstants.MAIN_PRIORITY) }
+    fun threadOf(reference: Int): VmThread = threadsByReference.getOrPut(reference) {
+        VmThread(
+            reference,
+            current?.priority ?: VirtualMachineConstants.MAIN_PRIORITY,
+        )
+    }
 
     /** A new instance of [type], 0 if there is no memory. */
     fun newObject(type: LinkedClass): Int = making { heap.newObject(type) }
 
     /** A new array, 0 if there is no memory or it would be too long. */
-    fun newArray(type: ArrayType, length: Int): Int = if (isTooLong(length)) 0 else making { heap.newArray(type, length) }
+    fun newArray(type: ArrayType, length: Int): Int =
+        if (isTooLong(length)) 0 else making { heap.newArray(type, length) }
 
     /** A new array of arrays of the lengths at [first] of [stack]; 0 if there is no memory. */
     fun newArrays(type: ArrayType, stack: IntArray, first: Int, dimensions: Int): Int {
@@ -105,7 +110,10 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
         return making { fillArrays(type, stack, first, dimensions) }
     }
 
-    /** The text with this [number] in the program: made anew each time on a brick, otherwise always the same. 0 if there is no memory. */
+    /**
+     * The text with this [number] in the program: made anew each time on a brick, otherwise always the same. 0 if there
+     * is no memory.
+     */
     fun text(number: Int): Int {
         if (mode == TinyVmMode.BRICK) return newText(program.texts[number])
         if (textReferences[number] == 0) textReferences[number] = newText(program.texts[number])
@@ -116,7 +124,9 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
     fun textOf(reference: Int): String {
         val characters = heap.words[reference + Heap.HEADER_WORDS + program.textField.slot]
         if (characters == 0) return ""
-        return CharArray(heap.length(characters)) { heap.words[characters + Heap.HEADER_WORDS + it].toChar() }.concatToString()
+        return CharArray(heap.length(characters)) {
+            heap.words[characters + Heap.HEADER_WORDS + it].toChar()
+        }.concatToString()
     }
 
     private fun newText(text: String): Int = making {
@@ -142,11 +152,20 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
 
     private fun isTooLong(length: Int): Boolean {
         if (length > TinyVmLimits.BRICK_ARRAY_ELEMENTS) remark(Quirk.LONG_ARRAY)
-        val longest = if (mode == TinyVmMode.BRICK) TinyVmLimits.BRICK_ARRAY_ELEMENTS else TinyVmLimits.FORGIVING_ARRAY_ELEMENTS
+        val longest = if (mode ==
+            TinyVmMode.BRICK
+        ) {
+            TinyVmLimits.BRICK_ARRAY_ELEMENTS
+        } else {
+            TinyVmLimits.FORGIVING_ARRAY_ELEMENTS
+        }
         return length !in 0..longest
     }
 
-    /** Does [make] again with the memory collected if there is too little at first. Nothing is collected in the middle of it. */
+    /**
+     * Does [make] again with the memory collected if there is too little at first. Nothing is collected in the middle
+     * of it.
+     */
     private inline fun making(make: () -> Int): Int {
         val wordsBefore = heap.wordsTaken
         var made = make()

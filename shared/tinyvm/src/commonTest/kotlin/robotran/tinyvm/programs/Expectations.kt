@@ -10,7 +10,9 @@ internal class Expectations(private val source: String) {
     }
 
     /** The modes that it is about. */
-    val modes: List<TinyVmMode> = values("mode: ").map { TinyVmMode.valueOf(it.uppercase()) }.ifEmpty { TinyVmMode.entries }
+    val modes: List<TinyVmMode> = values("mode: ").map {
+        TinyVmMode.valueOf(it.uppercase())
+    }.ifEmpty { TinyVmMode.entries }
 
     /** Whether the compiler, not the machine, refuses it. */
     val hasMistakes: Boolean = values("error ").isNotEmpty()
@@ -33,12 +35,17 @@ internal class Expectations(private val source: String) {
     val runsOnAfter: Long? = values("runs on after ").singleOrNull()?.toLong()
 
     /** The lines and names of exceptions that nobody catches. */
-    val failures: List<Pair<Int, String>> = values("fails ").map { it.substringBefore(' ').toInt() to it.substringAfter(' ') }
+    val failures: List<Pair<Int, String>> = values("fails ").map {
+        it.substringBefore(' ').toInt() to
+            it.substringAfter(' ')
+    }
 
     /** What a finger or the world does, by the millisecond. */
     val events: List<Event> = values("sensor ").map { sensorEvent(it) } + values("button ").map { buttonEvent(it) }
 
-    private fun values(mark: String): List<String> = comments.map { it.second }.filter { it.startsWith(mark) }.map { it.removePrefix(mark) }
+    private fun values(mark: String): List<String> = comments.map {
+        it.second
+    }.filter { it.startsWith(mark) }.map { it.removePrefix(mark) }
 
     private fun byLine(mark: String): Map<Int, String> =
         comments.filter { it.second.startsWith(mark) }.associate { it.first to it.second.removePrefix(mark) }

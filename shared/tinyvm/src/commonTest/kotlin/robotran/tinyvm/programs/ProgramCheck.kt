@@ -21,18 +21,33 @@ internal val libraryClassFiles: Map<String, ByteArray> by lazy {
 }
 
 /** The class files of the test program at [path], by their names. */
-internal fun classFilesOf(path: String): Map<String, ByteArray> = compiledPrograms.filterKeys { it.startsWith("$path/") }
-    .entries.associate { it.key.removePrefix("$path/").removeSuffix(".class") to Base64.decode(it.value) }
+internal fun classFilesOf(path: String): Map<String, ByteArray> =
+    compiledPrograms.filterKeys { it.startsWith("$path/") }
+        .entries.associate { it.key.removePrefix("$path/").removeSuffix(".class") to Base64.decode(it.value) }
 
 internal fun link(
     path: String,
     classes: Map<String, ByteArray> = classFilesOf(path),
     mode: TinyVmMode = TinyVmMode.BRICK,
     speed: TinyVmSpeed = TinyVmSpeed.UNLIMITED,
-): TinyVmResult = linkTinyVm(path, classes, libraryClassFiles, path.substringAfterLast('/').removeSuffix(".java"), mode, speed = speed)
+): TinyVmResult = linkTinyVm(
+    path,
+    classes,
+    libraryClassFiles,
+    path.substringAfterLast('/').removeSuffix(".java"),
+    mode,
+    speed = speed,
+)
 
-/** Where the program at [path] does something else than the comments of its [source] expect, a line each; empty if it does not. */
-internal fun differences(path: String, source: String, classes: Map<String, ByteArray> = classFilesOf(path)): List<String> {
+/**
+ * Where the program at [path] does something else than the comments of its [source] expect, a line each; empty if it
+ * does not.
+ */
+internal fun differences(
+    path: String,
+    source: String,
+    classes: Map<String, ByteArray> = classFilesOf(path),
+): List<String> {
     val expected = Expectations(source)
     if (expected.hasMistakes) return emptyList()
     return expected.modes.flatMap { mode ->
@@ -46,13 +61,23 @@ internal fun differences(path: String, source: String, classes: Map<String, Byte
 private fun differences(expected: Expectations, result: TinyVmResult, speed: TinyVmSpeed): List<String> =
     when (result) {
         is TinyVmResult.Ready -> differences(expected, WatchedBrick(result.program, expected.events), speed)
-        is TinyVmResult.Rejected -> if (isExpected(expected, result)) emptyList() else listOf("it is refused: ${result.refusal}")
+
+        is TinyVmResult.Rejected -> if (isExpected(
+                expected,
+                result,
+            )
+        ) {
+            emptyList()
+        } else {
+            listOf("it is refused: ${result.refusal}")
+        }
     }
 
-private fun isExpected(expected: Expectations, result: TinyVmResult.Rejected): Boolean = expected.refused.any { (line, instruction) ->
-    (line == 0 || line == result.refusal.sourceLine) && result.refusal.methodName != null &&
-        result.refusal.message in messagesFor(instruction)
-}
+private fun isExpected(expected: Expectations, result: TinyVmResult.Rejected): Boolean =
+    expected.refused.any { (line, instruction) ->
+        (line == 0 || line == result.refusal.sourceLine) && result.refusal.methodName != null &&
+            result.refusal.message in messagesFor(instruction)
+    }
 
 private fun messagesFor(instruction: String): List<String> = when {
     instruction.endsWith("switch") -> listOf(UnsupportedFeature.SWITCH)
@@ -70,7 +95,8 @@ private fun differences(expected: Expectations, brick: WatchedBrick, speed: Tiny
     val calls = brick.romCalls
     val lines = calls.keys + expected.romCalls?.keys.orEmpty() + expected.shown.keys
     val differences = lines.sorted().mapNotNull { line ->
-        callDifference(line, expected, calls[line].orEmpty()) ?: showDifference(line, expected, brick.shown.filter { it.line == line })
+        callDifference(line, expected, calls[line].orEmpty())
+            ?: showDifference(line, expected, brick.shown.filter { it.line == line })
     }
     return if (speed == TinyVmSpeed.BRICK) differences else differences + endDifferences(expected, brick)
 }
@@ -78,18 +104,24 @@ private fun differences(expected: Expectations, brick: WatchedBrick, speed: Tiny
 private fun callDifference(line: Int, expected: Expectations, made: List<String>): String? {
     val wanted = (expected.romCalls ?: return null)[line].orEmpty()
     val isSame = made.size == wanted.size && made.indices.all { isSameCall(wanted[it], made[it]) }
-    return if (isSame) null else "line $line makes the calls ${made.joinToString(" | ")} instead of ${wanted.joinToString(" | ")}"
+    return if (isSame) {
+        null
+    } else {
+        "line $line makes the calls ${made.joinToString(" | ")} instead of ${wanted.joinToString(" | ")}"
+    }
 }
 
 private fun isSameCall(wanted: String, made: String): Boolean {
     val words = made.split(' ')
     val wantedWords = wanted.split(' ')
-    return words.size == wantedWords.size && words.indices.all { wantedWords[it] == "?" || wantedWords[it] == words[it] }
+    return words.size == wantedWords.size &&
+        words.indices.all { wantedWords[it] == "?" || wantedWords[it] == words[it] }
 }
 
 private fun showDifference(line: Int, expected: Expectations, shown: List<Shown>): String? {
     val wanted =
-        expected.shown[line] ?: return if (isAllowedToShow(line, expected) || shown.isEmpty()) null else "line $line shows something"
+        expected.shown[line]
+            ?: return if (isAllowedToShow(line, expected) || shown.isEmpty()) null else "line $line shows something"
     val isSame = shown.size == wanted.size && shown.indices.all { isShown(wanted[it], shown[it]) }
     return if (isSame) {
         null
@@ -100,7 +132,8 @@ private fun showDifference(line: Int, expected: Expectations, shown: List<Shown>
     }
 }
 
-private fun isAllowedToShow(line: Int, expected: Expectations) = expected.shown.isEmpty() || line in expected.romCalls.orEmpty()
+private fun isAllowedToShow(line: Int, expected: Expectations) =
+    expected.shown.isEmpty() || line in expected.romCalls.orEmpty()
 
 private fun isShown(wanted: String, shown: Shown): Boolean {
     if (shown.isNumber) return withoutZeros(shown.glass.number) == wanted
@@ -123,7 +156,12 @@ private fun endDifferences(expected: Expectations, brick: WatchedBrick): List<St
         "it fails with $failures instead of ${expected.failures}".takeIf { !areFailuresSame },
         "it runs on".takeIf { expected.runsOnAfter == null && brick.isRunning },
         "it does not run on".takeIf { expected.runsOnAfter != null && !brick.isRunning },
-        expected.endsAt?.let { end -> "it ends at $time instead of $end".takeIf { time !in end..end + COMPUTING_MILLISECONDS } },
+        expected.endsAt?.let { end ->
+            "it ends at $time instead of $end".takeIf {
+                time !in
+                    end..end + COMPUTING_MILLISECONDS
+            }
+        },
     )
 }
 

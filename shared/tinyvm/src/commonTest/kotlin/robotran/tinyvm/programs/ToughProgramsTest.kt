@@ -18,7 +18,9 @@ class ToughProgramsTest {
     private fun assertAnswers(program: String) {
         for (mode in TinyVmMode.entries) {
             for (speed in TinyVmSpeed.entries) {
-                val linked = assertIs<TinyVmResult.Ready>(link("limits/$program.java", mode = mode, speed = speed)).program
+                val linked = assertIs<TinyVmResult.Ready>(
+                    link("limits/$program.java", mode = mode, speed = speed),
+                ).program
                 val brick = Brick(listOf(linked))
                 brick.press(BrickButton.RUN)
                 brick.release(BrickButton.RUN)

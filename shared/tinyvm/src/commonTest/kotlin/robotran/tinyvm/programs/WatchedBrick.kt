@@ -72,7 +72,11 @@ internal class WatchedBrick(program: RcxProgram, private val events: List<Event>
     private inner class WatchedRom(private val rom: Rom) : Rom by rom {
         override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) {
             rom.call(call, sourceLine, sourceFile)
-            if (call.address == RomAddress.SET_LCD_NUMBER && call.arguments.firstOrNull() != RomCode.LCD_PROGRAM) isNumber = true
+            if (call.address == RomAddress.SET_LCD_NUMBER &&
+                call.arguments.firstOrNull() != RomCode.LCD_PROGRAM
+            ) {
+                isNumber = true
+            }
             if (call.address != RomAddress.REFRESH_LCD) return
             shown += Shown(sourceLine, brick.state.glass, isNumber)
             isNumber = false

@@ -38,13 +38,23 @@ class OtherCompilerTest {
             if (ecj == jdk) null else "$path, $mode: ${different ?: "${ecj.size} calls and ${jdk.size}"}"
         }
 
-    private fun log(path: String, classes: Map<String, ByteArray>, expected: Expectations, mode: TinyVmMode): List<String> {
+    private fun log(
+        path: String,
+        classes: Map<String, ByteArray>,
+        expected: Expectations,
+        mode: TinyVmMode,
+    ): List<String> {
         val program = assertIs<TinyVmResult.Ready>(link(path, classes, mode), path).program
-        return WatchedBrick(program, expected.events).apply { run(expected.runsOnAfter ?: LONGEST) }.log.map(::withoutNumbersOfMethods)
+        return WatchedBrick(program, expected.events).apply {
+            run(expected.runsOnAfter ?: LONGEST)
+        }.log.map(::withoutNumbersOfMethods)
     }
 
-    /** Which number a method has depends on what else is in a class file, so that what is shown of a failure differs. */
-    private fun withoutNumbersOfMethods(call: String): String = if (call.endsWith("firmware")) call.substringBefore(' ') else call
+    /**
+     * Which number a method has depends on what else is in a class file, so that what is shown of a failure differs.
+     */
+    private fun withoutNumbersOfMethods(call: String): String =
+        if (call.endsWith("firmware")) call.substringBefore(' ') else call
 
     private companion object {
         const val LONGEST = 60_000L

@@ -8,7 +8,9 @@ import java.io.ByteArrayOutputStream
 
 actual fun pngOf(picture: ImageBitmap): ByteArray = ByteArrayOutputStream().use { bytes ->
     // A PNG loses nothing, so the quality does not matter.
-    check(picture.asAndroidBitmap().compress(Bitmap.CompressFormat.PNG, 100, bytes)) { "The picture could not be encoded" }
+    check(picture.asAndroidBitmap().compress(Bitmap.CompressFormat.PNG, 100, bytes)) {
+        "The picture could not be encoded"
+    }
     bytes.toByteArray()
 }
 

@@ -86,12 +86,20 @@ internal fun BrickButtonView(
     }
 }
 
-/** How far a button sinks, and how large its name is written, in units of the [BrickPlan]: the long one smaller, so that it keeps a margin like the others. */
+/**
+ * How far a button sinks, and how large its name is written, in units of the [BrickPlan]: the long one smaller, so that
+ * it keeps a margin like the others.
+ */
 private const val SUNK = 4f
 private const val LABEL_SIZE = 12.5f
 private const val LONG_LABEL_SIZE = 10.5f
 
-private class ButtonLook(val name: StringResource, val colour: Color, val label: Color, val labelSize: Float = LABEL_SIZE)
+private class ButtonLook(
+    val name: StringResource,
+    val colour: Color,
+    val label: Color,
+    val labelSize: Float = LABEL_SIZE,
+)
 
 private fun look(button: BrickButton): ButtonLook = when (button) {
     BrickButton.VIEW -> ButtonLook(Res.string.button_view, BrickColours.VIEW, Color.White)

@@ -52,10 +52,14 @@ internal fun BrickFront(
         Canvas(Modifier.matchParentSize()) { drawBrickBody(state.infrared.sending) }
         state.sensors.forEachIndexed { port, sensor ->
             val plugged = PluggedSensor.of(ports.getOrElse(port) { emptyList() })
-            InputPort(sensor, plugged, state.poweredOn, unit, { onTouch(port, it) }, Modifier.at(BrickPlan.INPUTS[port], unit))
+            InputPort(sensor, plugged, state.poweredOn, unit, {
+                onTouch(port, it)
+            }, Modifier.at(BrickPlan.INPUTS[port], unit))
         }
         for ((button, place) in BrickPlan.BUTTONS) {
-            BrickButtonView(button, unit, button in down, { onPress(button) }, { onRelease(button) }, Modifier.at(place, unit))
+            BrickButtonView(button, unit, button in down, {
+                onPress(button)
+            }, { onRelease(button) }, Modifier.at(place, unit))
         }
         LcdView(state.glass, Modifier.at(BrickPlan.DISPLAY, unit))
         for (motor in state.motors) {

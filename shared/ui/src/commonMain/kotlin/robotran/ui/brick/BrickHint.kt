@@ -31,12 +31,20 @@ import robotran.ui.theme.LocalRobotranColours
 internal fun brickHintWords(state: BrickState): String? =
     state.explanation ?: if (state.poweredOn) null else stringResource(Res.string.brick_off)
 
-/** Tells [brickHintWords], with a button to close it if there is [onClose]; nothing if there are none. What does not fit can be scrolled. */
+/**
+ * Tells [brickHintWords], with a button to close it if there is [onClose]; nothing if there are none. What does not fit
+ * can be scrolled.
+ */
 @Composable
 internal fun BrickHint(state: BrickState, modifier: Modifier = Modifier, onClose: (() -> Unit)? = null) {
     val words = brickHintWords(state) ?: return
     val colours = LocalRobotranColours.current
-    Surface(modifier.fillMaxWidth(), RoundedCornerShape(12.dp), colours.pane, border = BorderStroke(1.dp, colours.line)) {
+    Surface(
+        modifier.fillMaxWidth(),
+        RoundedCornerShape(12.dp),
+        colours.pane,
+        border = BorderStroke(1.dp, colours.line),
+    ) {
         Row {
             Text(
                 words,
@@ -50,7 +58,11 @@ internal fun BrickHint(state: BrickState, modifier: Modifier = Modifier, onClose
                 fontSize = 16.sp,
                 lineHeight = 22.sp,
             )
-            if (onClose != null) IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "brick-hint-close", onClose)
+            if (onClose !=
+                null
+            ) {
+                IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "brick-hint-close", onClose)
+            }
         }
     }
 }

@@ -4,12 +4,18 @@ import androidx.compose.ui.geometry.Rect
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.controls.MotorPort
 
-/** Where everything is on the brick's face, on a plan of [WIDTH] by [HEIGHT] units, measured on an RCX and widened where a finger must fit. */
+/**
+ * Where everything is on the brick's face, on a plan of [WIDTH] by [HEIGHT] units, measured on an RCX and widened where
+ * a finger must fit.
+ */
 internal object BrickPlan {
     const val WIDTH = 264f
     const val HEIGHT = 424f
 
-    /** A button is 52 units high; the brick must not be drawn smaller than this share of a dp a unit, or fingers miss it. */
+    /**
+     * A button is 52 units high; the brick must not be drawn smaller than this share of a dp a unit, or fingers miss
+     * it.
+     */
     const val MIN_UNIT = 48f / 52f
 
     const val CORNER = 18f

@@ -30,8 +30,12 @@ internal fun BrickStrip(
     ) {
         LcdNumbers(state.glass, Modifier.size(134.dp, 58.dp))
         BrickButtonView(
-            BrickButton.RUN, 1.dp, BrickButton.RUN in down,
-            { onPress(BrickButton.RUN) }, { onRelease(BrickButton.RUN) }, Modifier.size(64.dp, 52.dp),
+            BrickButton.RUN,
+            1.dp,
+            BrickButton.RUN in down,
+            { onPress(BrickButton.RUN) },
+            { onRelease(BrickButton.RUN) },
+            Modifier.size(64.dp, 52.dp),
         )
     }
 }

@@ -13,7 +13,12 @@ import androidx.compose.ui.graphics.lerp
 internal fun DrawScope.drawPort(colour: Color) {
     val unit = size.width / PORT_UNITS
     val edge = lerp(colour, Color.Black, 0.35f)
-    drawRoundRect(colour, Offset(unit, unit), Size(size.width - 2 * unit, size.height - 2.5f * unit), CornerRadius(6 * unit))
+    drawRoundRect(
+        colour,
+        Offset(unit, unit),
+        Size(size.width - 2 * unit, size.height - 2.5f * unit),
+        CornerRadius(6 * unit),
+    )
     for (x in STUD_PLACES) {
         for (y in STUD_PLACES) {
             val middle = Offset(x * unit, y * unit)

@@ -4,8 +4,8 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 
 /**
- * Where everything is on the glass, on a plan of [WIDTH] by [HEIGHT] units: arranged as on an RCX, but with taller digits, so that they can
- * be read on a phone. Source of the arrangement: the display that brickEmu draws.
+ * Where everything is on the glass, on a plan of [WIDTH] by [HEIGHT] units: arranged as on an RCX, but with taller
+ * digits, so that they can be read on a phone. Source of the arrangement: the display that brickEmu draws.
  */
 internal object LcdPlan {
     const val WIDTH = 240f

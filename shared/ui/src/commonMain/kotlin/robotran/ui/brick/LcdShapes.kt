@@ -6,7 +6,12 @@ import androidx.compose.ui.graphics.Path
 import robotran.rcxrom.display.LcdIcon
 
 private val QUARTERS =
-    listOf(LcdIcon.DATALOG_TOP_RIGHT, LcdIcon.DATALOG_BOTTOM_RIGHT, LcdIcon.DATALOG_BOTTOM_LEFT, LcdIcon.DATALOG_TOP_LEFT)
+    listOf(
+        LcdIcon.DATALOG_TOP_RIGHT,
+        LcdIcon.DATALOG_BOTTOM_RIGHT,
+        LcdIcon.DATALOG_BOTTOM_LEFT,
+        LcdIcon.DATALOG_TOP_LEFT,
+    )
 private val QUARTER_GAPS = listOf(Offset(1f, -1f), Offset(1f, 1f), Offset(-1f, 1f), Offset(-1f, -1f))
 
 private val DOTS = listOf(LcdIcon.DOT_1, LcdIcon.DOT_2, LcdIcon.DOT_3, LcdIcon.DOT_4, LcdIcon.DOT_5)
@@ -29,7 +34,10 @@ private val MOTORS = listOf(
 internal val lcdIconShapes: Map<LcdIcon, Path> = buildMap {
     LcdPlan.PORT_COLUMNS.forEachIndexed { column, x ->
         put(SENSORS[column].first, chevron(x, tip = LcdPlan.SENSOR_ROW.start, base = LcdPlan.SENSOR_ROW.endInclusive))
-        put(SENSORS[column].second, wedge(x, tip = LcdPlan.SENSOR_ROW.start + 12f, base = LcdPlan.SENSOR_ROW.endInclusive))
+        put(
+            SENSORS[column].second,
+            wedge(x, tip = LcdPlan.SENSOR_ROW.start + 12f, base = LcdPlan.SENSOR_ROW.endInclusive),
+        )
         val (shown, backward, forward) = MOTORS[column]
         put(shown, chevron(x, tip = LcdPlan.MOTOR_ROW.endInclusive, base = LcdPlan.MOTOR_ROW.start))
         put(backward, sideArrow(x - 31f, x - 20f))
@@ -41,7 +49,9 @@ internal val lcdIconShapes: Map<LcdIcon, Path> = buildMap {
     put(LcdIcon.INFRARED_SHORT, nearBeam(LcdPlan.INFRARED))
     put(LcdIcon.INFRARED_LONG, farBeam(LcdPlan.INFRARED))
     put(LcdIcon.MINUS, Path().apply { addRect(LcdPlan.MINUS) })
-    POINTS.zip(LcdPlan.POINTS).forEach { (icon, middle) -> put(icon, Path().apply { addOval(Rect(middle, LcdPlan.POINT_RADIUS)) }) }
+    POINTS.zip(LcdPlan.POINTS).forEach { (icon, middle) ->
+        put(icon, Path().apply { addOval(Rect(middle, LcdPlan.POINT_RADIUS)) })
+    }
 }
 
 /** A hollow arrowhead that points at a port above or below. */
@@ -80,7 +90,10 @@ private fun battery(place: Rect): Path = Path().apply {
     addPath(polygon(x + 7.5f, top, x + 11f, top, x - 7.5f, bottom, x - 11f, bottom))
 }
 
-/** Clockwise like the polygons: where shapes of one path lie over each other in opposite directions there would be a hole. */
+/**
+ * Clockwise like the polygons: where shapes of one path lie over each other in opposite directions there would be a
+ * hole.
+ */
 private fun bar(place: Rect): Path = with(place) { polygon(left, top, right, top, right, bottom, left, bottom) }
 
 /** The lower part of the beam, which both ranges have. */
@@ -91,7 +104,16 @@ private fun nearBeam(place: Rect): Path {
 
 private fun farBeam(place: Rect): Path {
     val x = place.center.x
-    return polygon(x - 6.8f, place.center.y - 3f, place.left, place.top, place.right, place.top, x + 6.8f, place.center.y - 3f)
+    return polygon(
+        x - 6.8f,
+        place.center.y - 3f,
+        place.left,
+        place.top,
+        place.right,
+        place.top,
+        x + 6.8f,
+        place.center.y - 3f,
+    )
 }
 
 /** How thick the battery is drawn. */

@@ -38,7 +38,8 @@ import robotran.ui.resources.sensor_value
 import robotran.ui.theme.focusRing
 
 /**
- * A grey input port, with what is plugged in and what it measures; it lights while it is powered, or its bumper is pressed.
+ * A grey input port, with what is plugged in and what it measures; it lights while it is powered, or its bumper is
+ * pressed.
  *
  * @param on whether the brick is switched on, and so measures.
  * @param onTouch a finger presses the touch sensor on the port, or lets it go; nothing happens on ports without one.
@@ -76,7 +77,9 @@ internal fun InputPort(
     ) {
         Row(verticalAlignment = Alignment.CenterVertically) {
             PortLabel("${sensor.port}", BrickColours.LABEL, unit)
-            Canvas(Modifier.padding(start = unit * 4).size(unit * 16)) { drawPlugged(plugged, plugged.isPressed(sensor)) }
+            Canvas(Modifier.padding(start = unit * 4).size(unit * 16)) {
+                drawPlugged(plugged, plugged.isPressed(sensor))
+            }
         }
         PortLabel(if (on) "${sensor.value}" else "", BrickColours.LABEL, unit)
     }
@@ -86,7 +89,9 @@ internal fun InputPort(
 private fun Modifier.touchable(isTouch: Boolean, onTouch: (Boolean) -> Unit): Modifier =
     if (isTouch) focusRing(12.dp).holdable({ onTouch(true) }, { onTouch(false) }) else this
 
-/** A black output port; it lights while its motor is driven, with an arrow for the direction and the power as a figure. */
+/**
+ * A black output port; it lights while its motor is driven, with an arrow for the direction and the power as a figure.
+ */
 @Composable
 internal fun OutputPort(motor: MotorState, unit: Dp, modifier: Modifier = Modifier) {
     val name = motor.port.name

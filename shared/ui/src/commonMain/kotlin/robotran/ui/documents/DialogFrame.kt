@@ -34,7 +34,10 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
-/** A dialog over the workshop: what it is about, [content], and what can be done below; Escape and a touch beside it close it. */
+/**
+ * A dialog over the workshop: what it is about, [content], and what can be done below; Escape and a touch beside it
+ * close it.
+ */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun DialogFrame(
@@ -53,7 +56,15 @@ internal fun DialogFrame(
             border = BorderStroke(1.dp, colours.line),
         ) {
             Column(Modifier.padding(24.dp), Arrangement.spacedBy(16.dp)) {
-                Text(title, Modifier.semantics { heading() }, fontSize = 20.sp, fontWeight = FontWeight.Medium, lineHeight = 26.sp)
+                Text(
+                    title,
+                    Modifier.semantics {
+                        heading()
+                    },
+                    fontSize = 20.sp,
+                    fontWeight = FontWeight.Medium,
+                    lineHeight = 26.sp,
+                )
                 Column(
                     Modifier.weight(1f, fill = false).verticalScroll(rememberScrollState()),
                     Arrangement.spacedBy(12.dp),

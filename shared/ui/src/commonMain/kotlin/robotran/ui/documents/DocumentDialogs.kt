@@ -53,8 +53,12 @@ private fun ChangedMeanwhileDialog(dialog: DocumentDialog.ChangedElsewhere, onEv
         stringResource(Res.string.documents_changed_title, dialog.fileName),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(stringResource(Res.string.documents_changed_theirs), "changed-theirs") { answer(DocumentAnswer.TAKE_THEIRS) }
-            OtherButton(stringResource(Res.string.documents_changed_over), "changed-over") { answer(DocumentAnswer.GO_ON) }
+            OtherButton(stringResource(Res.string.documents_changed_theirs), "changed-theirs") {
+                answer(DocumentAnswer.TAKE_THEIRS)
+            }
+            OtherButton(stringResource(Res.string.documents_changed_over), "changed-over") {
+                answer(DocumentAnswer.GO_ON)
+            }
             MainButton(stringResource(Res.string.documents_changed_as), "changed-as") { answer(DocumentAnswer.SAVE_AS) }
         },
     ) { Explanation(stringResource(Res.string.documents_changed_help)) }
@@ -66,7 +70,9 @@ private fun WouldBeLostDialog(onEvent: (DocumentEvent) -> Unit) {
         stringResource(Res.string.documents_loss_title),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(stringResource(Res.string.documents_cancel), "document-cancel") { onEvent(DocumentEvent.DialogClosed) }
+            OtherButton(stringResource(Res.string.documents_cancel), "document-cancel") {
+                onEvent(DocumentEvent.DialogClosed)
+            }
             OtherButton(stringResource(Res.string.documents_loss_go_on), "loss-go-on") {
                 onEvent(DocumentEvent.Answered(DocumentAnswer.GO_ON))
             }

@@ -11,7 +11,10 @@ import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
 import robotran.workshop.event.DocumentEvent
 
-/** What a key does with the work as a whole, with Ctrl or, on a Mac, Command held; null for nothing. Browsers keep Ctrl N to themselves. */
+/**
+ * What a key does with the work as a whole, with Ctrl or, on a Mac, Command held; null for nothing. Browsers keep Ctrl
+ * N to themselves.
+ */
 fun documentShortcut(event: KeyEvent): DocumentEvent? {
     val held = (event.isCtrlPressed || event.isMetaPressed) && !event.isAltPressed
     if (event.type != KeyEventType.KeyDown || !held) return null

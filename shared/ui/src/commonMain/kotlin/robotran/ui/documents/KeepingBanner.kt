@@ -41,8 +41,9 @@ import robotran.workshop.state.AutosaveError
 import robotran.workshop.state.DocumentState
 
 /**
- * Says that the work is not being kept, and what can be done; nothing while all is well. It lies over the foot of what there is to be seen, which does not
- * move, until it is put away: then the menu with the work still has a sign, and brings it back.
+ * Says that the work is not being kept, and what can be done; nothing while all is well. It lies over the foot of what
+ * there is to be seen, which does not move, until it is put away: then the menu with the work still has a sign, and
+ * brings it back.
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
@@ -71,19 +72,28 @@ internal fun KeepingBanner(state: DocumentState, onEvent: (DocumentEvent) -> Uni
         ) {
             Text(
                 "⚠ ${wordsFor(error)}",
-                Modifier.align(Alignment.CenterVertically).padding(vertical = 8.dp).semantics { liveRegion = LiveRegionMode.Assertive },
+                Modifier.align(Alignment.CenterVertically).padding(vertical = 8.dp).semantics {
+                    liveRegion =
+                        LiveRegionMode.Assertive
+                },
                 color = colours.onPane,
                 fontSize = 16.sp,
                 lineHeight = 22.sp,
             )
             if (error != AutosaveError.TooLong) {
-                OtherButton(stringResource(Res.string.documents_save_as), "trouble-save-as") { onEvent(DocumentEvent.SaveAsRequested) }
+                OtherButton(stringResource(Res.string.documents_save_as), "trouble-save-as") {
+                    onEvent(DocumentEvent.SaveAsRequested)
+                }
             }
             if (error == AutosaveError.Full) {
-                OtherButton(stringResource(Res.string.documents_my_work), "trouble-my-work") { onEvent(DocumentEvent.ProjectListRequested) }
+                OtherButton(stringResource(Res.string.documents_my_work), "trouble-my-work") {
+                    onEvent(DocumentEvent.ProjectListRequested)
+                }
             }
         }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "trouble-close", { onEvent(DocumentEvent.WarningShown(false)) })
+        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "trouble-close", {
+            onEvent(DocumentEvent.WarningShown(false))
+        })
     }
 }
 

@@ -60,7 +60,11 @@ private fun DrawScope.drawQrCode(code: QrCode) {
         while (column < code.size) {
             val from = column
             while (column < code.size && code.isDark(column, row)) column++
-            drawRect(Color.Black, Offset(start + from * module, start + row * module), Size((column - from) * module, module))
+            drawRect(
+                Color.Black,
+                Offset(start + from * module, start + row * module),
+                Size((column - from) * module, module),
+            )
             column++
         }
     }

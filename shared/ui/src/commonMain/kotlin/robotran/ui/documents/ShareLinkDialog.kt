@@ -32,7 +32,11 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 
 @Composable
-internal fun ShareLinkDialog(dialog: DocumentDialog.SharingLink, hasShareSheet: Boolean, onEvent: (DocumentEvent) -> Unit) {
+internal fun ShareLinkDialog(
+    dialog: DocumentDialog.SharingLink,
+    hasShareSheet: Boolean,
+    onEvent: (DocumentEvent) -> Unit,
+) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     val link = dialog.link
     val tooLong = dialog.tooLong
@@ -42,7 +46,9 @@ internal fun ShareLinkDialog(dialog: DocumentDialog.SharingLink, hasShareSheet: 
         buttons = {
             OtherButton(stringResource(Res.string.documents_close), "document-cancel", close)
             if (link != null && hasShareSheet) {
-                OtherButton(stringResource(Res.string.documents_share_elsewhere), "link-share") { onEvent(DocumentEvent.LinkShared) }
+                OtherButton(stringResource(Res.string.documents_share_elsewhere), "link-share") {
+                    onEvent(DocumentEvent.LinkShared)
+                }
             }
             if (link != null) {
                 val words = if (dialog.copied) Res.string.documents_copied else Res.string.documents_copy
@@ -67,8 +73,12 @@ internal fun ShareFileDialog(onEvent: (DocumentEvent) -> Unit) {
         close,
         buttons = {
             OtherButton(stringResource(Res.string.documents_close), "document-cancel", close)
-            OtherButton(stringResource(Res.string.documents_share_site), "share-site") { onEvent(DocumentEvent.SiteRequested) }
-            MainButton(stringResource(Res.string.documents_save_as), "share-save-as") { onEvent(DocumentEvent.SaveAsRequested) }
+            OtherButton(stringResource(Res.string.documents_share_site), "share-site") {
+                onEvent(DocumentEvent.SiteRequested)
+            }
+            MainButton(stringResource(Res.string.documents_save_as), "share-save-as") {
+                onEvent(DocumentEvent.SaveAsRequested)
+            }
         },
     ) { Explanation(stringResource(Res.string.documents_share_no_site)) }
 }
@@ -87,7 +97,14 @@ private fun LinkItself(link: String) {
         colors = fieldColours(),
     )
     val length = stringResource(Res.string.documents_share_length, link.length)
-    Text(length, Modifier.testTag("link-length").semantics { liveRegion = LiveRegionMode.Polite }, color = colours.quiet, fontSize = 14.sp)
+    Text(
+        length,
+        Modifier.testTag("link-length").semantics {
+            liveRegion = LiveRegionMode.Polite
+        },
+        color = colours.quiet,
+        fontSize = 14.sp,
+    )
     if (link.length > LONG) Explanation(stringResource(Res.string.documents_share_long))
     LinkAsQrCode(link)
 }

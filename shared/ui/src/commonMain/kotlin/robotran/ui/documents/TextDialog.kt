@@ -104,7 +104,13 @@ private fun TextDialog(
 }
 
 @Composable
-private fun OneLine(value: TextFieldValue, onValue: (TextFieldValue) -> Unit, label: String, isError: Boolean, onReturn: () -> Unit) {
+private fun OneLine(
+    value: TextFieldValue,
+    onValue: (TextFieldValue) -> Unit,
+    label: String,
+    isError: Boolean,
+    onReturn: () -> Unit,
+) {
     val focus = remember { FocusRequester() }
     LaunchedEffect(Unit) { focus.requestFocus() }
     OutlinedTextField(

@@ -47,15 +47,11 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentState
 
 /**
- * The name of the work, which opens the menu with all that can be done with it as a whole. A dot before the name says that not everything is in its
- * file yet, a warning sign that it is not being kept.
+ * The name of the work, which opens the menu with all that can be done with it as a whole. A dot before the name says
+ * that not everything is in its file yet, a warning sign that it is not being kept.
  */
 @Composable
-internal fun WorkMenu(
-    state: DocumentState,
-    onEvent: (DocumentEvent) -> Unit,
-    modifier: Modifier = Modifier,
-) {
+internal fun WorkMenu(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modifier: Modifier = Modifier) {
     var open by remember { mutableStateOf(false) }
     Box(modifier) {
         WorkName(state) { open = true }
@@ -73,7 +69,8 @@ internal fun WorkMenu(
 @Composable
 internal fun WorkMenuEntry(state: DocumentState, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
-    val words = stringResource(Res.string.documents_menu, state.name.ifEmpty { stringResource(Res.string.documents_untitled) })
+    val words =
+        stringResource(Res.string.documents_menu, state.name.ifEmpty { stringResource(Res.string.documents_untitled) })
     val condition = conditionOf(state)
     DropdownMenuItem(
         text = {

@@ -33,11 +33,7 @@ import robotran.workshop.state.DocumentState
 
 /** All that can be done with the work as a whole, to be put into a menu; [close] closes that. */
 @Composable
-internal fun WorkMenuItems(
-    state: DocumentState,
-    onEvent: (DocumentEvent) -> Unit,
-    close: () -> Unit,
-) {
+internal fun WorkMenuItems(state: DocumentState, onEvent: (DocumentEvent) -> Unit, close: () -> Unit) {
     val choose = { event: DocumentEvent ->
         close()
         onEvent(event)

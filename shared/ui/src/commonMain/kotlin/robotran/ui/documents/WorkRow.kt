@@ -45,7 +45,10 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.ProjectListEntry
 
-/** One of all works: a picture of its sheet, what it is called, its world and programs, and when it was kept. A touch opens it. */
+/**
+ * One of all works: a picture of its sheet, what it is called, its world and programs, and when it was kept. A touch
+ * opens it.
+ */
 @Composable
 internal fun WorkRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit) {
     Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
@@ -98,11 +101,15 @@ private fun SheetPicture(work: ProjectListEntry) {
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
     val key = "${work.entry.id} ${work.entry.keptAt}"
-    val room = with(LocalDensity.current) { PictureBounds.of(PICTURE_WIDTH.roundToPx(), PICTURE_HEIGHT.roundToPx(), density) }
+    val room =
+        with(LocalDensity.current) { PictureBounds.of(PICTURE_WIDTH.roundToPx(), PICTURE_HEIGHT.roundToPx(), density) }
     val picture by produceState(pictures.ready(key, sheetColours, room), key, work.world, sheetColours, room) {
         work.world?.let { value = pictures.of(key, it, sheetColours, room) }
     }
-    Box(Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT).background(colours.desk, RoundedCornerShape(6.dp)).padding(2.dp), Alignment.Center) {
+    Box(
+        Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT).background(colours.desk, RoundedCornerShape(6.dp)).padding(2.dp),
+        Alignment.Center,
+    ) {
         picture?.let { Image(it, contentDescription = null, Modifier.fillMaxSize(), contentScale = ContentScale.Fit) }
     }
 }

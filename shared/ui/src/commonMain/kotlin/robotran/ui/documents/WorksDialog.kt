@@ -47,7 +47,10 @@ internal fun WorksDialog(dialog: DocumentDialog.ProjectList, onEvent: (DocumentE
         when {
             works == null -> Explanation(stringResource(Res.string.documents_works_loading))
 
-            works.isEmpty() -> Explanation(stringResource(Res.string.documents_works_empty), Modifier.testTag("works-empty"))
+            works.isEmpty() -> Explanation(
+                stringResource(Res.string.documents_works_empty),
+                Modifier.testTag("works-empty"),
+            )
 
             else -> works.forEachIndexed { number, work ->
                 if (number > 0) HorizontalDivider(color = LocalRobotranColours.current.line)

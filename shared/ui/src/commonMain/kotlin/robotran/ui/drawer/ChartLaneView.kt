@@ -50,7 +50,10 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
     val latest by rememberUpdatedState(window)
     val touch by rememberUpdatedState(onTouch)
     Row(
-        Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) { contentDescription = "$name: $value" },
+        Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {
+            contentDescription =
+                "$name: $value"
+        },
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
@@ -70,7 +73,11 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
                             val event = awaitPointerEvent()
                             val change = event.changes.firstOrNull { it.id == down.id } ?: break
                             // Up and down the lanes are scrolled, to the sides their values are read.
-                            if (change.pressed && !change.isConsumed) touch(latest.timeAt(change.position.x / size.width))
+                            if (change.pressed &&
+                                !change.isConsumed
+                            ) {
+                                touch(latest.timeAt(change.position.x / size.width))
+                            }
                         } while (change.pressed)
                         touch(null)
                     }
@@ -97,7 +104,10 @@ private fun valueText(line: ChartLine, time: Long): String {
     return if (min == greatest) signed(line, min) else "${signed(line, min)}–${signed(line, greatest)}"
 }
 
-/** Of a motor the power that programs, the ROM and the brick's ports count from 0 to 7, with a sign for the direction; 0 without one if it is not driven. */
+/**
+ * Of a motor the power that programs, the ROM and the brick's ports count from 0 to 7, with a sign for the direction; 0
+ * without one if it is not driven.
+ */
 private fun signed(line: ChartLine, value: Int) = when {
     !line.lane.isMotor || value == 0 -> "$value"
     value > 0 -> "+${value - 1}"
@@ -107,8 +117,8 @@ private fun signed(line: ChartLine, value: Int) = when {
 private fun DrawScope.drawLane(line: ChartLine, window: ChartWindow, at: Long, now: Long, colours: RobotranColours) {
     val range = rangeOf(line)
 
-    fun y(value: Int) =
-        size.height - PAD.toPx() - (size.height - 2 * PAD.toPx()) * (value - range.first) / (range.last - range.first).coerceAtLeast(1)
+    fun y(value: Int) = size.height - PAD.toPx() -
+        (size.height - 2 * PAD.toPx()) * (value - range.first) / (range.last - range.first).coerceAtLeast(1)
     drawRect(colours.line.copy(alpha = 0.25f), Offset.Zero, Size(size.width, size.height))
     drawLine(colours.line, Offset(0f, y(0)), Offset(size.width, y(0)), 1.dp.toPx())
     drawValues(line, window, colours.onPane, ::y)
@@ -121,7 +131,9 @@ private fun DrawScope.drawLane(line: ChartLine, window: ChartWindow, at: Long, n
     }
 }
 
-/** A step line through the values, and the area to 0 under those of a motor; never more corners than there are pixels. */
+/**
+ * A step line through the values, and the area to 0 under those of a motor; never more corners than there are pixels.
+ */
 private fun DrawScope.drawValues(line: ChartLine, window: ChartWindow, colour: Color, y: (Int) -> Float) {
     if (line.size == 0) return
     val first = line.pieceAt(window.from)

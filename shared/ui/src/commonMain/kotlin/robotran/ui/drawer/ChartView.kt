@@ -38,7 +38,9 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.RunPaneState
 
-/** Sensors and motors over time, each in a lane of its own, with their values at the time that is looked at or touched. */
+/**
+ * Sensors and motors over time, each in a lane of its own, with their values at the time that is looked at or touched.
+ */
 @Composable
 internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
     if (state.untouched || state.drawer.chart.lines.isEmpty()) return EmptyDrawer(Res.string.run_chart_empty, modifier)
@@ -56,8 +58,24 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                     }
                 }
             }
-            QuietButton(RunIcon.LESS, stringResource(Res.string.run_chart_coarser), "chart-coarser", { zoom-- }, enabled = zoom > 0)
-            QuietButton(RunIcon.MORE, stringResource(Res.string.run_chart_finer), "chart-finer", { zoom++ }, enabled = zoom < MAX_ZOOM)
+            QuietButton(
+                RunIcon.LESS,
+                stringResource(Res.string.run_chart_coarser),
+                "chart-coarser",
+                {
+                    zoom--
+                },
+                enabled =
+                    zoom > 0,
+            )
+            QuietButton(
+                RunIcon.MORE,
+                stringResource(Res.string.run_chart_finer),
+                "chart-finer",
+                { zoom++ },
+                enabled =
+                    zoom < MAX_ZOOM,
+            )
         }
         if (shown.isEmpty()) return EmptyDrawer(Res.string.run_chart_all_hidden, Modifier.fillMaxWidth())
         Column(Modifier.weight(1f).fillMaxWidth().verticalScroll(rememberScrollState())) {
@@ -79,12 +97,11 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
 }
 
 @Composable
-private fun laneName(lane: ChartLane): String =
-    if (lane.isMotor) {
-        stringResource(Res.string.run_chart_motor, 'A' + (lane.ordinal - ChartLane.MOTOR_A.ordinal))
-    } else {
-        stringResource(Res.string.run_chart_sensor, lane.ordinal + 1)
-    }
+private fun laneName(lane: ChartLane): String = if (lane.isMotor) {
+    stringResource(Res.string.run_chart_motor, 'A' + (lane.ordinal - ChartLane.MOTOR_A.ordinal))
+} else {
+    stringResource(Res.string.run_chart_sensor, lane.ordinal + 1)
+}
 
 /**
  * The piece of time that the chart shows.

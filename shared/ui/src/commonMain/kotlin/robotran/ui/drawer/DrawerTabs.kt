@@ -44,13 +44,23 @@ import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.DrawerTab
 
-/** The names of what the drawer holds; the one that is [open] is underlined, and touched again it closes. With [onTwo] there can be another beside it. */
+/**
+ * The names of what the drawer holds; the one that is [open] is underlined, and touched again it closes. With [onTwo]
+ * there can be another beside it.
+ */
 @Composable
-internal fun DrawerTabs(open: DrawerTab?, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier, onTwo: (() -> Unit)? = null) {
+internal fun DrawerTabs(
+    open: DrawerTab?,
+    onTab: (DrawerTab?) -> Unit,
+    modifier: Modifier = Modifier,
+    onTwo: (() -> Unit)? = null,
+) {
     TabRow(open, "drawer", { onTab(if (it == open) null else it) }, modifier) {
         if (onTwo != null) QuietButton(RunIcon.TWO, stringResource(Res.string.run_drawer_two), "drawer-two", onTwo)
         if (open == null) {
-            QuietButton(RunIcon.UP, stringResource(Res.string.run_drawer_open), "drawer-open", { onTab(DrawerTab.VARIABLES) })
+            QuietButton(RunIcon.UP, stringResource(Res.string.run_drawer_open), "drawer-open", {
+                onTab(DrawerTab.VARIABLES)
+            })
         } else {
             QuietButton(RunIcon.DOWN, stringResource(Res.string.run_drawer_close), "drawer-close", { onTab(null) })
         }
@@ -66,7 +76,13 @@ internal fun BesideTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: 
 }
 
 @Composable
-private fun TabRow(open: DrawerTab?, tag: String, onTab: (DrawerTab) -> Unit, modifier: Modifier, buttons: @Composable () -> Unit) {
+private fun TabRow(
+    open: DrawerTab?,
+    tag: String,
+    onTab: (DrawerTab) -> Unit,
+    modifier: Modifier,
+    buttons: @Composable () -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     BoxWithConstraints(modifier.fillMaxWidth().padding(horizontal = 8.dp)) {
@@ -80,7 +96,11 @@ private fun TabRow(open: DrawerTab?, tag: String, onTab: (DrawerTab) -> Unit, mo
                     .horizontalScroll(scroll),
                 Arrangement.spacedBy(if (isSlim) 0.dp else 4.dp),
             ) {
-                for (tab in DrawerTab.entries) TabName(tab, tag, tab == open, if (isSlim) 6.dp else 12.dp) { onTab(tab) }
+                for (tab in DrawerTab.entries) {
+                    TabName(tab, tag, tab == open, if (isSlim) 6.dp else 12.dp) {
+                        onTab(tab)
+                    }
+                }
             }
             buttons()
         }
@@ -102,7 +122,12 @@ private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, inset: Dp, o
                 if (!selected) return@drawBehind
                 val height = 4.dp.toPx()
                 val bar = Size(size.width - 2 * inset.toPx(), height)
-                drawRoundRect(RobotranColours.YELLOW, Offset(inset.toPx(), size.height - height), bar, CornerRadius(height / 2))
+                drawRoundRect(
+                    RobotranColours.YELLOW,
+                    Offset(inset.toPx(), size.height - height),
+                    bar,
+                    CornerRadius(height / 2),
+                )
             }
             .padding(horizontal = inset),
         Alignment.Center,

@@ -42,13 +42,18 @@ import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.GoalCount
 
 /**
- * How many of the world's goals are met, and a kind word when all are; nothing in a world without goals. A touch shows them. It is always as large as for
- * the most that it may say.
+ * How many of the world's goals are met, and a kind word when all are; nothing in a world without goals. A touch shows
+ * them. It is always as large as for the most that it may say.
  *
  * @param isSlim whether there is room for one short line only, as for large text anywhere.
  */
 @Composable
-internal fun GoalChip(goals: List<GoalProgress>, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier, isSlim: Boolean = false) {
+internal fun GoalChip(
+    goals: List<GoalProgress>,
+    onEvent: (RunEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    isSlim: Boolean = false,
+) {
     if (goals.isEmpty()) return
     val colours = LocalRobotranColours.current
     val count = GoalCount.of(goals)
@@ -58,7 +63,15 @@ internal fun GoalChip(goals: List<GoalProgress>, onEvent: (RunEvent) -> Unit, mo
     val isShort = isLarge || isSlim
     val name = if (isLarge) "" else stringResource(Res.string.run_tab_goals) + " "
     val shown = if (isShort) "$name${count.met}/${count.all}" else words
-    val longest = if (isShort) "$name${count.all}/${count.all}" else stringResource(Res.string.run_goals_count, count.all, count.all)
+    val longest = if (isShort) {
+        "$name${count.all}/${count.all}"
+    } else {
+        stringResource(
+            Res.string.run_goals_count,
+            count.all,
+            count.all,
+        )
+    }
     val icon = when {
         count.allMet -> RunIcon.DONE
         count.failed > 0 -> RunIcon.CLOSE
@@ -82,7 +95,11 @@ internal fun GoalChip(goals: List<GoalProgress>, onEvent: (RunEvent) -> Unit, mo
         Alignment.CenterVertically,
     ) {
         RunIconView(icon, side = 18.dp, colour = if (icon == RunIcon.CLOSE) colours.error else colours.onPane)
-        SteadySize(shown, if (isShort) listOf(longest) else listOf(longest, allMet), alignment = Alignment.CenterStart) {
+        SteadySize(
+            shown,
+            if (isShort) listOf(longest) else listOf(longest, allMet),
+            alignment = Alignment.CenterStart,
+        ) {
             val told = if (isShort) Modifier.clearAndSetSemantics { } else Modifier
             Text(it, told, color = colours.onPane, fontSize = 16.sp, lineHeight = 20.sp, fontWeight = FontWeight.Medium)
         }

@@ -92,7 +92,9 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
         OutlinedTextField(
             filter.text,
             { onEvent(RunEvent.LogFiltered(filter.copy(text = it))) },
-            Modifier.testTag("log-search").widthIn(min = 160.dp, max = 220.dp).semantics { contentDescription = search },
+            Modifier.testTag("log-search").widthIn(min = 160.dp, max = 220.dp).semantics {
+                contentDescription = search
+            },
             placeholder = { Text(search, maxLines = 1) },
             singleLine = true,
         )
@@ -106,7 +108,19 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
         ToolButton(Res.string.run_log_copy, "log-copy") { onEvent(RunEvent.LogCopied) }
         ToolButton(Res.string.run_log_save, "log-save") { onEvent(RunEvent.LogSaved) }
         Chip(stringResource(Res.string.run_log_program), filter.sourceLines != null, "log-program") {
-            onEvent(RunEvent.LogFiltered(filter.copy(sourceLines = if (filter.sourceLines == null) 1..Int.MAX_VALUE else null)))
+            onEvent(
+                RunEvent.LogFiltered(
+                    filter.copy(
+                        sourceLines = if (filter.sourceLines ==
+                            null
+                        ) {
+                            1..Int.MAX_VALUE
+                        } else {
+                            null
+                        },
+                    ),
+                ),
+            )
         }
         Chip(stringResource(Res.string.run_log_troubled), filter.onlyReported, "log-troubled") {
             onEvent(RunEvent.LogFiltered(filter.copy(onlyReported = !filter.onlyReported)))
@@ -165,7 +179,11 @@ private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
         Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {},
         Arrangement.spacedBy(12.dp),
     ) {
-        Text("${entry.milliseconds}", Modifier.width(64.dp * scale), style = style.copy(color = colours.quiet, textAlign = TextAlign.End))
+        Text(
+            "${entry.milliseconds}",
+            Modifier.width(64.dp * scale),
+            style = style.copy(color = colours.quiet, textAlign = TextAlign.End),
+        )
         Text(
             if (troubled) "! ${entry.meaning}" else entry.meaning,
             Modifier.weight(1.4f),

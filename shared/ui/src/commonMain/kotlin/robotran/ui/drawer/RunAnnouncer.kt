@@ -31,7 +31,8 @@ import kotlin.math.roundToInt
 internal fun RunAnnouncer(state: RunPaneState, modifier: Modifier = Modifier) {
     val robot = state.session.robots[state.watched]
     val pose = robot.robot.pose
-    val place = stringResource(Res.string.run_said_place, oneDecimal(pose.x), oneDecimal(pose.y), pose.heading.roundToInt())
+    val place =
+        stringResource(Res.string.run_said_place, oneDecimal(pose.x), oneDecimal(pose.y), pose.heading.roundToInt())
     val stands = !state.untouched && !state.isSeeking && (!state.running || state.isPaused)
     val text by rememberUpdatedState(if (stands) place else "")
     var said by remember { mutableStateOf("") }

@@ -54,7 +54,8 @@ import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.RunPaneState
 
 /**
- * The drawer under the world: its names are always seen; one that is touched slides up what it holds, which can be made higher or lower.
+ * The drawer under the world: its names are always seen; one that is touched slides up what it holds, which can be made
+ * higher or lower.
  *
  * @param max how high it may become.
  */
@@ -93,10 +94,29 @@ private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (RunEvent) ->
     BoxWithConstraints(Modifier.fillMaxWidth()) {
         val hasRoom = maxWidth >= MIN_WIDTH_FOR_TWO * LocalDensity.current.fontScale
         val beside = state.drawer.beside.takeIf { hasRoom }
-        val showTwo = { onEvent(RunEvent.DrawerBesideChosen(if (tab == DrawerTab.CHART) DrawerTab.LOG else DrawerTab.CHART)) }
+        val showTwo = {
+            onEvent(
+                RunEvent.DrawerBesideChosen(
+                    if (tab ==
+                        DrawerTab.CHART
+                    ) {
+                        DrawerTab.LOG
+                    } else {
+                        DrawerTab.CHART
+                    },
+                ),
+            )
+        }
         Row(Modifier.fillMaxWidth()) {
             Column(Modifier.weight(1f)) {
-                DrawerTabs(tab, { onEvent(RunEvent.DrawerChosen(it)) }, onTwo = showTwo.takeIf { hasRoom && beside == null })
+                DrawerTabs(
+                    tab,
+                    { onEvent(RunEvent.DrawerChosen(it)) },
+                    onTwo = showTwo.takeIf {
+                        hasRoom &&
+                            beside == null
+                    },
+                )
                 HorizontalDivider(color = colours.line)
                 DrawerContent(tab, state, onEvent, Modifier.fillMaxWidth().height(height))
             }

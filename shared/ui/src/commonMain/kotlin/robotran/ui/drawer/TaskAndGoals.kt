@@ -41,7 +41,12 @@ import robotran.workshop.state.WorkshopState
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun TaskAndGoals(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier, isSlim: Boolean = false) {
+internal fun TaskAndGoals(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    isSlim: Boolean = false,
+) {
     FlowRow(modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
         if (state.hasTask) TaskChip(state.taskShown) { onEvent(WorkshopEvent.TaskShown(it)) }
         GoalChip(state.session.goals, onEvent, isSlim = isSlim)
@@ -66,7 +71,13 @@ private fun TaskChip(shown: Boolean, onShow: (Boolean) -> Unit) {
             .semantics(mergeDescendants = true) { contentDescription = help },
         Alignment.Center,
     ) {
-        Text(stringResource(Res.string.task), color = colours.onPane, fontSize = 16.sp, lineHeight = 20.sp, fontWeight = FontWeight.Medium)
+        Text(
+            stringResource(Res.string.task),
+            color = colours.onPane,
+            fontSize = 16.sp,
+            lineHeight = 20.sp,
+            fontWeight = FontWeight.Medium,
+        )
     }
 }
 

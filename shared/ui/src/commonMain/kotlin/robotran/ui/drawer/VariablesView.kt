@@ -55,7 +55,10 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.VariablesState
 
-/** The threads and the call stack of the program, and the variables known at the place that is chosen; what has changed since the last stop is lit. */
+/**
+ * The threads and the call stack of the program, and the variables known at the place that is chosen; what has changed
+ * since the last stop is lit.
+ */
 @Composable
 internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
     if (state.threads.isEmpty()) return EmptyDrawer(Res.string.run_variables_empty, modifier)
@@ -63,7 +66,11 @@ internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, m
         val width = maxWidth
         if (width >= WIDE) {
             Row {
-                Calls(state, onEvent, Modifier.width(width * CALLS_SHARE).fillMaxHeight().verticalScroll(rememberScrollState()))
+                Calls(
+                    state,
+                    onEvent,
+                    Modifier.width(width * CALLS_SHARE).fillMaxHeight().verticalScroll(rememberScrollState()),
+                )
                 VerticalDivider(color = LocalRobotranColours.current.line)
                 Scopes(state.scopes, Modifier.weight(1f).fillMaxHeight().verticalScroll(rememberScrollState()))
             }

@@ -13,7 +13,8 @@ import robotran.workshop.platform.spokenLanguage
 /**
  * Everything inside is in [language], or in the machine's if that is null.
  *
- * The resources of Compose have no other way of being told a language than that of the whole process, which is why there is one only.
+ * The resources of Compose have no other way of being told a language than that of the whole process, which is why
+ * there is one only.
  */
 @Composable
 internal fun InLanguage(language: Language?, content: @Composable () -> Unit) {

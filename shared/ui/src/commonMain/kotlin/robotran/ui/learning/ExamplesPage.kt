@@ -32,11 +32,15 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.examples.examples
 
-/** All programs that come with the app, with what they draw; first those in the language [current], which one works in. */
+/**
+ * All programs that come with the app, with what they draw; first those in the language [current], which one works in.
+ */
 @Composable
 internal fun ExamplesPage(current: ProgramLanguage, onEvent: (LearningEvent) -> Unit) {
     val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
-    Page(stringResource(Res.string.learning_examples), "examples-page", { onEvent(LearningEvent.PageLeft) }, maxWidth = 1280.dp) {
+    Page(stringResource(Res.string.learning_examples), "examples-page", {
+        onEvent(LearningEvent.PageLeft)
+    }, maxWidth = 1280.dp) {
         LazyVerticalGrid(
             columns = GridCells.Adaptive(CARD_WIDTH * scale),
             modifier = Modifier.fillMaxSize().testTag("example-cards"),
@@ -45,7 +49,11 @@ internal fun ExamplesPage(current: ProgramLanguage, onEvent: (LearningEvent) -> 
             verticalArrangement = Arrangement.spacedBy(16.dp),
         ) {
             item(span = { GridItemSpan(maxLineSpan) }, key = "added") {
-                Text(stringResource(Res.string.learning_examples_added), color = LocalRobotranColours.current.quiet, fontSize = 16.sp)
+                Text(
+                    stringResource(Res.string.learning_examples_added),
+                    color = LocalRobotranColours.current.quiet,
+                    fontSize = 16.sp,
+                )
             }
             for (language in ProgramLanguage.entries.sortedByDescending { it == current }) examples(language, onEvent)
         }
@@ -59,7 +67,9 @@ private fun LazyGridScope.examples(language: ProgramLanguage, onEvent: (Learning
         Text(stringResource(language.title), words, color = colour, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
     }
     items(language.examples.keys.toList(), key = { it }) { name ->
-        ExampleCard(name, stringResource(aboutExample(language, name))) { onEvent(LearningEvent.ExampleChosen(language, name)) }
+        ExampleCard(name, stringResource(aboutExample(language, name))) {
+            onEvent(LearningEvent.ExampleChosen(language, name))
+        }
     }
 }
 

@@ -50,9 +50,16 @@ import robotran.workshop.state.LearningPage
 @Composable
 internal fun FirstRunPage(onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    Page(stringResource(Res.string.learning_welcome_title), "first-run", { onEvent(LearningEvent.PageLeft) }, maxWidth = 960.dp) {
+    Page(stringResource(Res.string.learning_welcome_title), "first-run", {
+        onEvent(LearningEvent.PageLeft)
+    }, maxWidth = 960.dp) {
         Column(Modifier.verticalScroll(rememberScrollState()).padding(24.dp), Arrangement.spacedBy(24.dp)) {
-            Text(stringResource(Res.string.learning_welcome), color = colours.onPane, fontSize = 20.sp, lineHeight = 28.sp)
+            Text(
+                stringResource(Res.string.learning_welcome),
+                color = colours.onPane,
+                fontSize = 20.sp,
+                lineHeight = 28.sp,
+            )
             ThingsToTry(onEvent)
             Text(stringResource(Res.string.learning_welcome_again), color = colours.quiet, fontSize = 16.sp)
         }
@@ -64,7 +71,9 @@ internal fun FirstRunPage(onEvent: (LearningEvent) -> Unit) {
 private fun ThingsToTry(onEvent: (LearningEvent) -> Unit) {
     BoxWithConstraints {
         if (maxWidth / LocalDensity.current.fontScale >= BESIDE_WIDTH) {
-            Row(Modifier.height(IntrinsicSize.Max), Arrangement.spacedBy(GAP)) { Things(onEvent, Modifier.weight(1f).fillMaxHeight()) }
+            Row(Modifier.height(IntrinsicSize.Max), Arrangement.spacedBy(GAP)) {
+                Things(onEvent, Modifier.weight(1f).fillMaxHeight())
+            }
         } else {
             Column(verticalArrangement = Arrangement.spacedBy(GAP)) { Things(onEvent, Modifier.fillMaxWidth()) }
         }
@@ -111,7 +120,9 @@ private fun ElementRef(
     val colours = LocalRobotranColours.current
     val onGround = if (isFirst) RobotranColours.ON_YELLOW else colours.onPane
     Surface(
-        modifier.testTag(tag).focusRing(CORNER).clip(RoundedCornerShape(CORNER)).clickable(role = Role.Button, onClick = onClick),
+        modifier.testTag(
+            tag,
+        ).focusRing(CORNER).clip(RoundedCornerShape(CORNER)).clickable(role = Role.Button, onClick = onClick),
         shape = RoundedCornerShape(CORNER),
         color = if (isFirst) RobotranColours.YELLOW else colours.pane,
         border = if (isFirst) null else BorderStroke(1.dp, colours.quiet),

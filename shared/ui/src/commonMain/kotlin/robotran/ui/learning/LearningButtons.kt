@@ -28,9 +28,17 @@ import robotran.ui.theme.focusRing
 
 /** What is best done next. [help] says more to those who ask for it. */
 @Composable
-internal fun PrimaryButton(text: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier, help: String? = null) = Button(
+internal fun PrimaryButton(
+    text: String,
+    tag: String,
+    onClick: () -> Unit,
+    modifier: Modifier = Modifier,
+    help: String? = null,
+) = Button(
     onClick = onClick,
-    modifier = modifier.testTag(tag).semantics { help?.let { onClick(label = it, action = null) } }.focusRing(CORNER).large(),
+    modifier = modifier.testTag(tag).semantics {
+        help?.let { onClick(label = it, action = null) }
+    }.focusRing(CORNER).large(),
     shape = RoundedCornerShape(CORNER),
     colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
     contentPadding = PADDING,
@@ -38,14 +46,15 @@ internal fun PrimaryButton(text: String, tag: String, onClick: () -> Unit, modif
 
 /** What else can be done. */
 @Composable
-internal fun SecondButton(text: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier) = OutlinedButton(
-    onClick = onClick,
-    modifier = modifier.testTag(tag).focusRing(CORNER).large(),
-    shape = RoundedCornerShape(CORNER),
-    colors = ButtonDefaults.outlinedButtonColors(contentColor = LocalRobotranColours.current.onPane),
-    border = BorderStroke(1.dp, LocalRobotranColours.current.quiet),
-    contentPadding = PADDING,
-) { Words(text) }
+internal fun SecondButton(text: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier) =
+    OutlinedButton(
+        onClick = onClick,
+        modifier = modifier.testTag(tag).focusRing(CORNER).large(),
+        shape = RoundedCornerShape(CORNER),
+        colors = ButtonDefaults.outlinedButtonColors(contentColor = LocalRobotranColours.current.onPane),
+        border = BorderStroke(1.dp, LocalRobotranColours.current.quiet),
+        contentPadding = PADDING,
+    ) { Words(text) }
 
 /** What is done seldom. */
 @Composable
@@ -63,7 +72,8 @@ internal fun QuietButton(text: String, tag: String, onClick: () -> Unit, enabled
 internal fun ButtonSize(text: String) = Box(Modifier.large().padding(PADDING), Alignment.Center) { Words(text) }
 
 @Composable
-private fun Words(text: String) = Text(text, fontSize = 16.sp, fontWeight = FontWeight.Medium, textAlign = TextAlign.Center)
+private fun Words(text: String) =
+    Text(text, fontSize = 16.sp, fontWeight = FontWeight.Medium, textAlign = TextAlign.Center)
 
 private fun Modifier.large() = defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
 

@@ -14,7 +14,10 @@ import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
 
-/** What lies over the workshop of what there is to learn from; fills the screen. The tutorial is not among it, see [TutorialPane]. */
+/**
+ * What lies over the workshop of what there is to learn from; fills the screen. The tutorial is not among it, see
+ * [TutorialPane].
+ */
 @Composable
 internal fun LearningPages(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     when (state.page) {
@@ -28,9 +31,17 @@ internal fun LearningPages(state: LearningState, onEvent: (LearningEvent) -> Uni
             // It keeps to the program, so that Run stays free: beside the paper, under it, or on all of a phone.
             val isBroad = maxWidth > BROAD
             val isUnderPaper = isBroad && maxHeight > maxWidth
-            val width = if (isBroad && !isUnderPaper) (maxWidth * PANEL_SHARE_ACROSS).coerceIn(PANEL_WIDTHS) else maxWidth
+            val width = if (isBroad &&
+                !isUnderPaper
+            ) {
+                (maxWidth * PANEL_SHARE_ACROSS).coerceIn(PANEL_WIDTHS)
+            } else {
+                maxWidth
+            }
             val height = maxHeight * if (isUnderPaper) PANEL_SHARE_UPRIGHT else PANEL_SHARE
-            Box(Modifier.align(Alignment.BottomStart)) { HelpPanel(state, onEvent, Modifier.widthIn(max = width).heightIn(max = height)) }
+            Box(Modifier.align(Alignment.BottomStart)) {
+                HelpPanel(state, onEvent, Modifier.widthIn(max = width).heightIn(max = height))
+            }
         }
 
         LearningPage.TUTORIAL, null -> Unit

@@ -14,10 +14,22 @@ import robotran.ui.theme.codeStyle
 
 /** A paragraph whose program text stands between backticks, see [robotran.learning.TutorialText]. */
 @Composable
-internal fun MarkedText(text: String, modifier: Modifier = Modifier, colour: Color = LocalRobotranColours.current.onPane) {
-    val code = codeStyle().run { SpanStyle(color = colour, fontFamily = fontFamily, fontFeatureSettings = fontFeatureSettings) }
+internal fun MarkedText(
+    text: String,
+    modifier: Modifier = Modifier,
+    colour: Color = LocalRobotranColours.current.onPane,
+) {
+    val code = codeStyle().run {
+        SpanStyle(color = colour, fontFamily = fontFamily, fontFeatureSettings = fontFeatureSettings)
+    }
     val background = LocalRobotranColours.current.desk
-    Text(marked(text, code.copy(background = background)), modifier, color = colour, fontSize = 16.sp, lineHeight = 24.sp)
+    Text(
+        marked(text, code.copy(background = background)),
+        modifier,
+        color = colour,
+        fontSize = 16.sp,
+        lineHeight = 24.sp,
+    )
 }
 
 private fun marked(text: String, code: SpanStyle): AnnotatedString = buildAnnotatedString {

@@ -43,7 +43,8 @@ internal interface CardPictures<T> {
 }
 
 /**
- * A card of a gallery, to be pressed: a picture of [subject] and, below it, [words], which say what is to be seen, so that the picture needs none.
+ * A card of a gallery, to be pressed: a picture of [subject] and, below it, [words], which say what is to be seen, so
+ * that the picture needs none.
  *
  * @param aspect how many times as wide as high the picture is.
  * @param padding around the words; half of it around the picture.
@@ -71,7 +72,11 @@ internal fun <T : Any> PictureCard(
         border = BorderStroke(1.dp, colours.line),
     ) {
         Column {
-            CardPicture(subject, pictures, Modifier.fillMaxWidth().aspectRatio(aspect).background(colours.desk).padding(padding / 2))
+            CardPicture(
+                subject,
+                pictures,
+                Modifier.fillMaxWidth().aspectRatio(aspect).background(colours.desk).padding(padding / 2),
+            )
             Column(Modifier.padding(padding), Arrangement.spacedBy(6.dp), content = words)
         }
     }

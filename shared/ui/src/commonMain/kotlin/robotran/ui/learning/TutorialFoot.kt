@@ -43,18 +43,26 @@ import robotran.workshop.state.LearningPage
 import robotran.workshop.state.TutorialState
 
 /**
- * All that can be done with a step, under its text: try it or run it, begin it again, leave the tutorial, go on. Where all of it would be higher than [max],
- * what is done seldom is in a menu.
+ * All that can be done with a step, under its text: try it or run it, begin it again, leave the tutorial, go on. Where
+ * all of it would be higher than [max], what is done seldom is in a menu.
  *
  * @param isBroad whether there may be room for all beside each other.
  */
 @Composable
-internal fun TutorialFoot(tutorial: TutorialState, done: Boolean, isBroad: Boolean, max: Dp, onEvent: (WorkshopEvent) -> Unit) {
+internal fun TutorialFoot(
+    tutorial: TutorialState,
+    done: Boolean,
+    isBroad: Boolean,
+    max: Dp,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     SubcomposeLayout(Modifier.fillMaxWidth()) { constraints ->
         val room = Constraints.fixedWidth(constraints.maxWidth)
         val likeAll = subcompose(FootPart.LIKE_ALL) { LikeAll(tutorial, isBroad) }.single().measure(room)
         val isSlim = likeAll.height > max.roundToPx()
-        val foot = subcompose(FootPart.FOOT) { Buttons(tutorial, done, isBroad, isSlim, onEvent) }.single().measure(room)
+        val foot = subcompose(FootPart.FOOT) {
+            Buttons(tutorial, done, isBroad, isSlim, onEvent)
+        }.single().measure(room)
         layout(foot.width, foot.height) { foot.place(0, 0) }
     }
 }
@@ -69,7 +77,10 @@ private fun LikeAll(tutorial: TutorialState, isBroad: Boolean) = Box(Modifier.cl
     val way = listOf(Res.string.learning_previous, tutorial.onward)
     Column(Modifier.padding(8.dp), Arrangement.spacedBy(8.dp)) {
         for (row in if (isBroad) listOf(own + way) else listOf(own, way)) {
-            FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
+            FlowRow(
+                horizontalArrangement = Arrangement.spacedBy(8.dp),
+                verticalArrangement = Arrangement.spacedBy(8.dp),
+            ) {
                 for (words in row) ButtonSize(stringResource(words))
             }
         }
@@ -78,7 +89,13 @@ private fun LikeAll(tutorial: TutorialState, isBroad: Boolean) = Box(Modifier.cl
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Buttons(tutorial: TutorialState, done: Boolean, isBroad: Boolean, isSlim: Boolean, onEvent: (WorkshopEvent) -> Unit) {
+private fun Buttons(
+    tutorial: TutorialState,
+    done: Boolean,
+    isBroad: Boolean,
+    isSlim: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     if (isBroad || isSlim) {
         FlowRow(Modifier.fillMaxWidth().padding(8.dp), Arrangement.SpaceBetween, Arrangement.spacedBy(8.dp)) {
             Previous(tutorial, onEvent)
@@ -88,7 +105,10 @@ private fun Buttons(tutorial: TutorialState, done: Boolean, isBroad: Boolean, is
         }
     } else {
         Column(Modifier.padding(8.dp), Arrangement.spacedBy(8.dp)) {
-            FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
+            FlowRow(
+                horizontalArrangement = Arrangement.spacedBy(8.dp),
+                verticalArrangement = Arrangement.spacedBy(8.dp),
+            ) {
                 First(tutorial, onEvent)
                 Others(tutorial, onEvent)
             }
@@ -107,7 +127,9 @@ private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     if (tutorial.isOnDesk) {
         SecondButton(words, "run-step", { onEvent(RunEvent.RunPressed) })
     } else {
-        PrimaryButton(words, "try-step", { onEvent(LearningEvent.StepTried) }, help = stringResource(Res.string.learning_try_step_help))
+        PrimaryButton(words, "try-step", {
+            onEvent(LearningEvent.StepTried)
+        }, help = stringResource(Res.string.learning_try_step_help))
     }
 }
 
@@ -115,7 +137,9 @@ private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
 @Composable
 private fun Others(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     if (tutorial.isOnDesk) {
-        QuietButton(stringResource(Res.string.learning_begin_again), "begin-again", { onEvent(LearningEvent.StepBegunAgain) })
+        QuietButton(stringResource(Res.string.learning_begin_again), "begin-again", {
+            onEvent(LearningEvent.StepBegunAgain)
+        })
     }
     QuietButton(stringResource(tutorial.last), "leave-tutorial", { onEvent(LearningEvent.TutorialLeft) })
 }
@@ -132,7 +156,9 @@ private fun StepMenu(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
         IconTouch(Icon.MORE, stringResource(Res.string.learning_step_more), "step-more", { open = true })
         AppMenu(open, { open = false }) {
             if (tutorial.isOnDesk) {
-                MenuItem(stringResource(Res.string.learning_begin_again), "begin-again") { choose(LearningEvent.StepBegunAgain) }
+                MenuItem(stringResource(Res.string.learning_begin_again), "begin-again") {
+                    choose(LearningEvent.StepBegunAgain)
+                }
             }
             MenuItem(stringResource(tutorial.last), "leave-tutorial") { choose(LearningEvent.TutorialLeft) }
         }
@@ -152,15 +178,24 @@ private fun Previous(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
 private fun Next(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEvent) -> Unit) {
     val words = stringResource(tutorial.onward)
     val next = {
-        onEvent(if (tutorial.isAtEnd) LearningEvent.PageRequested(LearningPage.WORLDS) else LearningEvent.StepChosen(tutorial.step + 1))
+        onEvent(
+            if (tutorial.isAtEnd) {
+                LearningEvent.PageRequested(LearningPage.WORLDS)
+            } else {
+                LearningEvent.StepChosen(tutorial.step + 1)
+            },
+        )
     }
     if (done) PrimaryButton(words, "next-step", next) else SecondButton(words, "next-step", next)
 }
 
 private val TutorialState.isAtEnd: Boolean get() = step == Tutorial.steps.lastIndex
 
-private val TutorialState.first: StringResource get() = if (isOnDesk) Res.string.learning_run_step else Res.string.learning_try_step
+private val TutorialState.first: StringResource
+    get() = if (isOnDesk) Res.string.learning_run_step else Res.string.learning_try_step
 
-private val TutorialState.last: StringResource get() = if (isOnDesk) Res.string.learning_leave else Res.string.learning_close
+private val TutorialState.last: StringResource
+    get() = if (isOnDesk) Res.string.learning_leave else Res.string.learning_close
 
-private val TutorialState.onward: StringResource get() = if (isAtEnd) Res.string.learning_try_worlds else Res.string.learning_next
+private val TutorialState.onward: StringResource
+    get() = if (isAtEnd) Res.string.learning_try_worlds else Res.string.learning_next

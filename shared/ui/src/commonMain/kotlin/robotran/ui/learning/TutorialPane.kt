@@ -33,8 +33,8 @@ import robotran.workshop.state.LearningState
 import robotran.workshop.state.TutorialState
 
 /**
- * The step of the tutorial that is shown: what to read, what to try, what to do. Stands beside the program, over it, or in its place. The text scrolls; what
- * can be done with the step stays in sight under it.
+ * The step of the tutorial that is shown: what to read, what to try, what to do. Stands beside the program, over it, or
+ * in its place. The text scrolls; what can be done with the step stays in sight under it.
  */
 @Composable
 internal fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {

@@ -56,8 +56,8 @@ import robotran.workshop.state.LearningState
 import robotran.workshop.state.TutorialState
 
 /**
- * Which step it is and which are done, with the list of all steps behind it; all that is to be seen of a tutorial that is folded away. While something else
- * than the step is on the desk, that is the way back to it, which can be put away.
+ * Which step it is and which are done, with the list of all steps behind it; all that is to be seen of a tutorial that
+ * is folded away. While something else than the step is on the desk, that is the way back to it, which can be put away.
  */
 @Composable
 internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifier: Modifier = Modifier) {
@@ -65,7 +65,10 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
     val colours = LocalRobotranColours.current
     if (tutorial.isFolded && !tutorial.isOnDesk) return ReturnStrip(state, tutorial, onEvent, modifier)
     var choosing by remember { mutableStateOf(false) }
-    Row(modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp), verticalAlignment = Alignment.CenterVertically) {
+    Row(
+        modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
         Box(Modifier.weight(1f)) {
             Column(
                 Modifier
@@ -95,9 +98,17 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
 
 /** Leads back to the step, with its program and its world; what is on the desk is kept. */
 @Composable
-private fun ReturnStrip(state: LearningState, tutorial: TutorialState, onEvent: (LearningEvent) -> Unit, modifier: Modifier) {
+private fun ReturnStrip(
+    state: LearningState,
+    tutorial: TutorialState,
+    onEvent: (LearningEvent) -> Unit,
+    modifier: Modifier,
+) {
     val colours = LocalRobotranColours.current
-    Row(modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp), verticalAlignment = Alignment.CenterVertically) {
+    Row(
+        modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
         Row(
             Modifier
                 .weight(1f)
@@ -122,7 +133,9 @@ private fun ReturnStrip(state: LearningState, tutorial: TutorialState, onEvent: 
                 overflow = TextOverflow.Ellipsis,
             )
         }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.learning_close), "leave-tutorial", { onEvent(LearningEvent.TutorialLeft) })
+        IconTouch(Icon.CLOSE, stringResource(Res.string.learning_close), "leave-tutorial", {
+            onEvent(LearningEvent.TutorialLeft)
+        })
     }
 }
 
@@ -133,7 +146,15 @@ private fun StepList(state: LearningState, shown: Boolean, onClose: () -> Unit, 
         Tutorial.steps.forEachIndexed { place, step ->
             val done = step.name in state.stepsDone
             val title = step.text(state.language).title
-            val named = if (done) stringResource(Res.string.learning_step_named_done, place + 1, title) else "${place + 1} $title"
+            val named = if (done) {
+                stringResource(
+                    Res.string.learning_step_named_done,
+                    place + 1,
+                    title,
+                )
+            } else {
+                "${place + 1} $title"
+            }
             DropdownMenuItem(
                 text = { Text(named, color = colours.onPane, fontSize = 16.sp) },
                 onClick = {
@@ -153,7 +174,12 @@ private fun StepDots(state: LearningState, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val done = Tutorial.steps.map { it.name in state.stepsDone }
     val description = stringResource(Res.string.learning_steps_done, done.count { it }, done.size)
-    Canvas(modifier.testTag("step-dots").width(DOT_STEP * done.size).height(DOT_STEP).semantics { contentDescription = description }) {
+    Canvas(
+        modifier.testTag("step-dots").width(DOT_STEP * done.size).height(DOT_STEP).semantics {
+            contentDescription =
+                description
+        },
+    ) {
         done.forEachIndexed { place, isDone -> drawDot(place, isDone, place == state.tutorial?.step, colours.onPane) }
     }
 }
@@ -162,7 +188,15 @@ private fun DrawScope.drawDot(place: Int, isDone: Boolean, isShown: Boolean, col
     val middle = Offset((place + 0.5f) * DOT_STEP.toPx(), size.height / 2)
     val radius = DOT_RADIUS.toPx()
     val line = Stroke(1.5.dp.toPx())
-    if (isDone) drawCircle(colour, radius, middle) else drawCircle(colour, radius - line.width / 2, middle, style = line)
+    if (isDone) {
+        drawCircle(
+            colour,
+            radius,
+            middle,
+        )
+    } else {
+        drawCircle(colour, radius - line.width / 2, middle, style = line)
+    }
     if (isShown) drawCircle(colour, radius + 3.dp.toPx(), middle, style = line)
 }
 

@@ -43,7 +43,9 @@ import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
 import robotran.workshop.state.TutorialState
 
-/** What is to be done in a step, whether it is done, and help with it. A bar on its left says where it begins and ends. */
+/**
+ * What is to be done in a step, whether it is done, and help with it. A bar on its left says where it begins and ends.
+ */
 @Composable
 internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -53,7 +55,9 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
         Modifier
             .fillMaxWidth()
             .testTag("task")
-            .drawBehind { drawRoundRect(bar, size = Size(BAR.toPx(), size.height), cornerRadius = CornerRadius(BAR.toPx() / 2)) }
+            .drawBehind {
+                drawRoundRect(bar, size = Size(BAR.toPx(), size.height), cornerRadius = CornerRadius(BAR.toPx() / 2))
+            }
             .padding(start = 16.dp),
         Arrangement.spacedBy(8.dp),
     ) {
@@ -76,7 +80,9 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
         if (tutorial.solutionShown) {
             Text(
                 stringResource(Res.string.learning_solution_note),
-                Modifier.testTag("solution-note").broughtIntoSight(true).semantics { liveRegion = LiveRegionMode.Polite },
+                Modifier.testTag("solution-note").broughtIntoSight(true).semantics {
+                    liveRegion = LiveRegionMode.Polite
+                },
                 color = colours.quiet,
                 fontSize = 16.sp,
                 lineHeight = 24.sp,
@@ -100,7 +106,13 @@ private fun Helps(tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
 
 /** A button that shows something or puts it away, as wide for the one as for the other. */
 @Composable
-private fun Help(isShown: Boolean, show: StringResource, hide: StringResource, tag: String, onWanted: (Boolean) -> Unit) {
+private fun Help(
+    isShown: Boolean,
+    show: StringResource,
+    hide: StringResource,
+    tag: String,
+    onWanted: (Boolean) -> Unit,
+) {
     val words = listOf(stringResource(show), stringResource(hide))
     Box {
         for (word in words) Box(Modifier.drawWithContent { }.clearAndSetSemantics { }) { ButtonSize(word) }

@@ -66,7 +66,13 @@ private fun Languages(chosen: ProgramLanguage, onChoose: (ProgramLanguage) -> Un
                 verticalAlignment = Alignment.CenterVertically,
             ) {
                 RadioMark(selected, Modifier.padding(12.dp))
-                val name = if (language == ProgramLanguage.JAVA) stringResource(Res.string.learning_help_java) else ROBOLANG
+                val name = if (language ==
+                    ProgramLanguage.JAVA
+                ) {
+                    stringResource(Res.string.learning_help_java)
+                } else {
+                    ROBOLANG
+                }
                 Text(name, color = colours.onPane, fontSize = 16.sp)
             }
         }

@@ -30,7 +30,12 @@ internal fun WorldCard(world: GalleryWorld, language: Language, isDone: Boolean,
     PictureCard(world, WorldPictures, "world-${world.name}", PICTURE_ASPECT, padding = 16.dp, onClick) {
         Text(shown.title, color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
-            Text(stringResource(world.level.title), color = colours.quiet, fontSize = 15.sp, fontWeight = FontWeight.Medium)
+            Text(
+                stringResource(world.level.title),
+                color = colours.quiet,
+                fontSize = 15.sp,
+                fontWeight = FontWeight.Medium,
+            )
             if (isDone) DoneMark()
         }
         Text(shown.task, color = colours.onPane, fontSize = 15.sp, lineHeight = 21.sp)

@@ -45,7 +45,9 @@ import robotran.workshop.state.LearningState
 internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
     val found = remember(state.asked, state.language) { WorldGallery.search(state.asked, state.language) }
-    Page(stringResource(Res.string.learning_worlds), "worlds-page", { onEvent(LearningEvent.PageLeft) }, maxWidth = 1280.dp) {
+    Page(stringResource(Res.string.learning_worlds), "worlds-page", {
+        onEvent(LearningEvent.PageLeft)
+    }, maxWidth = 1280.dp) {
         LazyVerticalGrid(
             columns = GridCells.Adaptive(CARD_WIDTH * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)),
             modifier = Modifier.fillMaxSize().testTag("world-cards"),
@@ -56,9 +58,13 @@ internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> 
             item(span = { GridItemSpan(maxLineSpan) }, key = "kept") {
                 Text(stringResource(Res.string.learning_worlds_kept), color = colours.quiet, fontSize = 16.sp)
             }
-            item(span = { GridItemSpan(maxLineSpan) }, key = "search") { Search(state.asked) { onEvent(LearningEvent.WorldsAsked(it)) } }
+            item(span = {
+                GridItemSpan(maxLineSpan)
+            }, key = "search") { Search(state.asked) { onEvent(LearningEvent.WorldsAsked(it)) } }
             items(found, key = { it.name }) { world ->
-                WorldCard(world, state.language, world.name in state.worldsDone) { onEvent(LearningEvent.WorldChosen(world.name)) }
+                WorldCard(world, state.language, world.name in state.worldsDone) {
+                    onEvent(LearningEvent.WorldChosen(world.name))
+                }
             }
             if (found.isEmpty()) item(span = { GridItemSpan(maxLineSpan) }, key = "none") { NothingFound() }
         }
@@ -78,7 +84,11 @@ private fun Search(asked: String, onAsk: (String) -> Unit) {
         trailingIcon = if (asked.isEmpty()) {
             null
         } else {
-            { IconTouch(Icon.CLOSE, stringResource(Res.string.learning_worlds_clear), "world-search-clear", { onAsk("") }) }
+            {
+                IconTouch(Icon.CLOSE, stringResource(Res.string.learning_worlds_clear), "world-search-clear", {
+                    onAsk("")
+                })
+            }
         },
         shape = RoundedCornerShape(12.dp),
         colors = OutlinedTextFieldDefaults.colors(

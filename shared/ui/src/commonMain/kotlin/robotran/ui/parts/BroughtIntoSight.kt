@@ -16,7 +16,9 @@ import androidx.compose.ui.layout.onSizeChanged
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.IntSize
 
-/** Scrolls what this stands in as little as it takes to see it beyond the edge's [scrollHint], when it becomes [wanted]. */
+/**
+ * Scrolls what this stands in as little as it takes to see it beyond the edge's [scrollHint], when it becomes [wanted].
+ */
 @OptIn(ExperimentalFoundationApi::class)
 internal fun Modifier.broughtIntoSight(wanted: Boolean): Modifier = composed {
     val requester = remember { BringIntoViewRequester() }

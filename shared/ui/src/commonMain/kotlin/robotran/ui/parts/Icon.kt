@@ -32,7 +32,12 @@ internal class Icon(private val drawn: DrawScope.(Color) -> Unit) {
         /** Four small sheets: the worlds to choose from. */
         val WORLDS = Icon { colour ->
             for (x in listOf(4f, 13.5f)) {
-                for (y in listOf(5f, 13.5f)) drawRoundRect(colour, Offset(x, y), Size(6.5f, 6f), CornerRadius(1f), style = LINE)
+                for (y in listOf(
+                    5f,
+                    13.5f,
+                )) {
+                    drawRoundRect(colour, Offset(x, y), Size(6.5f, 6f), CornerRadius(1f), style = LINE)
+                }
             }
         }
 
@@ -45,7 +50,8 @@ internal class Icon(private val drawn: DrawScope.(Color) -> Unit) {
         }
 
         /** An icon of lines, each as moves `M`, lines `L`, `H` and `V` with absolute places. */
-        fun strokes(vararg lines: String) = Icon { colour -> for (line in lines) drawPath(pathOf(line), colour, style = LINE) }
+        fun strokes(vararg lines: String) =
+            Icon { colour -> for (line in lines) drawPath(pathOf(line), colour, style = LINE) }
 
         private fun pathOf(line: String) = Path().apply {
             var x = 0f

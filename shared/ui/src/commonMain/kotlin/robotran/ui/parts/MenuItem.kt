@@ -22,4 +22,5 @@ internal fun MenuItem(text: String, tag: String, onClick: () -> Unit) = Dropdown
 )
 
 @Composable
-internal fun MenuDivider() = HorizontalDivider(Modifier.padding(vertical = 4.dp), color = LocalRobotranColours.current.line)
+internal fun MenuDivider() =
+    HorizontalDivider(Modifier.padding(vertical = 4.dp), color = LocalRobotranColours.current.line)

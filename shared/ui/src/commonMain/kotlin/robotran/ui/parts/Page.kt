@@ -47,18 +47,25 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 
 /**
- * A page over the workshop, with its [title] and a way back: a touch on the arrow, or Escape. What lies under it is out of reach of fingers and of the
- * Tab key.
+ * A page over the workshop, with its [title] and a way back: a touch on the arrow, or Escape. What lies under it is out
+ * of reach of fingers and of the Tab key.
  *
  * @param maxWidth how wide its content gets at most; it stands in the middle of a wider screen.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
-internal fun Page(title: String, tag: String, onClose: () -> Unit, maxWidth: Dp = 720.dp, content: @Composable ColumnScope.() -> Unit) {
+internal fun Page(
+    title: String,
+    tag: String,
+    onClose: () -> Unit,
+    maxWidth: Dp = 720.dp,
+    content: @Composable ColumnScope.() -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val focus = remember { FocusRequester() }
     var hasFocus by remember { mutableStateOf(false) }
-    // Also when what had it goes, as all texts do when another language is chosen: without it no key would reach the page.
+    // Also when what had it goes, as all texts do when another language is chosen: without it no key would reach the
+    // page.
     LaunchedEffect(hasFocus) { if (!hasFocus) focus.requestFocus() }
     Column(
         Modifier
@@ -72,7 +79,10 @@ internal fun Page(title: String, tag: String, onClose: () -> Unit, maxWidth: Dp 
                 true
             }
             .pointerInput(Unit) { }
-            .focusProperties { exit = { direction -> if (direction in TAB) FocusRequester.Cancel else FocusRequester.Default } }
+            .focusProperties {
+                exit =
+                    { direction -> if (direction in TAB) FocusRequester.Cancel else FocusRequester.Default }
+            }
             .onFocusChanged { hasFocus = it.hasFocus }
             .focusRequester(focus)
             .focusable(),

@@ -16,14 +16,23 @@ internal enum class ScreenLayout {
     ;
 
     companion object {
-        /** For a screen of [width] by [height], a keyboard on it included, with text of [textScale] times the usual size. */
+        /**
+         * For a screen of [width] by [height], a keyboard on it included, with text of [textScale] times the usual
+         * size.
+         */
         fun of(width: Dp, height: Dp, textScale: Float): ScreenLayout = when {
-            height >= width * UPRIGHT_ASPECT && width >= UPRIGHT_WIDTH * (1 + (textScale - 1) / 3) && height >= UPRIGHT_HEIGHT -> UPRIGHT
+            height >= width * UPRIGHT_ASPECT && width >= UPRIGHT_WIDTH * (1 + (textScale - 1) / 3) &&
+                height >= UPRIGHT_HEIGHT -> UPRIGHT
+
             width >= WIDE_WIDTH * widthScale(textScale) && height >= WIDE_HEIGHT -> WIDE
+
             else -> NARROW
         }
 
-        /** Half of what text grows by goes into the width that panes beside each other need; the other half they lose in words a line. */
+        /**
+         * Half of what text grows by goes into the width that panes beside each other need; the other half they lose in
+         * words a line.
+         */
         fun widthScale(textScale: Float): Float = 1 + (textScale.coerceAtLeast(1f) - 1) / 2
 
         private val WIDE_WIDTH = 840.dp

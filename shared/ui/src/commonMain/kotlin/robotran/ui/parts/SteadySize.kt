@@ -9,7 +9,8 @@ import androidx.compose.ui.draw.drawWithContent
 import androidx.compose.ui.semantics.clearAndSetSemantics
 
 /**
- * Shows one of several things in the room of the largest of them, so that nothing around moves when another takes its place.
+ * Shows one of several things in the room of the largest of them, so that nothing around moves when another takes its
+ * place.
  *
  * @param all what may stand here besides [shown]; none of it may be pressed.
  */

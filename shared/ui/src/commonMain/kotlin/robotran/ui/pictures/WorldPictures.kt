@@ -16,13 +16,15 @@ import robotran.world.World
 /**
  * A picture of [world] as it stands in [state], as the bytes of a PNG file.
  *
- * @param fonts what names and numbers are written with; null where a platform has none without a screen, and then they are left out.
+ * @param fonts what names and numbers are written with; null where a platform has none without a screen, and then they
+ * are left out.
  */
 fun worldPicturePng(world: World, state: SessionState, fonts: FontFamily.Resolver? = pictureFonts()): ByteArray =
     pngOf(renderSheet(world, state, PICTURE_PIXELS, fonts?.let(::labelsWith)))
 
 /**
- * The same as the text of an SVG file, with lines that stay crisp at any size; in it the lamps' light has no shadows. The same on every platform.
+ * The same as the text of an SVG file, with lines that stay crisp at any size; in it the lamps' light has no shadows.
+ * The same on every platform.
  */
 fun worldPictureSvg(world: World, state: SessionState): String = SheetSvg(world, state).write()
 
@@ -38,8 +40,12 @@ class DrawnWorldPictures(private val fonts: () -> FontFamily.Resolver? = ::pictu
 }
 
 /** The picture of [renderSheet] as the bytes of a PNG file; needs no screen. */
-fun sheetPng(world: World, state: SessionState, widthPixels: Int = PICTURE_PIXELS, colours: SheetColours = SheetColours.LIGHT): ByteArray =
-    pngOf(renderSheet(world, state, widthPixels, pictureFonts()?.let(::labelsWith), colours))
+fun sheetPng(
+    world: World,
+    state: SessionState,
+    widthPixels: Int = PICTURE_PIXELS,
+    colours: SheetColours = SheetColours.LIGHT,
+): ByteArray = pngOf(renderSheet(world, state, widthPixels, pictureFonts()?.let(::labelsWith), colours))
 
 /** The bytes of a PNG file with [picture]. */
 expect fun pngOf(picture: ImageBitmap): ByteArray

@@ -56,7 +56,9 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
                 Choice(stringResource(Res.string.program_new_class), "new-class") { choose(ProgramEvent.ClassAdded) }
             }
             state.closed?.takeIf { state.canReopen }?.let { closed ->
-                Choice(stringResource(Res.string.program_reopen_named, closed), "reopen-closed") { choose(ProgramEvent.ProgramReopened) }
+                Choice(stringResource(Res.string.program_reopen_named, closed), "reopen-closed") {
+                    choose(ProgramEvent.ProgramReopened)
+                }
             }
             if (state.hasRoom) {
                 HorizontalDivider(color = LocalRobotranColours.current.line)
@@ -73,13 +75,21 @@ private fun NewPrograms(onEvent: (WorkshopEvent) -> Unit) {
     Choice(stringResource(Res.string.program_new_robolang), "new-robolang") {
         onEvent(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG))
     }
-    Choice(stringResource(Res.string.program_new_java), "new-java") { onEvent(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA)) }
+    Choice(stringResource(Res.string.program_new_java), "new-java") {
+        onEvent(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+    }
 }
 
 @Composable
 private fun Note(text: String) {
     val colour = LocalRobotranColours.current.quiet
-    Text(text, Modifier.padding(12.dp).widthIn(max = 300.dp), color = colour, fontSize = 14.sp, fontWeight = FontWeight.Medium)
+    Text(
+        text,
+        Modifier.padding(12.dp).widthIn(max = 300.dp),
+        color = colour,
+        fontSize = 14.sp,
+        fontWeight = FontWeight.Medium,
+    )
 }
 
 @Composable

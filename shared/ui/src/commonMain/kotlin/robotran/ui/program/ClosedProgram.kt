@@ -32,13 +32,19 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.ProgramEvent
 
 /**
- * Says that the program or class called [name] was closed, and brings it back if there is [room] for it. It lies over the foot of the program, which does not
- * move, until it is put away; the menu behind the plus brings the program back after that, too.
+ * Says that the program or class called [name] was closed, and brings it back if there is [room] for it. It lies over
+ * the foot of the program, which does not move, until it is put away; the menu behind the plus brings the program back
+ * after that, too.
  */
 @Composable
 internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    Surface(Modifier.fillMaxWidth().padding(8.dp), RoundedCornerShape(12.dp), colours.desk, border = BorderStroke(1.dp, colours.line)) {
+    Surface(
+        Modifier.fillMaxWidth().padding(8.dp),
+        RoundedCornerShape(12.dp),
+        colours.desk,
+        border = BorderStroke(1.dp, colours.line),
+    ) {
         Row(
             Modifier.defaultMinSize(minHeight = Dimensions.TARGET).padding(start = 16.dp).testTag("closed-program"),
             verticalAlignment = Alignment.CenterVertically,
@@ -58,7 +64,9 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
                     Text(words, color = colours.focus, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
                 }
             }
-            IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "closed-program-close", { onEvent(ProgramEvent.ClosedRead) })
+            IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "closed-program-close", {
+                onEvent(ProgramEvent.ClosedRead)
+            })
         }
     }
 }

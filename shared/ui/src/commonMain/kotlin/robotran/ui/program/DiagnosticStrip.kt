@@ -34,7 +34,8 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.state.PupilProgram
 
 /**
- * Under the text: how many mistakes there are, with a button that goes to the next, and what is wrong at no line of the text that is shown.
+ * Under the text: how many mistakes there are, with a button that goes to the next, and what is wrong at no line of the
+ * text that is shown.
  *
  * @param diagnostics all of [program]; those in [file] that have a line are told there.
  * @param max how many of the others there is room for.
@@ -52,20 +53,34 @@ internal fun DiagnosticStrip(
 ) {
     val colours = LocalRobotranColours.current
     val (here, elsewhere) = diagnostics.partition { it.file == file && it.range != null }
-    Column(modifier.fillMaxWidth().background(colours.errorPane).testTag("mistakes").padding(start = 16.dp, end = 8.dp)) {
+    Column(
+        modifier.fillMaxWidth().background(colours.errorPane).testTag("mistakes").padding(start = 16.dp, end = 8.dp),
+    ) {
         for (diagnostic in elsewhere.take(max)) Elsewhere(diagnostic, program, onFix)
         // Lowest, so that the button stays where it is while others come and go.
         if (here.isNotEmpty()) {
-            Row(Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET), verticalAlignment = Alignment.CenterVertically) {
+            Row(
+                Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET),
+                verticalAlignment = Alignment.CenterVertically,
+            ) {
                 val count = diagnostics.size
                 Text(
-                    if (count == 1) stringResource(Res.string.editor_mistake_one) else stringResource(Res.string.editor_mistakes, count),
+                    if (count ==
+                        1
+                    ) {
+                        stringResource(Res.string.editor_mistake_one)
+                    } else {
+                        stringResource(Res.string.editor_mistakes, count)
+                    },
                     Modifier.weight(1f),
                     color = colours.error,
                     fontSize = 16.sp,
                     fontWeight = if (pointedOut) FontWeight.Bold else FontWeight.Normal,
                 )
-                TextButton(onNext, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("next-mistake").focusRing()) {
+                TextButton(
+                    onNext,
+                    Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("next-mistake").focusRing(),
+                ) {
                     val words = stringResource(Res.string.editor_next_mistake)
                     Text(words, color = colours.focus, fontSize = 15.sp, fontWeight = FontWeight.SemiBold)
                 }
@@ -82,7 +97,10 @@ private fun Elsewhere(diagnostic: ProgramDiagnostic, program: PupilProgram, onFi
         line == null -> stringResource(Res.string.mistake_in_file, diagnostic.file, diagnostic.message)
         else -> stringResource(Res.string.mistake_in_line_of_file, diagnostic.file, line, diagnostic.message)
     }
-    Row(Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET), verticalAlignment = Alignment.CenterVertically) {
+    Row(
+        Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
         Text(
             words,
             Modifier.weight(1f).padding(vertical = 6.dp).semantics { liveRegion = LiveRegionMode.Polite },
@@ -91,7 +109,13 @@ private fun Elsewhere(diagnostic: ProgramDiagnostic, program: PupilProgram, onFi
         )
         diagnostic.fix?.let { fix ->
             val text = program.files.firstOrNull { it.name == diagnostic.file }?.text.orEmpty()
-            FixButton(diagnostic, remember(text, fix) { text.lineSequence().elementAtOrElse(fix.range.line - 1) { "" } }, onFix)
+            FixButton(
+                diagnostic,
+                remember(text, fix) {
+                    text.lineSequence().elementAtOrElse(fix.range.line - 1) { "" }
+                },
+                onFix,
+            )
         }
     }
 }

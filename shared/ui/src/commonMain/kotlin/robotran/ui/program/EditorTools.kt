@@ -50,7 +50,11 @@ import robotran.workshop.state.ProgramsState
 
 /** A slim row over the text: what one often does to it, and a menu with the rest. */
 @Composable
-internal fun EditorTools(state: ProgramsState, onTranslation: (Boolean) -> Unit, onCommand: (EditorCommand.Plain) -> Unit) {
+internal fun EditorTools(
+    state: ProgramsState,
+    onTranslation: (Boolean) -> Unit,
+    onCommand: (EditorCommand.Plain) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     Row(
         Modifier.fillMaxWidth().background(colours.pane).heightIn(min = Dimensions.TARGET).padding(horizontal = 4.dp),
@@ -62,7 +66,9 @@ internal fun EditorTools(state: ProgramsState, onTranslation: (Boolean) -> Unit,
         RoundButton(StrokeIcons.REDO, stringResource(Res.string.editor_redo), "redo", SIGN, state.canRedo) {
             onCommand(EditorCommand.Plain.REDO)
         }
-        RoundButton(StrokeIcons.FIND, stringResource(Res.string.editor_find), "find-open", SIGN) { onCommand(EditorCommand.Plain.FIND) }
+        RoundButton(StrokeIcons.FIND, stringResource(Res.string.editor_find), "find-open", SIGN) {
+            onCommand(EditorCommand.Plain.FIND)
+        }
         Spacer(Modifier.weight(1f))
         if (state.program.language == ProgramLanguage.ROBOLANG) {
             PaneChip(stringResource(Res.string.editor_translation), "translation-switch", state.translationShown) {
@@ -110,7 +116,15 @@ private fun ToolItem(tool: Tool, onClick: () -> Unit) = DropdownMenuItem(
     text = { Text(stringResource(tool.words), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
     onClick = onClick,
     modifier = Modifier.testTag("tool-${tool.command.name.lowercase()}").heightIn(min = Dimensions.TARGET),
-    trailingIcon = if (tool.keys.isEmpty()) null else ({ Text(tool.keys, color = LocalRobotranColours.current.quiet, fontSize = 14.sp) }),
+    trailingIcon = if (tool.keys.isEmpty()) {
+        null
+    } else {
+        (
+            {
+                Text(tool.keys, color = LocalRobotranColours.current.quiet, fontSize = 14.sp)
+            }
+        )
+    },
 )
 
 /**
@@ -119,7 +133,12 @@ private fun ToolItem(tool: Tool, onClick: () -> Unit) = DropdownMenuItem(
  * @property keys the keys that do the same.
  * @property closesMenu false for what one often does several times.
  */
-private class Tool(val command: EditorCommand.Plain, val words: StringResource, val keys: String, val closesMenu: Boolean = true)
+private class Tool(
+    val command: EditorCommand.Plain,
+    val words: StringResource,
+    val keys: String,
+    val closesMenu: Boolean = true,
+)
 
 private val TOOLS: List<List<Tool>> = listOf(
     listOf(

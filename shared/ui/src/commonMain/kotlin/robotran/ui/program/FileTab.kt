@@ -54,7 +54,13 @@ internal fun FileTab(title: String, shown: Boolean, tag: String, onChoose: () ->
             .drawBehind {
                 val margin = 16.dp.toPx()
                 val thickness = 3.dp.toPx()
-                if (shown) drawRect(colours.onPane, Offset(margin, size.height - thickness), Size(size.width - 2 * margin, thickness))
+                if (shown) {
+                    drawRect(
+                        colours.onPane,
+                        Offset(margin, size.height - thickness),
+                        Size(size.width - 2 * margin, thickness),
+                    )
+                }
             }
             .padding(horizontal = 16.dp),
         Alignment.Center,

@@ -121,15 +121,31 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
         Row(verticalAlignment = Alignment.CenterVertically) {
             val words = stringResource(Res.string.editor_find)
             val change = { typed: String -> state.search = state.search.copy(text = typed) }
-            LineField(state.search.text, words, "find", change, actions, Modifier.weight(1f).focusRequester(first), actions::next)
+            LineField(
+                state.search.text,
+                words,
+                "find",
+                change,
+                actions,
+                Modifier.weight(1f).focusRequester(first),
+                actions::next,
+            )
             val before = stringResource(Res.string.editor_find_previous)
             RoundButton(StrokeIcons.UP, before, "find-previous", enabled = count > 0, onClick = actions::previous)
-            RoundButton(StrokeIcons.DOWN, stringResource(Res.string.editor_find_next), "find-next", enabled = count > 0, onClick = actions::next)
+            RoundButton(
+                StrokeIcons.DOWN,
+                stringResource(Res.string.editor_find_next),
+                "find-next",
+                enabled = count > 0,
+                onClick = actions::next,
+            )
             RoundButton(Cross, stringResource(Res.string.editor_find_close), "find-close", onClick = actions::close)
         }
         Row(verticalAlignment = Alignment.CenterVertically) {
             val words = stringResource(Res.string.editor_replace)
-            LineField(state.replacement, words, "replace", { state.replacement = it }, actions, Modifier.weight(1f), actions::replaceOne)
+            LineField(state.replacement, words, "replace", {
+                state.replacement = it
+            }, actions, Modifier.weight(1f), actions::replaceOne)
             FindButton(stringResource(Res.string.editor_replace_one), "replace-one", count > 0, actions::replaceOne)
             FindButton(stringResource(Res.string.editor_replace_all), "replace-all", count > 0, actions::replaceAll)
         }
@@ -151,13 +167,22 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
 }
 
 @Composable
-private fun countText(count: Int, place: Int): String =
-    if (count == 0) stringResource(Res.string.editor_find_none) else stringResource(Res.string.editor_find_count, place, count)
+private fun countText(count: Int, place: Int): String = if (count ==
+    0
+) {
+    stringResource(Res.string.editor_find_none)
+} else {
+    stringResource(Res.string.editor_find_count, place, count)
+}
 
 @Composable
 private fun FindButton(words: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
     TextButton(onClick, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing(), enabled) {
-        Text(words, color = if (enabled) LocalRobotranColours.current.focus else LocalRobotranColours.current.quiet, fontSize = 15.sp)
+        Text(
+            words,
+            color = if (enabled) LocalRobotranColours.current.focus else LocalRobotranColours.current.quiet,
+            fontSize = 15.sp,
+        )
     }
 }
 
@@ -200,7 +225,10 @@ private fun LineField(
         cursorBrush = SolidColor(colours.focus),
         decorationBox = { inner ->
             Box(
-                Modifier.background(colours.pane, SHAPE).border(1.dp, colours.quiet, SHAPE).padding(horizontal = 12.dp, vertical = 9.dp),
+                Modifier.background(
+                    colours.pane,
+                    SHAPE,
+                ).border(1.dp, colours.quiet, SHAPE).padding(horizontal = 12.dp, vertical = 9.dp),
                 Alignment.CenterStart,
             ) {
                 if (text.isEmpty()) Text(words, color = colours.quiet, fontSize = 15.sp, maxLines = 1)

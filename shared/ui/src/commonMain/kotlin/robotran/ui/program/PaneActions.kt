@@ -18,7 +18,10 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.Settings
 
-/** What keys and buttons do beside the text itself: finding, going to a line, the size of the text, and what the holders do. */
+/**
+ * What keys and buttons do beside the text itself: finding, going to a line, the size of the text, and what the holders
+ * do.
+ */
 internal class PaneActions(
     private val control: EditorControl,
     private val find: FindState,
@@ -34,20 +37,37 @@ internal class PaneActions(
     fun perform(command: EditorCommand.Plain) {
         when (command) {
             EditorCommand.Plain.UNDO -> onEvent(ProgramEvent.Undone)
+
             EditorCommand.Plain.REDO -> onEvent(ProgramEvent.Redone)
+
             EditorCommand.Plain.FORMAT -> onEvent(ProgramEvent.Formatted)
+
             EditorCommand.Plain.FIND, EditorCommand.Plain.REPLACE -> find.open(control.draft.selectedText)
+
             EditorCommand.Plain.FIND_NEXT -> next()
+
             EditorCommand.Plain.FIND_PREVIOUS -> previous()
+
             EditorCommand.Plain.TOGGLE_BREAKPOINT -> onEvent(ProgramEvent.BreakpointToggled(caretLine()))
+
             EditorCommand.Plain.NEXT_NOTE -> goToNextNote()
+
             EditorCommand.Plain.FIX -> fixHere()
+
             EditorCommand.Plain.LARGER -> resize(settings().codeSize + STEP)
+
             EditorCommand.Plain.SMALLER -> resize(settings().codeSize - STEP)
+
             EditorCommand.Plain.DEFAULT_SIZE -> resize(Settings.DEFAULT_CODE_SIZE)
-            EditorCommand.Plain.HELP -> onEvent(LearningEvent.HelpRequested(control.draft.text, control.draft.selection.caret))
+
+            EditorCommand.Plain.HELP -> onEvent(
+                LearningEvent.HelpRequested(control.draft.text, control.draft.selection.caret),
+            )
+
             EditorCommand.Plain.RENAME -> onRename()
+
             EditorCommand.Plain.LEAVE -> if (find.isOpen) close()
+
             else -> Unit
         }
     }
@@ -61,8 +81,8 @@ internal class PaneActions(
     }
 
     /**
-     * Mends [diagnostic]. The button that was pressed goes away with it, so the keyboard goes back to the text; but no keyboard comes onto the
-     * screen that was not there before.
+     * Mends [diagnostic]. The button that was pressed goes away with it, so the keyboard goes back to the text; but no
+     * keyboard comes onto the screen that was not there before.
      */
     fun fix(diagnostic: ProgramDiagnostic) {
         onEvent(ProgramEvent.FixApplied(diagnostic))
@@ -78,7 +98,9 @@ internal class PaneActions(
     /** Goes to the next line of which something is told, in whichever file. */
     fun goToNextNote() {
         val now = state()
-        val here = now.notes.filter { it.diagnostic.file == now.file.name }.mapNotNull { it.diagnostic.range }.sortedBy { it.line }
+        val here = now.notes.filter {
+            it.diagnostic.file == now.file.name
+        }.mapNotNull { it.diagnostic.range }.sortedBy { it.line }
         val range = here.firstOrNull { it.line > caretLine() } ?: here.firstOrNull() ?: return
         val draft = control.draft
         if (range.line <= draft.lines.count) show(draft.withCaret(draft.lines.offset(range.line - 1, range.column - 1)))
@@ -100,7 +122,12 @@ internal class PaneActions(
     }
 
     override fun replaceAll() {
-        if (matches.isNotEmpty()) control.write(control.draft.withAllReplaced(matches, find.replacement), EditKind.OTHER)
+        if (matches.isNotEmpty()) {
+            control.write(
+                control.draft.withAllReplaced(matches, find.replacement),
+                EditKind.OTHER,
+            )
+        }
     }
 
     override fun close() {
@@ -121,7 +148,8 @@ internal class PaneActions(
         here.firstOrNull { it.diagnostic.fix != null }?.let { fix(it.diagnostic) }
     }
 
-    private fun resize(size: Float) = onEvent(SettingsEvent.SettingsChanged(settings().copy(codeSize = size.coerceIn(SIZES))))
+    private fun resize(size: Float) =
+        onEvent(SettingsEvent.SettingsChanged(settings().copy(codeSize = size.coerceIn(SIZES))))
 
     private companion object {
         const val STEP = 1f

@@ -18,7 +18,13 @@ import robotran.ui.theme.focusRing
  * @param picture what stands before its [words].
  */
 @Composable
-internal fun PaneChip(words: String, tag: String, on: Boolean, picture: (@Composable () -> Unit)? = null, onClick: () -> Unit) {
+internal fun PaneChip(
+    words: String,
+    tag: String,
+    on: Boolean,
+    picture: (@Composable () -> Unit)? = null,
+    onClick: () -> Unit,
+) {
     val colours = LocalRobotranColours.current
     FilterChip(
         selected = on,

@@ -10,5 +10,9 @@ import robotran.ui.language.LocalLanguage
 @Composable
 internal fun rememberWordHelp(language: ProgramLanguage): WordHelp {
     val reader = LocalLanguage.current
-    return remember(reader, language) { WordHelp { word -> robotran.learning.WordHelp.of(reader, language, word)?.sentence } }
+    return remember(reader, language) {
+        WordHelp { word ->
+            robotran.learning.WordHelp.of(reader, language, word)?.sentence
+        }
+    }
 }

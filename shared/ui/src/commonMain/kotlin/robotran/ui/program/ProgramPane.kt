@@ -62,11 +62,20 @@ internal fun ProgramPane(
         if (programs.robots.size > 1) RobotChooser(programs) { onEvent(ProgramEvent.RobotChosen(it)) }
         ProgramTabs(programs, onEvent) { renaming = true }
         if (programs.program.files.size > 1) {
-            FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) }, { renaming = true })
+            FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) }, {
+                renaming =
+                    true
+            })
         }
         Box(Modifier.weight(1f)) {
             ShownFile(
-                programs, state.settings, state.runningLine, state.failure, maxMistakes, onEvent, Modifier.fillMaxSize(),
+                programs,
+                state.settings,
+                state.runningLine,
+                state.failure,
+                maxMistakes,
+                onEvent,
+                Modifier.fillMaxSize(),
                 onRename = { renaming = true },
             ) {
                 RemarkList(state.remarks, maxMistakes)
@@ -119,7 +128,10 @@ private fun ShownFile(
         EditorControl(state.program.language, view, hasRoom) { draft, kind -> event(ProgramEvent.Written(draft, kind)) }
     }
     control.help = rememberWordHelp(state.program.language)
-    val actions = remember(control) { PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() }) }
+    val actions =
+        remember(control) {
+            PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() })
+        }
     LaunchedEffect(state.findingWanted) {
         if (!state.findingWanted) return@LaunchedEffect
         actions.perform(EditorCommand.Plain.FIND)
@@ -134,7 +146,11 @@ private fun ShownFile(
             if (!control.perform(it)) actions.perform(it)
         }
         if (find.isOpen) {
-            val place = matches.indexOfFirst { it.start == state.draft.selection.start && it.end == state.draft.selection.end } + 1
+            val place =
+                matches.indexOfFirst {
+                    it.start == state.draft.selection.start && it.end == state.draft.selection.end
+                } +
+                    1
             FindBar(find, matches.size, place, actions)
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
@@ -142,9 +158,10 @@ private fun ShownFile(
         val line = state.draft.lines.lineOf(state.draft.selection.caret) + 1
         val failedLine = failure?.sourceLine ?: 0
         val partners = if (lit == null) emptySet() else setOf(line)
-        val marks = remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, failedLine, partners) {
-            marksOf(state, runningLine, partners).copy(failedLine = failedLine, matches = matches)
-        }
+        val marks =
+            remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, failedLine, partners) {
+                marksOf(state, runningLine, partners).copy(failedLine = failedLine, matches = matches)
+            }
         BesideOrBelow(
             state.translationShown && state.program.language == ProgramLanguage.ROBOLANG,
             Modifier.weight(1f),

@@ -28,16 +28,27 @@ import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.ProgramsState
 
 /**
- * The pupil's programs: which is shown, and another one. If there are several, each has the number that the brick's display shows for it, and can be
- * closed while it is shown.
+ * The pupil's programs: which is shown, and another one. If there are several, each has the number that the brick's
+ * display shows for it, and can be closed while it is shown.
  *
  * @param onRename is told that the one that is shown is to have another name.
  */
 @Composable
-internal fun ProgramTabs(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier, onRename: () -> Unit = {}) {
+internal fun ProgramTabs(
+    state: ProgramsState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    onRename: () -> Unit = {},
+) {
     val pane = LocalRobotranColours.current.pane
-    Row(modifier.fillMaxWidth().background(pane).height(Dimensions.TARGET), verticalAlignment = Alignment.CenterVertically) {
-        Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()).selectableGroup(), verticalAlignment = Alignment.CenterVertically) {
+    Row(
+        modifier.fillMaxWidth().background(pane).height(Dimensions.TARGET),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Row(
+            Modifier.weight(1f).horizontalScroll(rememberScrollState()).selectableGroup(),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
             val several = state.programs.size > 1
             state.programs.forEachIndexed { slot, program ->
                 val shown = slot == state.shownProgram
@@ -69,9 +80,18 @@ private fun Modifier.keptInSight(shown: Boolean, neighbours: Int): Modifier {
     return bringIntoViewRequester(requester)
 }
 
-/** The files of one program, where it has several; [onRename] is told that the one that is shown is to have another name, or to go. */
+/**
+ * The files of one program, where it has several; [onRename] is told that the one that is shown is to have another
+ * name, or to go.
+ */
 @Composable
-internal fun FileTabs(files: List<ProgramFile>, shown: Int, onChoose: (Int) -> Unit, onRename: () -> Unit, modifier: Modifier = Modifier) {
+internal fun FileTabs(
+    files: List<ProgramFile>,
+    shown: Int,
+    onChoose: (Int) -> Unit,
+    onRename: () -> Unit,
+    modifier: Modifier = Modifier,
+) {
     Row(modifier.fillMaxWidth().height(Dimensions.TARGET).horizontalScroll(rememberScrollState()).selectableGroup()) {
         files.forEachIndexed { place, file ->
             FileTab(file.name, place == shown, "file-$place", { onChoose(place) }, onRename.takeIf { place == shown })

@@ -31,8 +31,9 @@ import robotran.ui.resources.notice_close
 import robotran.ui.theme.LocalRobotranColours
 
 /**
- * What a pupil can learn from a run that went on all the same, such as where a brick calculates otherwise than Java says; nothing if there is nothing. It
- * lies over the foot of the program, which does not move, until it is closed or there is more.
+ * What a pupil can learn from a run that went on all the same, such as where a brick calculates otherwise than Java
+ * says; nothing if there is nothing. It lies over the foot of the program, which does not move, until it is closed or
+ * there is more.
  *
  * @param max how many there is room for.
  */
@@ -42,7 +43,12 @@ internal fun RemarkList(remarks: List<RuntimeWarning>, max: Int, modifier: Modif
     val told = remarks.take(max)
     var isClosed by remember(told) { mutableStateOf(false) }
     if (told.isEmpty() || isClosed) return
-    Surface(modifier.fillMaxWidth().padding(8.dp), RoundedCornerShape(12.dp), colours.desk, border = BorderStroke(1.dp, colours.line)) {
+    Surface(
+        modifier.fillMaxWidth().padding(8.dp),
+        RoundedCornerShape(12.dp),
+        colours.desk,
+        border = BorderStroke(1.dp, colours.line),
+    ) {
         Row {
             Column(
                 Modifier
@@ -51,7 +57,14 @@ internal fun RemarkList(remarks: List<RuntimeWarning>, max: Int, modifier: Modif
                     .semantics { liveRegion = LiveRegionMode.Polite }
                     .padding(start = 16.dp, top = 4.dp, bottom = 4.dp),
             ) {
-                for (remark in told) Text(textOf(remark), Modifier.padding(vertical = 6.dp), color = colours.onPane, fontSize = 16.sp)
+                for (remark in told) {
+                    Text(
+                        textOf(remark),
+                        Modifier.padding(vertical = 6.dp),
+                        color = colours.onPane,
+                        fontSize = 16.sp,
+                    )
+                }
             }
             IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "remarks-close", { isClosed = true })
         }

@@ -80,8 +80,12 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
                 }
             }
         },
-        confirmButton = { DialogButton(stringResource(Res.string.editor_rename_done), "rename-done", problem == null) { take() } },
-        dismissButton = { DialogButton(stringResource(Res.string.editor_rename_cancel), "rename-cancel", true, onLeave) },
+        confirmButton = {
+            DialogButton(stringResource(Res.string.editor_rename_done), "rename-done", problem == null) { take() }
+        },
+        dismissButton = {
+            DialogButton(stringResource(Res.string.editor_rename_cancel), "rename-cancel", true, onLeave)
+        },
     )
 }
 

@@ -57,6 +57,13 @@ internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
                 },
             ) { onChoose(robot.name) }
         }
-        if (state.isWorldsOwn) Text(stringResource(Res.string.editor_worlds_own), color = colours.quiet, fontSize = 14.sp, maxLines = 1)
+        if (state.isWorldsOwn) {
+            Text(
+                stringResource(Res.string.editor_worlds_own),
+                color = colours.quiet,
+                fontSize = 14.sp,
+                maxLines = 1,
+            )
+        }
     }
 }

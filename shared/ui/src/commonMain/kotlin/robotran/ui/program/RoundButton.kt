@@ -32,7 +32,14 @@ internal val Plus: StrokeIcon = listOf(Offset(0.5f, 0f) to Offset(0.5f, 1f), Off
 
 /** A button with a [sign], [size] large, and, for those who cannot see it, [words]. */
 @Composable
-internal fun RoundButton(sign: StrokeIcon, words: String, tag: String, size: Dp = 14.dp, enabled: Boolean = true, onClick: () -> Unit) {
+internal fun RoundButton(
+    sign: StrokeIcon,
+    words: String,
+    tag: String,
+    size: Dp = 14.dp,
+    enabled: Boolean = true,
+    onClick: () -> Unit,
+) {
     val colour = LocalRobotranColours.current.onPane.let { if (enabled) it else it.copy(alpha = DISABLED) }
     Box(
         Modifier
@@ -50,7 +57,8 @@ internal fun RoundButton(sign: StrokeIcon, words: String, tag: String, size: Dp 
 
 /** A [sign] alone. */
 @Composable
-internal fun SignPicture(sign: StrokeIcon, colour: Color, size: Dp) = Canvas(Modifier.size(size)) { drawSign(sign, colour) }
+internal fun SignPicture(sign: StrokeIcon, colour: Color, size: Dp) =
+    Canvas(Modifier.size(size)) { drawSign(sign, colour) }
 
 private fun DrawScope.drawSign(sign: StrokeIcon, colour: Color) {
     for ((from, to) in sign) {

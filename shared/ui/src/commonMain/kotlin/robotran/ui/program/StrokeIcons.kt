@@ -19,8 +19,12 @@ internal object StrokeIcons {
     /** Goes back to the left in a bow. */
     private fun arrow(mirrored: Boolean): StrokeIcon {
         val points = listOf(
-            Offset(0.02f, 0.36f), Offset(0.6f, 0.36f), Offset(0.79f, 0.42f),
-            Offset(0.93f, 0.55f), Offset(0.96f, 0.72f), Offset(0.88f, 0.88f),
+            Offset(0.02f, 0.36f),
+            Offset(0.6f, 0.36f),
+            Offset(0.79f, 0.42f),
+            Offset(0.93f, 0.55f),
+            Offset(0.96f, 0.72f),
+            Offset(0.88f, 0.88f),
         )
         val bow = points.zipWithNext()
         val head = listOf(Offset(0.02f, 0.36f) to Offset(0.3f, 0.1f), Offset(0.02f, 0.36f) to Offset(0.3f, 0.62f))
@@ -32,8 +36,15 @@ internal object StrokeIcons {
     private fun ring(middle: Offset, radius: Float): StrokeIcon {
         val half = radius * DIAGONAL
         val points = listOf(
-            Offset(radius, 0f), Offset(half, half), Offset(0f, radius), Offset(-half, half),
-            Offset(-radius, 0f), Offset(-half, -half), Offset(0f, -radius), Offset(half, -half), Offset(radius, 0f),
+            Offset(radius, 0f),
+            Offset(half, half),
+            Offset(0f, radius),
+            Offset(-half, half),
+            Offset(-radius, 0f),
+            Offset(-half, -half),
+            Offset(0f, -radius),
+            Offset(half, -half),
+            Offset(radius, 0f),
         ).map { it + middle }
         return points.zipWithNext()
     }

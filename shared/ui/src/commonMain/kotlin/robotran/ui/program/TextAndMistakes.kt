@@ -8,7 +8,10 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import robotran.workshop.state.ProgramsState
 
-/** The text, and under it what is wrong: where that comes and goes only the text, from which nothing is pushed away, becomes shorter. */
+/**
+ * The text, and under it what is wrong: where that comes and goes only the text, from which nothing is pushed away,
+ * becomes shorter.
+ */
 @Composable
 internal fun TextAndMistakes(
     state: ProgramsState,
@@ -25,7 +28,15 @@ internal fun TextAndMistakes(
         }
         if (state.diagnostics.isNotEmpty()) {
             val pointedOut = state.mistakePointedOut
-            DiagnosticStrip(state.program, state.diagnostics, state.file.name, maxMistakes, pointedOut, actions::goToNextNote, actions::fix)
+            DiagnosticStrip(
+                state.program,
+                state.diagnostics,
+                state.file.name,
+                maxMistakes,
+                pointedOut,
+                actions::goToNextNote,
+                actions::fix,
+            )
         }
     }
 }

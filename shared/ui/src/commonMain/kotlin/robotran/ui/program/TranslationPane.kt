@@ -88,16 +88,35 @@ internal fun TranslationPane(
                 isNow -> translation.fileName
                 else -> stringResource(Res.string.editor_translation_old)
             }
-            Text(title, Modifier.weight(1f), color = colours.onPane, fontSize = 14.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
+            Text(
+                title,
+                Modifier.weight(1f),
+                color = colours.onPane,
+                fontSize = 14.sp,
+                maxLines = 2,
+                overflow = TextOverflow.Ellipsis,
+            )
             if (translation != null && isNow && onKeep != null) {
-                TextButton(onKeep, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("translation-keep").focusRing()) {
-                    Text(stringResource(Res.string.editor_translation_keep), color = colours.focus, fontSize = 14.sp, maxLines = 1)
+                TextButton(
+                    onKeep,
+                    Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("translation-keep").focusRing(),
+                ) {
+                    Text(
+                        stringResource(Res.string.editor_translation_keep),
+                        color = colours.focus,
+                        fontSize = 14.sp,
+                        maxLines = 1,
+                    )
                 }
             }
         }
         Box(Modifier.weight(1f).fillMaxWidth()) {
             val look = Modifier.alpha(if (isNow) 1f else OLD)
-            if (translation != null) TranslatedText(translation, if (isNow) lit else emptySet(), codeSize, onLine, onZoom, look)
+            if (translation !=
+                null
+            ) {
+                TranslatedText(translation, if (isNow) lit else emptySet(), codeSize, onLine, onZoom, look)
+            }
         }
     }
 }
@@ -138,7 +157,11 @@ private fun TranslatedText(
         inText.minOrNull()?.let { view.bringIntoSight(it - 1, null) }
     }
     EditorSurface(
-        paint, pieces, view, layouts, emptyList(),
+        paint,
+        pieces,
+        view,
+        layouts,
+        emptyList(),
         modifier
             .fillMaxSize()
             .testTag("translation-text")

@@ -46,7 +46,13 @@ internal fun DrawScope.drawTimeline(state: RunPaneState, plan: TimelinePlan, col
     plan.fit(this)
     val middle = size.height * LINE_SHARE
     val handle = plan.placeOf(state.time, size.width, state.length)
-    drawLine(colours.line, Offset(plan.margin, middle), Offset(size.width - plan.margin, middle), 4.dp.toPx(), StrokeCap.Round)
+    drawLine(
+        colours.line,
+        Offset(plan.margin, middle),
+        Offset(size.width - plan.margin, middle),
+        4.dp.toPx(),
+        StrokeCap.Round,
+    )
     if (state.untouched) return
     drawLine(colours.onPane, Offset(plan.margin, middle), Offset(handle, middle), 4.dp.toPx(), StrokeCap.Round)
     state.calls?.let { drawCalls(it, state.length, plan, middle, colours) }
@@ -72,7 +78,13 @@ internal fun DrawScope.drawTimeline(state: RunPaneState, plan: TimelinePlan, col
 }
 
 /** Under the line, where ROM calls are made: a bar for every few pixels, the longer the more of them. */
-private fun DrawScope.drawCalls(calls: RomCallLine, length: Long, plan: TimelinePlan, middle: Float, colours: RobotranColours) {
+private fun DrawScope.drawCalls(
+    calls: RomCallLine,
+    length: Long,
+    plan: TimelinePlan,
+    middle: Float,
+    colours: RobotranColours,
+) {
     val width = 2.dp.toPx()
     val top = middle + 4.dp.toPx()
     var x = plan.margin
@@ -81,7 +93,8 @@ private fun DrawScope.drawCalls(calls: RomCallLine, length: Long, plan: Timeline
         val until = plan.timeAt(x + width, size.width, length)
         val count = calls.between(from, until)
         if (count > 0) {
-            // Twice as many calls make the bar one unit longer: a loop that reads a sensor must not hide the few that start a motor.
+            // Twice as many calls make the bar one unit longer: a loop that reads a sensor must not hide the few that
+            // start a motor.
             val long = minOf(CALL_UNITS, 2 + (Int.SIZE_BITS - count.countLeadingZeroBits()) / 2).dp.toPx()
             drawRect(colours.quiet, Offset(x, top), Size(width, long))
         }
@@ -95,13 +108,25 @@ private fun DrawScope.drawMark(mark: TimelineMark, place: Offset, colours: Robot
     val unit = 5.dp.toPx()
     when (mark.kind) {
         MarkKind.START -> drawPath(shape(place, unit, -0.6f, -1f, 1f, 0f, -0.6f, 1f), RobotranColours.RUN_GREEN)
-        MarkKind.END -> drawRect(colours.quiet, place - Offset(unit * 0.7f, unit * 0.7f), Size(unit * 1.4f, unit * 1.4f))
+
+        MarkKind.END -> drawRect(
+            colours.quiet,
+            place - Offset(unit * 0.7f, unit * 0.7f),
+            Size(unit * 1.4f, unit * 1.4f),
+        )
+
         MarkKind.FAILURE -> drawCross(place, unit, colours.error)
+
         MarkKind.GOAL -> drawPath(star(place, unit * 1.5f), colours.onPane)
+
         MarkKind.GOAL_LOST -> drawCross(place, unit * 0.8f, colours.quiet)
+
         MarkKind.REMARK -> drawPath(shape(place, unit, 0f, -1f, 1f, 0f, 0f, 1f, -1f, 0f), colours.focus)
+
         MarkKind.BUMP -> drawPath(shape(place, unit, -1f, 1f, 0f, -1f, 1f, 1f), colours.error)
+
         MarkKind.BEEP -> drawCircle(colours.quiet, unit * 0.6f, place)
+
         MarkKind.MESSAGE -> drawRect(colours.focus, place - Offset(unit * 0.3f, unit), Size(unit * 0.6f, unit * 2))
     }
 }
@@ -114,14 +139,38 @@ private fun DrawScope.drawCross(place: Offset, half: Float, colour: Color) {
 
 private fun shape(place: Offset, unit: Float, vararg corners: Float): Path = Path().apply {
     moveTo(place.x + corners[0] * unit, place.y + corners[1] * unit)
-    for (corner in 2..<corners.size step 2) lineTo(place.x + corners[corner] * unit, place.y + corners[corner + 1] * unit)
+    for (corner in 2..<corners.size step 2) {
+        lineTo(
+            place.x + corners[corner] * unit,
+            place.y + corners[corner + 1] * unit,
+        )
+    }
     close()
 }
 
 private fun star(place: Offset, unit: Float): Path = shape(
-    place, unit,
-    0f, -1f, 0.24f, -0.32f, 0.95f, -0.31f, 0.38f, 0.12f, 0.59f, 0.81f,
-    0f, 0.4f, -0.59f, 0.81f, -0.38f, 0.12f, -0.95f, -0.31f, -0.24f, -0.32f,
+    place,
+    unit,
+    0f,
+    -1f,
+    0.24f,
+    -0.32f,
+    0.95f,
+    -0.31f,
+    0.38f,
+    0.12f,
+    0.59f,
+    0.81f,
+    0f,
+    0.4f,
+    -0.59f,
+    0.81f,
+    -0.38f,
+    0.12f,
+    -0.95f,
+    -0.31f,
+    -0.24f,
+    -0.32f,
 )
 
 /** How long the bar of many ROM calls is at most. */

@@ -27,8 +27,8 @@ import robotran.workshop.state.WorkshopState
 import robotran.workshop.state.WorkshopStatus
 
 /**
- * Run, Pause, Step, Stop, what is going on, how fast, and the timeline; always in sight. What there is no room for is in a panel behind one button. At its
- * end there is room for [more].
+ * Run, Pause, Step, Stop, what is going on, how fast, and the timeline; always in sight. What there is no room for is
+ * in a panel behind one button. At its end there is room for [more].
  */
 @Composable
 internal fun RunBar(

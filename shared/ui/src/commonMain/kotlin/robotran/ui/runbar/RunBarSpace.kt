@@ -31,7 +31,10 @@ internal enum class RunBarSpace(
     ;
 
     companion object {
-        /** For a bar of [width] with text of [textScale] times the usual size: larger text needs more room, as a narrower bar does. */
+        /**
+         * For a bar of [width] with text of [textScale] times the usual size: larger text needs more room, as a
+         * narrower bar does.
+         */
         fun of(width: Dp, textScale: Float): RunBarSpace {
             val default = width / textScale
             return when {

@@ -16,7 +16,10 @@ import androidx.compose.ui.graphics.drawscope.scale
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 
-/** The signs on what controls a run, each drawn by its corners on a square of 24 units: [solid] areas and lines between [strokes]. */
+/**
+ * The signs on what controls a run, each drawn by its corners on a square of 24 units: [solid] areas and lines between
+ * [strokes].
+ */
 internal enum class RunIcon(val solid: List<List<Float>> = emptyList(), val strokes: List<List<Float>> = emptyList()) {
     PLAY(solid = listOf(listOf(6f, 3f, 21f, 12f, 6f, 21f))),
     PAUSE(solid = listOf(listOf(5f, 4f, 10f, 4f, 10f, 20f, 5f, 20f), listOf(14f, 4f, 19f, 4f, 19f, 20f, 14f, 20f))),
@@ -44,7 +47,12 @@ internal enum class RunIcon(val solid: List<List<Float>> = emptyList(), val stro
 
 /** [icon] in [colour]; whoever shows it says in words what it means. */
 @Composable
-internal fun RunIconView(icon: RunIcon, modifier: Modifier = Modifier, side: Dp = 20.dp, colour: Color = LocalContentColor.current) {
+internal fun RunIconView(
+    icon: RunIcon,
+    modifier: Modifier = Modifier,
+    side: Dp = 20.dp,
+    colour: Color = LocalContentColor.current,
+) {
     Canvas(modifier.size(side)) { scale(size.width / UNITS, Offset.Zero) { drawRunIcon(icon, colour) } }
 }
 

@@ -57,7 +57,9 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.RunPaneState
 
-/** All about how the run goes that is not in the bar, or not on a small screen; over everything else until it is closed. */
+/**
+ * All about how the run goes that is not in the bar, or not on a small screen; over everything else until it is closed.
+ */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEvent) -> Unit, onClose: () -> Unit) {
@@ -99,7 +101,9 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
             if (state.world.robots.size > 1) {
                 Section(Res.string.run_robot) {
                     state.world.robots.forEachIndexed { number, robot ->
-                        Chip(robot.name, number == state.watched, "robot-$number") { onEvent(RunEvent.RobotWatched(number)) }
+                        Chip(robot.name, number == state.watched, "robot-$number") {
+                            onEvent(RunEvent.RobotWatched(number))
+                        }
                     }
                 }
             }
@@ -117,8 +121,12 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                 PanelAction(Res.string.run_step_out, Res.string.run_step_out_help, "panel-step-out") {
                     andClose(RunEvent.StepPressed(StepKind.OUT))
                 }
-                PanelAction(Res.string.run_to_line, Res.string.run_to_line_help, "panel-to-line") { andClose(RunEvent.RunToLine(cursor)) }
-                PanelAction(Res.string.run_start_over, Res.string.run_start_over_help, "start-over") { andClose(RunEvent.StartedOver) }
+                PanelAction(Res.string.run_to_line, Res.string.run_to_line_help, "panel-to-line") {
+                    andClose(RunEvent.RunToLine(cursor))
+                }
+                PanelAction(Res.string.run_start_over, Res.string.run_start_over_help, "start-over") {
+                    andClose(RunEvent.StartedOver)
+                }
                 if (state.hasRecording) {
                     PanelAction(Res.string.run_play_recording, Res.string.run_play_recording_help, "play-recording") {
                         andClose(RunEvent.RecordingPlayed)

@@ -65,13 +65,26 @@ internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
         Column {
             SectionName(stringResource(Res.string.run_java))
             Setting(
-                Res.string.run_java_forgiving, Res.string.run_java_forgiving_help, "java-forgiving",
+                Res.string.run_java_forgiving,
+                Res.string.run_java_forgiving_help,
+                "java-forgiving",
                 settings.java.mode == TinyVmMode.FORGIVING,
             ) {
-                change(settings.copy(java = settings.java.copy(mode = if (it) TinyVmMode.FORGIVING else TinyVmMode.BRICK)))
+                change(
+                    settings.copy(java = settings.java.copy(mode = if (it) TinyVmMode.FORGIVING else TinyVmMode.BRICK)),
+                )
             }
-            Setting(Res.string.run_java_fast, Res.string.run_java_fast_help, "java-fast", settings.java.speed == TinyVmSpeed.UNLIMITED) {
-                change(settings.copy(java = settings.java.copy(speed = if (it) TinyVmSpeed.UNLIMITED else TinyVmSpeed.BRICK)))
+            Setting(
+                Res.string.run_java_fast,
+                Res.string.run_java_fast_help,
+                "java-fast",
+                settings.java.speed == TinyVmSpeed.UNLIMITED,
+            ) {
+                change(
+                    settings.copy(
+                        java = settings.java.copy(speed = if (it) TinyVmSpeed.UNLIMITED else TinyVmSpeed.BRICK),
+                    ),
+                )
             }
         }
     }

@@ -92,8 +92,12 @@ private fun wordsElsewhere(state: WorkshopState, status: WorkshopStatus): String
     val mark = if (run.isPaused) markAt(run.marks, run.time) else null
     return when {
         run.isSeeking -> stringResource(Res.string.run_status_seeking, seconds(run.time))
+
         status is WorkshopStatus.Paused && mark != null -> markText(mark)
-        run.isPaused && run.inPast && !state.running -> mark?.let { markText(it) } ?: stringResource(Res.string.run_status_past)
+
+        run.isPaused && run.inPast && !state.running -> mark?.let { markText(it) }
+            ?: stringResource(Res.string.run_status_past)
+
         else -> null
     }
 }

@@ -49,7 +49,9 @@ internal fun SoundSwitch(on: Boolean, onSwitch: (Boolean) -> Unit, modifier: Mod
         Alignment.Center,
     ) {
         Canvas(Modifier.size(24.dp)) {
-            scale(size.width / ICON_UNITS, Offset.Zero) { drawLoudspeaker(on, if (on) colours.onPane else colours.quiet) }
+            scale(size.width / ICON_UNITS, Offset.Zero) {
+                drawLoudspeaker(on, if (on) colours.onPane else colours.quiet)
+            }
         }
     }
 }
@@ -68,7 +70,15 @@ private fun DrawScope.drawLoudspeaker(on: Boolean, colour: Color) {
     drawPath(cone, colour)
     if (on) {
         for (radius in listOf(4f, 8f)) {
-            drawArc(colour, -45f, 90f, false, Offset(12f - radius, 12f - radius), Size(2 * radius, 2 * radius), style = LINE)
+            drawArc(
+                colour,
+                -45f,
+                90f,
+                false,
+                Offset(12f - radius, 12f - radius),
+                Size(2 * radius, 2 * radius),
+                style = LINE,
+            )
         }
     } else {
         drawLine(colour, Offset(16f, 9f), Offset(22f, 15f), LINE.width, StrokeCap.Round)

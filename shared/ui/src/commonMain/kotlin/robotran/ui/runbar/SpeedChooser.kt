@@ -40,7 +40,9 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
-/** Says how fast time passes, in a sign, and lets it pass faster or more slowly; as wide as it has to be for any speed. */
+/**
+ * Says how fast time passes, in a sign, and lets it pass faster or more slowly; as wide as it has to be for any speed.
+ */
 @Composable
 internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier: Modifier = Modifier) {
     var open by remember { mutableStateOf(false) }

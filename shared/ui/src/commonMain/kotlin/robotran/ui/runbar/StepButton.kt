@@ -40,7 +40,13 @@ import robotran.workshop.event.RunEvent
 
 /** One step of the program, and beside it a menu with other steps. */
 @Composable
-internal fun StepButton(cursor: Breakpoint, onEvent: (RunEvent) -> Unit, room: Boolean, menu: Boolean, modifier: Modifier = Modifier) {
+internal fun StepButton(
+    cursor: Breakpoint,
+    onEvent: (RunEvent) -> Unit,
+    room: Boolean,
+    menu: Boolean,
+    modifier: Modifier = Modifier,
+) {
     Row(modifier, verticalAlignment = Alignment.CenterVertically) {
         BarButton(
             RunIcon.STEP,
@@ -72,9 +78,24 @@ private fun StepMenu(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
 @Composable
 internal fun StepChoices(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     val choices = listOf(
-        StepChoice("step-into", Res.string.run_step_into, Res.string.run_step_into_help, RunEvent.StepPressed(StepKind.INTO)),
-        StepChoice("step-over", Res.string.run_step_over, Res.string.run_step_over_help, RunEvent.StepPressed(StepKind.OVER)),
-        StepChoice("step-out", Res.string.run_step_out, Res.string.run_step_out_help, RunEvent.StepPressed(StepKind.OUT)),
+        StepChoice(
+            "step-into",
+            Res.string.run_step_into,
+            Res.string.run_step_into_help,
+            RunEvent.StepPressed(StepKind.INTO),
+        ),
+        StepChoice(
+            "step-over",
+            Res.string.run_step_over,
+            Res.string.run_step_over_help,
+            RunEvent.StepPressed(StepKind.OVER),
+        ),
+        StepChoice(
+            "step-out",
+            Res.string.run_step_out,
+            Res.string.run_step_out_help,
+            RunEvent.StepPressed(StepKind.OUT),
+        ),
         StepChoice("step-to-line", Res.string.run_to_line, Res.string.run_to_line_help, RunEvent.RunToLine(cursor)),
     )
     for (choice in choices) {

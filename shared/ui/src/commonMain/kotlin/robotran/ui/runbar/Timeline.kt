@@ -41,21 +41,32 @@ import robotran.workshop.state.RunPaneState
 import kotlin.math.abs
 import kotlin.math.roundToLong
 
-/** The whole run from left to right, with what has happened in it; wherever it is touched, the run goes to. Before the first run there is nowhere to go. */
+/**
+ * The whole run from left to right, with what has happened in it; wherever it is touched, the run goes to. Before the
+ * first run there is nowhere to go.
+ */
 @Composable
 internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifier = Modifier) {
     Row(modifier, verticalAlignment = Alignment.CenterVertically) {
         val previous = state.marks.lastOrNull { it.milliseconds < state.time }?.milliseconds
             ?: 0L.takeIf { state.time > 0 && !state.untouched }
         QuietButton(
-            RunIcon.PREVIOUS, stringResource(Res.string.run_mark_previous), "mark-previous",
-            { previous?.let(onScrub) }, enabled = previous != null,
+            RunIcon.PREVIOUS,
+            stringResource(Res.string.run_mark_previous),
+            "mark-previous",
+            { previous?.let(onScrub) },
+            enabled = previous != null,
         )
         Track(state, onScrub, Modifier.weight(1f))
-        val next = state.marks.firstOrNull { it.milliseconds > state.time }?.milliseconds ?: state.length.takeIf { state.inPast }
+        val next =
+            state.marks.firstOrNull { it.milliseconds > state.time }?.milliseconds
+                ?: state.length.takeIf { state.inPast }
         QuietButton(
-            RunIcon.NEXT, stringResource(Res.string.run_mark_next), "mark-next",
-            { next?.let(onScrub) }, enabled = next != null,
+            RunIcon.NEXT,
+            stringResource(Res.string.run_mark_next),
+            "mark-next",
+            { next?.let(onScrub) },
+            enabled = next != null,
         )
     }
 }
@@ -104,7 +115,9 @@ private fun Track(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifi
                         val event = awaitPointerEvent()
                         val change = event.changes.firstOrNull { it.id == down.id } ?: break
                         val moved = abs(change.position.x - down.position.x) > viewConfiguration.touchSlop
-                        if (change.pressed && (moved || (change.previousPosition != change.position && plan.isDragged))) {
+                        if (change.pressed &&
+                            (moved || (change.previousPosition != change.position && plan.isDragged))
+                        ) {
                             plan.isDragged = true
                             scrub(timeAt(change.position.x))
                         }

@@ -9,7 +9,9 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.WorkshopState
 
-/** What Back closes of the pages that lie over the workshop, the topmost first; menus and dialogs close by themselves. */
+/**
+ * What Back closes of the pages that lie over the workshop, the topmost first; menus and dialogs close by themselves.
+ */
 internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildList {
     if (state.settingsShown) add(SettingsEvent.SettingsShown(false))
     if (state.learning.page != null) add(LearningEvent.PageLeft)
@@ -19,7 +21,10 @@ internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildLi
     }
 }
 
-/** What Back closes of the workshop itself; where there is room for one pane only, it goes to the world from the others. Nothing where Back leaves the app. */
+/**
+ * What Back closes of the workshop itself; where there is room for one pane only, it goes to the world from the others.
+ * Nothing where Back leaves the app.
+ */
 internal fun paneBackEvents(state: WorkshopState, isWide: Boolean): List<WorkshopEvent> = buildList {
     if (!isWide) {
         if (state.learning.tutorial?.isFolded == false) add(LearningEvent.TutorialFolded(true))

@@ -27,8 +27,8 @@ import robotran.workshop.state.WorkshopState
 import robotran.world.World
 
 /**
- * The paper, over its upper edge what is to be done there and what the app has to say, and over its foot that the work is not being kept, each until it is
- * read: so neither the paper nor anything else moves when it comes or goes.
+ * The paper, over its upper edge what is to be done there and what the app has to say, and over its foot that the work
+ * is not being kept, each until it is read: so neither the paper nor anything else moves when it comes or goes.
  *
  * @param withHint whether what the brick cannot say itself is told here.
  */
@@ -51,10 +51,17 @@ internal fun CoveredSheet(
 }
 
 @Composable
-private fun BoxWithConstraintsScope.Said(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, withHint: Boolean, withNotice: Boolean) {
+private fun BoxWithConstraintsScope.Said(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    withHint: Boolean,
+    withNotice: Boolean,
+) {
     val max = maxHeight / 2
     Column(
-        Modifier.align(Alignment.TopEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp).widthIn(max = MAX_WIDTH),
+        Modifier.align(
+            Alignment.TopEnd,
+        ).padding(start = sheetButtonsWidth(state.world)).padding(8.dp).widthIn(max = MAX_WIDTH),
         Arrangement.spacedBy(8.dp),
     ) {
         if (withNotice) state.notice?.let { NoticeBar(it, onEvent) }

@@ -27,7 +27,10 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState
 
-/** Paper and brick where there is room for both: the paper gets all that the brick leaves, and nothing that can be pressed ever moves. */
+/**
+ * Paper and brick where there is room for both: the paper gets all that the brick leaves, and nothing that can be
+ * pressed ever moves.
+ */
 @Composable
 internal fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.desk)) {
@@ -78,15 +81,21 @@ private fun ChipAndStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit)
 
 /** The brick with all its buttons and ports. */
 @Composable
-internal fun WholeBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) = BrickFront(
-    state.run.brick,
-    state.down,
-    { onEvent(RunEvent.ButtonPressed(it)) },
-    { onEvent(RunEvent.ButtonReleased(it)) },
-    modifier,
-    state.world.robots[state.run.watched].ports,
-    { port, pressed -> onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed))) },
-)
+internal fun WholeBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) =
+    BrickFront(
+        state.run.brick,
+        state.down,
+        { onEvent(RunEvent.ButtonPressed(it)) },
+        { onEvent(RunEvent.ButtonReleased(it)) },
+        modifier,
+        state.world.robots[state.run.watched].ports,
+        {
+            port,
+            pressed,
+            ->
+            onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed)))
+        },
+    )
 
 /** The brick's display and Run. */
 @Composable

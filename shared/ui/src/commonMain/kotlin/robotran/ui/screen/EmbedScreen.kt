@@ -67,7 +67,11 @@ private fun WorldAndBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
         if (brickWidth >= MIN_BRICK_WIDTH) {
             Row(Modifier.fillMaxSize()) {
                 CoveredSheet(state, onEvent, Modifier.weight(1f), withNotice = false)
-                WholeBrick(state, onEvent, Modifier.padding(end = MARGIN, bottom = MARGIN).width(brickWidth).align(Alignment.Bottom))
+                WholeBrick(
+                    state,
+                    onEvent,
+                    Modifier.padding(end = MARGIN, bottom = MARGIN).width(brickWidth).align(Alignment.Bottom),
+                )
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
@@ -84,7 +88,11 @@ private fun EmbedBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
         val room = maxWidth / LocalDensity.current.fontScale.coerceAtLeast(1f)
         Column(Modifier.padding(horizontal = MARGIN, vertical = 8.dp)) {
-            if (room < STATUS_BESIDE) RunStatus(state, StatusSpace.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
+            if (room <
+                STATUS_BESIDE
+            ) {
+                RunStatus(state, StatusSpace.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
+            }
             Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
                 val pulsing = state.untouched && state.status == WorkshopStatus.Ready
                 RunButton(pulsing, { onEvent(RunEvent.RunPressed) }, room = room >= WORDS_FROM)
@@ -98,7 +106,11 @@ private fun EmbedBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
                     enabled = !state.untouched,
                     room = room >= STATUS_BESIDE,
                 )
-                if (room >= STATUS_BESIDE) RunStatus(state, StatusSpace.BROAD, Modifier.weight(1f).padding(start = 4.dp))
+                if (room >=
+                    STATUS_BESIDE
+                ) {
+                    RunStatus(state, StatusSpace.BROAD, Modifier.weight(1f).padding(start = 4.dp))
+                }
             }
         }
     }

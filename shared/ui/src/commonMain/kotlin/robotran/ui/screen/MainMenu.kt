@@ -49,7 +49,10 @@ import robotran.workshop.state.DocumentState
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.WorkshopState
 
-/** The button with three lines: what is done seldom, and [withWork] a list of its own of what is done with the work as a whole. */
+/**
+ * The button with three lines: what is done seldom, and [withWork] a list of its own of what is done with the work as a
+ * whole.
+ */
 @Composable
 internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, withWork: Boolean = false) {
     var open by remember { mutableStateOf(false) }
@@ -82,16 +85,24 @@ internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, wi
 
 @Composable
 private fun MainMenuItems(state: WorkshopState, choose: (WorkshopEvent) -> Unit) {
-    MenuItem(stringResource(Res.string.learn), "menu-learn") { choose(LearningEvent.PageRequested(LearningPage.TUTORIAL)) }
-    MenuItem(stringResource(Res.string.worlds), "menu-worlds") { choose(LearningEvent.PageRequested(LearningPage.WORLDS)) }
+    MenuItem(stringResource(Res.string.learn), "menu-learn") {
+        choose(LearningEvent.PageRequested(LearningPage.TUTORIAL))
+    }
+    MenuItem(stringResource(Res.string.worlds), "menu-worlds") {
+        choose(LearningEvent.PageRequested(LearningPage.WORLDS))
+    }
     MenuItem(stringResource(Res.string.learning_examples), "menu-examples") {
         choose(LearningEvent.PageRequested(LearningPage.EXAMPLES))
     }
-    MenuItem(stringResource(Res.string.learning_help), "menu-words") { choose(LearningEvent.PageRequested(LearningPage.HELP)) }
+    MenuItem(stringResource(Res.string.learning_help), "menu-words") {
+        choose(LearningEvent.PageRequested(LearningPage.HELP))
+    }
     if (state.worldEdit == null) {
         MenuItem(stringResource(Res.string.edit_world), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }
     }
-    MenuItem(stringResource(Res.string.first_page), "menu-first-page") { choose(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
+    MenuItem(stringResource(Res.string.first_page), "menu-first-page") {
+        choose(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
+    }
     MenuDivider()
     val sound = if (state.soundOn) Res.string.sound_switch_off else Res.string.sound_switch_on
     MenuItem(stringResource(sound), "menu-sound") { choose(SettingsEvent.SoundSwitched(!state.soundOn)) }

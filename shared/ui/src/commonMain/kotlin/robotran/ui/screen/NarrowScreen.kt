@@ -51,7 +51,9 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
             MainMenu(state, onEvent, withWork = true)
-            PaneTabs(state.pane, state.diagnostics.isNotEmpty(), { perform(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
+            PaneTabs(state.pane, state.diagnostics.isNotEmpty(), {
+                perform(WorkshopEvent.PaneChosen(it))
+            }, Modifier.weight(1f))
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
         if (isReading) {
@@ -89,7 +91,11 @@ private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
 
 @Composable
 private fun BoxScope.NoticeOver(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
-    Column(Modifier.align(Alignment.BottomCenter).padding(8.dp), Arrangement.spacedBy(8.dp), Alignment.CenterHorizontally) {
+    Column(
+        Modifier.align(Alignment.BottomCenter).padding(8.dp),
+        Arrangement.spacedBy(8.dp),
+        Alignment.CenterHorizontally,
+    ) {
         state.notice?.let { NoticeBar(it, onEvent) }
         KeepingBanner(state.document, onEvent, Modifier.heightIn(max = MAX_BANNER_HEIGHT))
     }
@@ -128,7 +134,11 @@ private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
         if (isAcross) {
             Row(Modifier.fillMaxSize().padding(horizontal = MARGIN), Arrangement.spacedBy(MARGIN), Alignment.Top) {
                 Box(Modifier.weight(1f).padding(vertical = MARGIN)) { BrickHint(state.run.brick) }
-                WholeBrick(state, onEvent, Modifier.verticalScroll(rememberScrollState()).padding(vertical = MARGIN).width(width))
+                WholeBrick(
+                    state,
+                    onEvent,
+                    Modifier.verticalScroll(rememberScrollState()).padding(vertical = MARGIN).width(width),
+                )
                 Spacer(Modifier.weight(1f))
             }
         } else {

@@ -62,7 +62,12 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
                 { onEvent(WorkshopEvent.NoticeTaken) },
                 Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("notice-action").focusRing(),
             ) {
-                Text(stringResource(noticeActionText(action)), color = colours.focus, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
+                Text(
+                    stringResource(noticeActionText(action)),
+                    color = colours.focus,
+                    fontSize = 16.sp,
+                    fontWeight = FontWeight.SemiBold,
+                )
             }
         }
         IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "notice-close", {

@@ -41,30 +41,59 @@ import robotran.workshop.state.NoticeAction
 @Composable
 internal fun noticeText(notice: Notice): String = when (notice) {
     is Notice.ForeignError -> notice.sentence
+
     Notice.Unexpected -> stringResource(Res.string.documents_unexpected)
-    is Notice.ProgramTooLong -> stringResource(Res.string.program_too_long, notice.maxThousandCharacters, notice.maxThousandLines)
+
+    is Notice.ProgramTooLong -> stringResource(
+        Res.string.program_too_long,
+        notice.maxThousandCharacters,
+        notice.maxThousandLines,
+    )
+
     Notice.FixOutdated -> stringResource(Res.string.program_fix_gone)
+
     Notice.NoSlotForExample -> stringResource(Res.string.learning_help_no_room)
+
     is Notice.NoSlotForProgram -> stringResource(Res.string.documents_no_room, notice.program, notice.maxPrograms)
+
     Notice.LogCopied -> stringResource(Res.string.run_log_copied)
+
     Notice.LogNotCopied -> stringResource(Res.string.run_log_not_copied)
+
     Notice.LinkNotCopied -> stringResource(Res.string.documents_not_copied)
+
     is Notice.FileSaved -> stringResource(Res.string.documents_saved, notice.name)
+
     is Notice.FileNotSaved -> stringResource(notSaved(notice), notice.reason)
+
     Notice.ProjectTooLong -> stringResource(Res.string.documents_too_long)
+
     is Notice.FileOpenElsewhere -> stringResource(Res.string.documents_open_elsewhere, notice.name)
+
     is Notice.MoreProjectsOpened -> stringResource(Res.string.documents_opened_more, notice.others)
+
     Notice.ReplayEmpty -> stringResource(Res.string.documents_replay_empty)
+
     is Notice.KitNeedsCorrectProgram -> stringResource(Res.string.documents_kit_mistake, notice.line)
+
     Notice.CompilerMissing -> stringResource(Res.string.status_no_compiler)
+
     Notice.ProjectOpenElsewhere -> stringResource(Res.string.documents_work_elsewhere)
+
     Notice.OwnProjectOpenElsewhere -> stringResource(Res.string.documents_own_elsewhere)
+
     is Notice.ProjectUnusable -> stringResource(Res.string.documents_work_unusable, notice.reason)
+
     is Notice.ProjectNotDeleted -> stringResource(Res.string.documents_delete_failed, notice.reason)
+
     is Notice.ProjectRestored -> restored(notice)
+
     is Notice.OtherProjectsOpen -> stringResource(othersOpen(notice))
+
     is Notice.EarlierProjectSaved -> stringResource(Res.string.documents_kept_before)
+
     is Notice.WorldSolved -> stringResource(Res.string.learning_world_done, notice.title)
+
     Notice.NewBranch -> stringResource(Res.string.run_new_future)
 }
 
@@ -78,8 +107,13 @@ private fun notSaved(notice: Notice.FileNotSaved): StringResource =
     if (notice.isFull) Res.string.documents_save_full else Res.string.documents_save_failed
 
 @Composable
-private fun restored(notice: Notice.ProjectRestored): String =
-    if (notice.name.isEmpty()) stringResource(Res.string.documents_back_unnamed) else stringResource(Res.string.documents_back, notice.name)
+private fun restored(notice: Notice.ProjectRestored): String = if (notice.name.isEmpty()) {
+    stringResource(
+        Res.string.documents_back_unnamed,
+    )
+} else {
+    stringResource(Res.string.documents_back, notice.name)
+}
 
 private fun othersOpen(notice: Notice.OtherProjectsOpen): StringResource =
     if (notice.isRestored) Res.string.documents_back_others else Res.string.documents_others_there

@@ -79,7 +79,12 @@ private fun DrawScope.drawGrip(line: Color, grip: Color) {
     drawLine(line, Offset(middle, 0f), Offset(middle, size.height), 1.dp.toPx())
     val height = 40.dp.toPx()
     val width = 6.dp.toPx()
-    drawRoundRect(grip, Offset(middle - width / 2, (size.height - height) / 2), Size(width, height), CornerRadius(width / 2))
+    drawRoundRect(
+        grip,
+        Offset(middle - width / 2, (size.height - height) / 2),
+        Size(width, height),
+        CornerRadius(width / 2),
+    )
 }
 
 private val STEPS = mapOf(Key.DirectionLeft to -0.02f, Key.DirectionRight to 0.02f)

@@ -18,7 +18,8 @@ internal enum class BrickPlacement {
 }
 
 /**
- * How paper and brick share the desk. It depends on nothing that changes while a program runs, so nothing on the desk moves then.
+ * How paper and brick share the desk. It depends on nothing that changes while a program runs, so nothing on the desk
+ * moves then.
  *
  * @property brickWidth how wide the brick, or the column with its strip, is beside the paper.
  * @property hintBeside whether there is room over the brick for what it has to say; otherwise that lies over the paper.

@@ -36,7 +36,10 @@ internal fun TopStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
     val colours = LocalRobotranColours.current
     BoxWithConstraints(modifier.fillMaxWidth().background(colours.pane)) {
         val withWords = maxWidth >= WORDS_WIDTH * LocalDensity.current.fontScale
-        Row(Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET), verticalAlignment = Alignment.CenterVertically) {
+        Row(
+            Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
             MainMenu(state, onEvent)
             Box(Modifier.weight(1f)) { WorkMenu(state.document, onEvent) }
             IconTouch(Icon.BOOK, stringResource(Res.string.learn_help), "learn", {

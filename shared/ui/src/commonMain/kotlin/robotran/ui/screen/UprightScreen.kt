@@ -23,7 +23,10 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState
 
-/** A tablet held upright: the tutorial, if it is wanted, in a broad strip; under it paper and brick, the run bar, and the program. */
+/**
+ * A tablet held upright: the tutorial, if it is wanted, in a broad strip; under it paper and brick, the run bar, and
+ * the program.
+ */
 @Composable
 internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     val tutorial = state.learning.tutorial
@@ -44,7 +47,12 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             TopStrip(state, onEvent)
             HorizontalDivider(color = line)
             when {
-                isReading -> TutorialPane(state.learning, onEvent, Modifier.fillMaxWidth().height(whole * tutorialShare))
+                isReading -> TutorialPane(
+                    state.learning,
+                    onEvent,
+                    Modifier.fillMaxWidth().height(whole * tutorialShare),
+                )
+
                 tutorial != null -> TutorialStrip(state.learning, onEvent)
             }
             if (tutorial != null) HorizontalDivider(color = line)

@@ -31,7 +31,10 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState
 
-/** Tablet and laptop: the tutorial if it is wanted, the program, beside it the desk with paper and brick, the run bar under the desk. */
+/**
+ * Tablet and laptop: the tutorial if it is wanted, the program, beside it the desk with paper and brick, the run bar
+ * under the desk.
+ */
 @Composable
 internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     val tutorial = state.learning.tutorial
@@ -56,12 +59,21 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
 
 /** With the tutorial over the program if [isReading]. */
 @Composable
-private fun ProgramAndDesk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, isReading: Boolean, modifier: Modifier) {
+private fun ProgramAndDesk(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    isReading: Boolean,
+    modifier: Modifier,
+) {
     var share by rememberSaveable { mutableFloatStateOf(PROGRAM_SHARE) }
     BoxWithConstraints(modifier.fillMaxHeight()) {
         val whole = maxWidth
         val tall = maxHeight
-        val left = maxOf(whole * share, minOf(MIN_PROGRAM_WIDTH * ScreenLayout.widthScale(LocalDensity.current.fontScale), whole / 2))
+        val left =
+            maxOf(
+                whole * share,
+                minOf(MIN_PROGRAM_WIDTH * ScreenLayout.widthScale(LocalDensity.current.fontScale), whole / 2),
+            )
         Row(Modifier.fillMaxSize()) {
             Column(Modifier.width(left).fillMaxHeight()) {
                 if (isReading) {

@@ -23,7 +23,10 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState
 
-/** The one screen: beside or over each other where there is room, one pane at a time where there is not; pages lie over it. */
+/**
+ * The one screen: beside or over each other where there is room, one pane at a time where there is not; pages lie over
+ * it.
+ */
 @Composable
 internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     BoxWithConstraints(
@@ -51,7 +54,8 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         LearningPages(state.learning, onEvent)
         if (state.settingsShown) SettingsPage(state.settings, state.siteWanted, asksForSite = !state.hasPage, onEvent)
         val ofPages = pageBackEvents(state)
-        // Composed when a page opens, so that what was opened in the panes before, such as the find bar, stays until the page is closed.
+        // Composed when a page opens, so that what was opened in the panes before, such as the find bar, stays until
+        // the page is closed.
         if (ofPages.isNotEmpty()) BackGesture(ofPages.size) { onEvent(ofPages.first()) }
         DocumentDialogs(state.document, onEvent)
     }

@@ -37,7 +37,13 @@ import robotran.ui.theme.focusRing
 /** One of [choices], each with its words. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun <T> ChoiceOfOne(title: String, choices: List<Pair<T, String>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
+internal fun <T> ChoiceOfOne(
+    title: String,
+    choices: List<Pair<T, String>>,
+    chosen: T,
+    tag: String,
+    onChoose: (T) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     Column(Modifier.selectableGroup().testTag(tag)) {
         Heading(title)
@@ -93,7 +99,12 @@ internal fun SizeSlider(
                     inactiveTickColor = colours.quiet,
                 ),
             )
-            Text(words(value), Modifier.padding(start = 16.dp).defaultMinSize(minWidth = 64.dp), color = colours.onPane, fontSize = 16.sp)
+            Text(
+                words(value),
+                Modifier.padding(start = 16.dp).defaultMinSize(minWidth = 64.dp),
+                color = colours.onPane,
+                fontSize = 16.sp,
+            )
         }
     }
 }

@@ -28,7 +28,10 @@ import robotran.ui.resources.settings_site_help
 import robotran.ui.resources.settings_site_wrong
 import robotran.ui.theme.LocalRobotranColours
 
-/** The address of the site that links lead to; of what is written only an address that can be one, or nothing, is told [onSite]. */
+/**
+ * The address of the site that links lead to; of what is written only an address that can be one, or nothing, is told
+ * [onSite].
+ */
 @Composable
 internal fun SiteField(site: String, wanted: Boolean, onSite: (String) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -48,7 +51,10 @@ internal fun SiteField(site: String, wanted: Boolean, onSite: (String) -> Unit) 
         supportingText = {
             Text(
                 stringResource(if (isWrong) Res.string.settings_site_wrong else Res.string.settings_site_help),
-                Modifier.testTag(if (isWrong) "site-wrong" else "site-help").semantics { liveRegion = LiveRegionMode.Polite },
+                Modifier.testTag(if (isWrong) "site-wrong" else "site-help").semantics {
+                    liveRegion =
+                        LiveRegionMode.Polite
+                },
                 color = if (isWrong) colours.error else colours.quiet,
                 fontSize = 14.sp,
             )

@@ -25,8 +25,13 @@ internal fun distanceToEdge(corners: List<Point>, place: Point): Double {
 }
 
 /** How far a place is from a line through [points]. */
-internal fun distanceToLine(points: List<Point>, place: Point): Double =
-    if (points.size == 1) distance(points.single(), place) else points.zipWithNext { from, to -> distanceToPiece(from, to, place) }.min()
+internal fun distanceToLine(points: List<Point>, place: Point): Double = if (points.size ==
+    1
+) {
+    distance(points.single(), place)
+} else {
+    points.zipWithNext { from, to -> distanceToPiece(from, to, place) }.min()
+}
 
 private fun distanceToPiece(from: Point, to: Point, place: Point): Double {
     val alongX = to.x - from.x

@@ -30,8 +30,16 @@ internal class RegionDrawing(val region: GoalRegion, transform: SheetTransform) 
     }
 }
 
-/** To be reached: green with a flag, fuller once it is reached. Not to be entered: red dashes. Not to be left: long blue-grey dashes. */
-internal fun DrawScope.drawRegion(drawing: RegionDrawing, goals: List<GoalProgress>, transform: SheetTransform, labels: TextMeasurer?) {
+/**
+ * To be reached: green with a flag, fuller once it is reached. Not to be entered: red dashes. Not to be left: long
+ * blue-grey dashes.
+ */
+internal fun DrawScope.drawRegion(
+    drawing: RegionDrawing,
+    goals: List<GoalProgress>,
+    transform: SheetTransform,
+    labels: TextMeasurer?,
+) {
     val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, MIN_LINE_PIXELS)
     when (drawing.region.role) {
         RegionRole.TARGET -> {
@@ -69,7 +77,11 @@ private fun DrawScope.drawFlag(drawing: RegionDrawing, transform: SheetTransform
     drawRect(Color.White, top, Size(cell.width * FLAG_COLUMNS, cell.height * FLAG_ROWS))
     for (row in 0 until FLAG_ROWS) {
         for (column in 0 until FLAG_COLUMNS) {
-            if ((row + column) % 2 == 0) drawRect(SheetColours.FLAG, top + Offset(column * cell.width, row * cell.height), cell)
+            if ((row + column) % 2 ==
+                0
+            ) {
+                drawRect(SheetColours.FLAG, top + Offset(column * cell.width, row * cell.height), cell)
+            }
         }
     }
     if (number != null && labels != null) {

@@ -28,19 +28,36 @@ private fun DrawScope.drawLines(transform: SheetTransform, step: Int, alpha: Flo
     }
 }
 
-/** How many centimetres each line is from the paper's corner, along its lower and left edge, or along the pane's where those are out of sight. */
-internal fun DrawScope.drawGridFigures(paper: Paper, view: SheetTransform, colours: SheetColours, labels: TextMeasurer) {
+/**
+ * How many centimetres each line is from the paper's corner, along its lower and left edge, or along the pane's where
+ * those are out of sight.
+ */
+internal fun DrawScope.drawGridFigures(
+    paper: Paper,
+    view: SheetTransform,
+    colours: SheetColours,
+    labels: TextMeasurer,
+) {
     val height = FIGURE_SIZE.toPx()
     // Every second, fifth or tenth line where they are too close for figures.
     val step = FIGURE_STEPS.firstOrNull { it * view.pixelsPerCentimetre >= height * FIGURE_ROOM } ?: return
-    val low = (view.paper.bottom + view.pixelsPerCentimetre + height).coerceIn(height, (size.height - height).coerceAtLeast(height))
+    val low = (view.paper.bottom + view.pixelsPerCentimetre + height).coerceIn(
+        height,
+        (size.height - height).coerceAtLeast(height),
+    )
     for (x in step..paper.width.toInt() step step) {
         val place = view.toPixels(x.toDouble(), 0.0).x
         if (place in 0f..size.width) drawLabel(labels, "$x", Offset(place, low), height, colours.figures)
     }
     // Beside the wall around the paper or, where there is no room, on it.
     val beside = view.paper.left - view.pixelsPerCentimetre - height
-    val left = if (beside >= height) minOf(beside, size.width - height) else maxOf(view.paper.left, 0f) + height * ON_PAPER
+    val left = if (beside >=
+        height
+    ) {
+        minOf(beside, size.width - height)
+    } else {
+        maxOf(view.paper.left, 0f) + height * ON_PAPER
+    }
     for (y in step..paper.height.toInt() step step) {
         val place = view.toPixels(0.0, y.toDouble()).y
         if (place in 0f..size.height) drawLabel(labels, "$y", Offset(left, place), height, colours.figures)

@@ -20,7 +20,11 @@ internal class InkDrawing(private val transform: SheetTransform) {
 
     fun strokes(ink: Ink): List<DrawnStroke> {
         if (ink !== latest) {
-            drawn = ink.strokes.mapIndexed { number, stroke -> drawn.getOrNull(number)?.takeIf { it.show(stroke) } ?: newStroke(stroke) }
+            drawn =
+                ink.strokes.mapIndexed { number, stroke ->
+                    drawn.getOrNull(number)?.takeIf { it.show(stroke) }
+                        ?: newStroke(stroke)
+                }
             latest = ink
         }
         return drawn
@@ -50,7 +54,15 @@ internal fun DrawScope.drawInk(drawing: InkDrawing, ink: Ink, robots: List<Robot
         val colour = RobotColours.ink(drawn.stroke.robot, robots)
         drawn.line.dot?.let { drawCircle(colour, drawing.width / 2, it) }
         if (drawn.line.dot != null) continue
-        for (piece in drawn.line.pieces) if (piece.isIn(visible, drawing.width)) drawPath(piece.path, colour, style = line)
+        for (piece in drawn.line.pieces) {
+            if (piece.isIn(
+                    visible,
+                    drawing.width,
+                )
+            ) {
+                drawPath(piece.path, colour, style = line)
+            }
+        }
     }
 }
 

@@ -21,16 +21,31 @@ import robotran.world.geometry.centre
 import kotlin.math.max
 
 /** The name of each robot below it, with the colour of its brick before it. */
-internal fun DrawScope.drawRobotNames(robots: List<RobotPlacement>, state: SessionState, transform: SheetTransform, labels: TextMeasurer) {
+internal fun DrawScope.drawRobotNames(
+    robots: List<RobotPlacement>,
+    state: SessionState,
+    transform: SheetTransform,
+    labels: TextMeasurer,
+) {
     val height = nameHeight(transform)
     for ((robot, now) in robots.zip(state.robots)) {
         val pose = now.robot.pose
-        drawName(robot, transform.toPixels(pose.x, pose.y - Penbot.OVERALL_WIDTH / 2 - NAME_CENTIMETRES), height, labels)
+        drawName(
+            robot,
+            transform.toPixels(pose.x, pose.y - Penbot.OVERALL_WIDTH / 2 - NAME_CENTIMETRES),
+            height,
+            labels,
+        )
     }
 }
 
 /** What blocks, barriers, lamps and marks are called, those that have a name. */
-internal fun DrawScope.drawThingNames(world: World, state: SessionState, transform: SheetTransform, labels: TextMeasurer) {
+internal fun DrawScope.drawThingNames(
+    world: World,
+    state: SessionState,
+    transform: SheetTransform,
+    labels: TextMeasurer,
+) {
     val height = nameHeight(transform)
 
     fun name(name: String?, place: Point) {
@@ -53,7 +68,12 @@ private val MarkFigure.middle: Point
     }
 
 private fun DrawScope.drawName(name: String, middle: Offset, height: Float, labels: TextMeasurer) {
-    val text = labels.measure(name, TextStyle(SheetColours.LABEL, fontSize = height.toSp()), TextOverflow.Ellipsis, maxLines = 1)
+    val text = labels.measure(
+        name,
+        TextStyle(SheetColours.LABEL, fontSize = height.toSp()),
+        TextOverflow.Ellipsis,
+        maxLines = 1,
+    )
     val plate = Size(text.size.width + height, text.size.height + height / 4)
     val corner = middle - Offset(plate.width / 2, plate.height / 2)
     drawRoundRect(SheetColours.LABEL_PLATE, corner, plate, CornerRadius(plate.height / 2))

@@ -21,7 +21,8 @@ import kotlin.math.sqrt
 
 /** What the lamps shine on; remembers it for as long as a lamp is not moved. */
 internal class GlowDrawing(private val world: World, private val transform: SheetTransform) {
-    private val obstacles: List<List<Point>> = world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() }
+    private val obstacles: List<List<Point>> =
+        world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() }
     private val latest = arrayOfNulls<LitByLamp>(world.lamps.size)
 
     /** The lamps that shine, each with what it shines on, and the shadows that robots and blocks cast there. */
@@ -79,16 +80,29 @@ internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) {
         val radius = drawing.toPixels(glow.reach)
         if (radius <= 0f) continue
         val light = Brush.radialGradient(
-            0f to SheetColours.LAMP.copy(alpha = 0.6f), 0.15f to SheetColours.LAMP.copy(alpha = 0.4f),
-            0.5f to SheetColours.LAMP.copy(alpha = 0.15f), 1f to SheetColours.LAMP.copy(alpha = 0f),
-            center = centre, radius = radius,
+            0f to SheetColours.LAMP.copy(alpha = 0.6f),
+            0.15f to SheetColours.LAMP.copy(alpha = 0.4f),
+            0.5f to SheetColours.LAMP.copy(alpha = 0.15f),
+            1f to SheetColours.LAMP.copy(alpha = 0f),
+            center = centre,
+            radius = radius,
         )
-        val shine: DrawScope.() -> Unit = { if (glow.area == null) drawCircle(light, radius, centre) else drawPath(glow.area, light) }
+        val shine: DrawScope.() -> Unit = {
+            if (glow.area ==
+                null
+            ) {
+                drawCircle(light, radius, centre)
+            } else {
+                drawPath(glow.area, light)
+            }
+        }
         if (glow.shadows == null) shine() else clipPath(glow.shadows, ClipOp.Difference, shine)
     }
 }
 
-/** The lamps themselves: a bulb with rays, or in a shade that is open where its cone shines; grey while they are off. */
+/**
+ * The lamps themselves: a bulb with rays, or in a shade that is open where its cone shines; grey while they are off.
+ */
 internal fun DrawScope.drawLamps(world: World, state: SessionState, transform: SheetTransform) {
     for ((lamp, now) in world.lamps.zip(state.lamps)) {
         val radius = max(BULB_CENTIMETRES * transform.pixelsPerCentimetre, MIN_BULB_PIXELS)
@@ -102,7 +116,15 @@ private fun DrawScope.drawLamp(lamp: Lamp, on: Boolean, place: Offset, radius: F
         val box = Size(radius * 3.2f, radius * 3.2f)
         val closed = Lamp.ALL_ROUND.toFloat() - lamp.cone.toFloat()
         val from = -lamp.direction.toFloat() + lamp.cone.toFloat() / 2
-        drawArc(SheetColours.LAMP_SHADE, from, closed, false, place - box.center(), box, style = Stroke(radius / 2, cap = StrokeCap.Round))
+        drawArc(
+            SheetColours.LAMP_SHADE,
+            from,
+            closed,
+            false,
+            place - box.center(),
+            box,
+            style = Stroke(radius / 2, cap = StrokeCap.Round),
+        )
     } else {
         for (ray in 0 until RAYS) {
             val angle = ray * 2 * PI / RAYS

@@ -32,13 +32,8 @@ internal sealed interface MarkDrawing {
      *
      * @property dots the middles of what shows that it is blue, whoever sees colours or not; empty for other colours.
      */
-    class Painted(
-        val path: Path,
-        val colour: Color,
-        val width: Float?,
-        val dots: List<Offset>,
-        val dotSize: Float,
-    ) : MarkDrawing
+    class Painted(val path: Path, val colour: Color, val width: Float?, val dots: List<Offset>, val dotSize: Float) :
+        MarkDrawing
 
     /** A picture with a pixel for each cell. */
     class Picture(val image: ImageBitmap, val place: Rect) : MarkDrawing
@@ -69,12 +64,29 @@ private fun DrawScope.drawPainted(mark: MarkDrawing.Painted) {
     } else {
         drawPath(mark.path, mark.colour)
     }
-    if (mark.dots.isNotEmpty()) drawPoints(mark.dots, PointMode.Points, SheetColours.MARK_DOTS, mark.dotSize, StrokeCap.Round)
+    if (mark.dots.isNotEmpty()) {
+        drawPoints(
+            mark.dots,
+            PointMode.Points,
+            SheetColours.MARK_DOTS,
+            mark.dotSize,
+            StrokeCap.Round,
+        )
+    }
 }
 
 private fun area(shape: Shape, shade: Shade, transform: SheetTransform): MarkDrawing {
     val step = dotStep(transform)
-    val dots = if (shade.isBlue) dotsWithin(shape.corners().map { transform.toPixels(it.x, it.y) }, step) else emptyList()
+    val dots = if (shade.isBlue) {
+        dotsWithin(
+            shape.corners().map {
+                transform.toPixels(it.x, it.y)
+            },
+            step,
+        )
+    } else {
+        emptyList()
+    }
     return MarkDrawing.Painted(pathOf(shape, transform), shade.colour, null, dots, step * DOT_PART)
 }
 
@@ -82,7 +94,14 @@ private fun line(line: MarkFigure.Line, shade: Shade, transform: SheetTransform)
     val points = line.points.map { transform.toPixels(it.x, it.y) }
     val width = (line.width * transform.pixelsPerCentimetre).toFloat()
     val step = dotStep(transform)
-    val dots = if (shade.isBlue) placesAlong(if (line.closed) points + points.first() else points, step) else emptyList()
+    val dots = if (shade.isBlue) {
+        placesAlong(
+            if (line.closed) points + points.first() else points,
+            step,
+        )
+    } else {
+        emptyList()
+    }
     val path = Path().apply { addLine(points, line.closed) }
     return MarkDrawing.Painted(path, shade.colour, width, dots, minOf(step * DOT_PART, width / 2))
 }
@@ -107,7 +126,16 @@ private fun picture(map: MarkFigure.GreyMap, transform: SheetTransform): MarkDra
     }
     val corner = transform.toPixels(map.corner.x, map.corner.y)
     val cell = (map.cell * transform.pixelsPerCentimetre).toFloat()
-    return MarkDrawing.Picture(image, Rect(Offset(corner.x, corner.y - cell * map.rows.size), Size(cell * columns, cell * map.rows.size)))
+    return MarkDrawing.Picture(
+        image,
+        Rect(
+            Offset(corner.x, corner.y - cell * map.rows.size),
+            Size(
+                cell * columns,
+                cell * map.rows.size,
+            ),
+        ),
+    )
 }
 
 internal val Shade.colour: Color

@@ -31,7 +31,12 @@ internal fun DrawScope.drawReadings(world: World, state: SessionState, view: She
                 else -> false
             }
             val text = "${sensor.port}: ${sensor.value}"
-            drawReading(text, view.toPixels(placeOf(plugged, now.robot)), labels, if (pressed) SheetColours.TOUCH else SheetColours.SIGHT)
+            drawReading(
+                text,
+                view.toPixels(placeOf(plugged, now.robot)),
+                labels,
+                if (pressed) SheetColours.TOUCH else SheetColours.SIGHT,
+            )
         }
     }
 }
@@ -48,7 +53,11 @@ private fun placeOf(sensor: PortSensor, robot: RobotState): Point = when (sensor
 }
 
 private fun DrawScope.drawReading(text: String, middle: Offset, labels: TextMeasurer, edge: Color) {
-    val layout = labels.measure(text, TextStyle(SheetColours.LABEL, fontSize = READING_SIZE, fontWeight = FontWeight.Medium), maxLines = 1)
+    val layout = labels.measure(
+        text,
+        TextStyle(SheetColours.LABEL, fontSize = READING_SIZE, fontWeight = FontWeight.Medium),
+        maxLines = 1,
+    )
     val plate = Size(layout.size.width + 12.dp.toPx(), layout.size.height + 4.dp.toPx())
     val corner = Offset(
         (middle.x - plate.width / 2).coerceIn(0f, (size.width - plate.width).coerceAtLeast(0f)),

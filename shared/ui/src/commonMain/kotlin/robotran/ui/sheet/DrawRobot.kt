@@ -14,8 +14,8 @@ import robotran.world.RobotColour
 import robotran.world.RobotPlacement
 
 /**
- * The penbot from above, true to size: a brick in the colour of [build] on a black chassis, two wheels, bumpers in front, the pen between
- * the wheels, and a lamp on top if it has one.
+ * The penbot from above, true to size: a brick in the colour of [build] on a black chassis, two wheels, bumpers in
+ * front, the pen between the wheels, and a lamp on top if it has one.
  */
 internal fun DrawScope.drawRobot(robot: RobotState, build: RobotPlacement, transform: SheetTransform) {
     val place = transform.toPixels(robot.pose.x, robot.pose.y)
@@ -42,8 +42,10 @@ internal fun DrawScope.drawRobot(robot: RobotState, build: RobotPlacement, trans
 
 private fun DrawScope.drawWheel(y: Float, turn: Double) {
     val tyre = Rect(
-        -RobotPlan.WHEEL_RADIUS, y - RobotPlan.WHEEL_WIDTH / 2,
-        RobotPlan.WHEEL_RADIUS, y + RobotPlan.WHEEL_WIDTH / 2,
+        -RobotPlan.WHEEL_RADIUS,
+        y - RobotPlan.WHEEL_WIDTH / 2,
+        RobotPlan.WHEEL_RADIUS,
+        y + RobotPlan.WHEEL_WIDTH / 2,
     )
     plate(tyre, RobotColours.TYRE, 0.7f, RobotColours.CHASSIS_EDGE)
     for (x in treadPlaces(turn, RobotPlan.TREADS, RobotPlan.WHEEL_RADIUS)) {

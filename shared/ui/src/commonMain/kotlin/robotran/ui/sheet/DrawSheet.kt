@@ -12,8 +12,8 @@ import robotran.simulation.state.SessionState
 import robotran.workshop.state.SheetLayer
 
 /**
- * Paints the desk, the paper and everything that lies, stands, shines and drives on it; fills the draw area. The screen and exported
- * pictures both use it.
+ * Paints the desk, the paper and everything that lies, stands, shines and drives on it; fills the draw area. The screen
+ * and exported pictures both use it.
  *
  * @param labels what the robots' names and the numbers of goals are written with; null for leaving them out.
  * @param shown what is drawn beside that.
@@ -31,7 +31,11 @@ fun DrawScope.drawSheet(
     inView(drawing, view) { visible ->
         drawGround(drawing, colours)
         if (SheetLayer.GRID in shown) drawGrid(drawing.transform)
-        if (SheetLayer.GOALS in shown) for (region in drawing.regions) drawRegion(region, state.goals, drawing.transform, labels)
+        if (SheetLayer.GOALS in
+            shown
+        ) {
+            for (region in drawing.regions) drawRegion(region, state.goals, drawing.transform, labels)
+        }
         drawInk(drawing.ink, state.ink, drawing.world.robots, visible)
         if (SheetLayer.TRAIL in shown) drawTrail(drawing.trail, state.trail, drawing.world.robots, visible)
         drawGlow(drawing.glow, state)
@@ -53,7 +57,12 @@ private inline fun DrawScope.inView(drawing: SheetDrawing, view: SheetTransform,
     val larger = view.pixelsPerCentimetre / drawing.transform.pixelsPerCentimetre
     if (!larger.isFinite()) return
     val move = view.paper.topLeft - drawing.transform.paper.topLeft * larger
-    val visible = Rect(-move.x / larger, -move.y / larger, (size.width - move.x) / larger, (size.height - move.y) / larger)
+    val visible = Rect(
+        -move.x / larger,
+        -move.y / larger,
+        (size.width - move.x) / larger,
+        (size.height - move.y) / larger,
+    )
     withTransform({
         translate(move.x, move.y)
         scale(larger, larger, Offset.Zero)

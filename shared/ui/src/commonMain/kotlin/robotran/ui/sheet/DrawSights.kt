@@ -16,13 +16,22 @@ import robotran.world.World
 import robotran.world.geometry.Point
 import kotlin.math.max
 
-/** Where the robots' light sensors look: a spot on the paper, or a cone ahead as far as light comes back from. And what bumpers run into. */
+/**
+ * Where the robots' light sensors look: a spot on the paper, or a cone ahead as far as light comes back from. And what
+ * bumpers run into.
+ */
 internal fun DrawScope.drawSights(world: World, state: SessionState, transform: SheetTransform) {
     for (number in world.robots.indices) {
         val place = world.robots[number]
         val robot = state.robots.getOrNull(number)?.robot ?: continue
         if (place.has(PortSensor.LIGHT)) {
-            if (place.lightFacing == LightFacing.FORWARD) drawCone(number, world, state, transform) else drawSpot(robot, transform)
+            if (place.lightFacing ==
+                LightFacing.FORWARD
+            ) {
+                drawCone(number, world, state, transform)
+            } else {
+                drawSpot(robot, transform)
+            }
         }
         if (robot.leftBumperPressed) drawContact(robot, BUMPER_MIDDLE, transform)
         if (robot.rightBumperPressed) drawContact(robot, -BUMPER_MIDDLE, transform)
@@ -48,8 +57,10 @@ private fun DrawScope.drawCone(number: Int, world: World, state: SessionState, t
     val path = Path().apply { addLine(corners.map(transform::toPixels), closed = true) }
     val colour = SheetColours.SIGHT
     val fading = Brush.radialGradient(
-        0f to colour.copy(alpha = 0.45f), 1f to colour.copy(alpha = 0.08f),
-        center = transform.toPixels(eye), radius = max(transform.toPixels(Light.FARTHEST_ECHO), 1f),
+        0f to colour.copy(alpha = 0.45f),
+        1f to colour.copy(alpha = 0.08f),
+        center = transform.toPixels(eye),
+        radius = max(transform.toPixels(Light.FARTHEST_ECHO), 1f),
     )
     drawPath(path, fading)
     drawPath(path, colour.copy(alpha = 0.6f), style = Stroke(max(transform.toPixels(LINE_CENTIMETRES), 1f)))

@@ -19,7 +19,11 @@ internal fun DrawScope.drawTemplate(path: Path, transform: SheetTransform) {
     val width = max(TEMPLATE_CENTIMETRES * transform.pixelsPerCentimetre, MIN_WIDTH.toPx())
     // Dashes without length but with round ends are dots.
     val dots = PathEffect.dashPathEffect(floatArrayOf(0f, 2 * width))
-    drawPath(path, SheetColours.TEMPLATE, style = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round, pathEffect = dots))
+    drawPath(
+        path,
+        SheetColours.TEMPLATE,
+        style = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round, pathEffect = dots),
+    )
 }
 
 private const val TEMPLATE_CENTIMETRES = 0.5f

@@ -19,7 +19,11 @@ internal class TrailDrawing(private val transform: SheetTransform) {
     fun lines(trail: List<TrailPiece>): List<LinePaths> {
         if (trail !== latest) {
             drawn = trail.mapIndexed { number, piece ->
-                (drawn.getOrNull(number)?.takeIf { it.continues(piece.points) } ?: LinePaths(transform)).apply { show(piece.points) }
+                (
+                    drawn.getOrNull(number)?.takeIf {
+                        it.continues(piece.points)
+                    } ?: LinePaths(transform)
+                ).apply { show(piece.points) }
             }
             latest = trail
         }
@@ -33,7 +37,12 @@ internal class TrailDrawing(private val transform: SheetTransform) {
 }
 
 /** Dashes where the robots have driven, each in the colour of its edge. */
-internal fun DrawScope.drawTrail(drawing: TrailDrawing, trail: List<TrailPiece>, robots: List<RobotPlacement>, visible: Rect) {
+internal fun DrawScope.drawTrail(
+    drawing: TrailDrawing,
+    trail: List<TrailPiece>,
+    robots: List<RobotPlacement>,
+    visible: Rect,
+) {
     val dashes = PathEffect.dashPathEffect(floatArrayOf(DASH * drawing.width, GAP * drawing.width))
     val line = Stroke(drawing.width, cap = StrokeCap.Butt, pathEffect = dashes)
     drawing.lines(trail).forEachIndexed { number, way ->

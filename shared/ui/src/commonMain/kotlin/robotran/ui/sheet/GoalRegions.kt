@@ -14,12 +14,7 @@ import robotran.world.geometry.Shape
  * @property number which one it is of several to be reached one after the other, from 1; null if there is no order.
  * @property where the goal's place among the world's goals, then among the parts of that one, and so on.
  */
-internal class GoalRegion(
-    val role: RegionRole,
-    val shape: Shape,
-    val number: Int?,
-    val where: List<Int>,
-) {
+internal class GoalRegion(val role: RegionRole, val shape: Shape, val number: Int?, val where: List<Int>) {
     fun isMet(goals: List<GoalProgress>): Boolean {
         var parts = goals
         var goal: GoalProgress? = null

@@ -4,8 +4,8 @@ import androidx.compose.ui.geometry.Offset
 import kotlin.math.ceil
 
 /**
- * Parallel lines [step] pixels apart across the inside of a polygon, as pairs of ends. They lie at the same places of the picture whatever the
- * polygon, so that those of neighbours meet.
+ * Parallel lines [step] pixels apart across the inside of a polygon, as pairs of ends. They lie at the same places of
+ * the picture whatever the polygon, so that those of neighbours meet.
  *
  * @param across a direction that the lines are at right angles to.
  * @param inset how much shorter a line is at each end, so that its square ends do not reach beyond the edge.
@@ -31,10 +31,11 @@ internal fun hatching(corners: List<Offset>, step: Float, across: Offset, inset:
 }
 
 /** Where the edges come through the line at [place]; [places] are those of the corners. */
-private fun crossings(corners: List<Offset>, places: List<Float>, place: Float): List<Offset> = corners.indices.mapNotNull { number ->
-    val next = (number + 1) % corners.size
-    val before = places[number]
-    val after = places[next]
-    if ((before > place) == (after > place)) return@mapNotNull null
-    corners[number] + (corners[next] - corners[number]) * ((place - before) / (after - before))
-}
+private fun crossings(corners: List<Offset>, places: List<Float>, place: Float): List<Offset> =
+    corners.indices.mapNotNull { number ->
+        val next = (number + 1) % corners.size
+        val before = places[number]
+        val after = places[next]
+        if ((before > place) == (after > place)) return@mapNotNull null
+        corners[number] + (corners[next] - corners[number]) * ((place - before) / (after - before))
+    }

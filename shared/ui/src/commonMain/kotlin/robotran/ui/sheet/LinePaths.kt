@@ -6,8 +6,8 @@ import androidx.compose.ui.graphics.Path
 import robotran.world.geometry.Point
 
 /**
- * The paths of a line that grows at its end, in pieces: only the last one is made anew when it does, so that hours of drawing cost no more in a frame
- * than a second of it.
+ * The paths of a line that grows at its end, in pieces: only the last one is made anew when it does, so that hours of
+ * drawing cost no more in a frame than a second of it.
  */
 internal class LinePaths(private val transform: SheetTransform) {
     private val finished = mutableListOf<LinePiece>()
@@ -23,16 +23,24 @@ internal class LinePaths(private val transform: SheetTransform) {
     /** Whether [points] are what was drawn last, or that with more behind it. */
     fun continues(points: List<Point>): Boolean {
         val last = finished.size * LinePiece.POINTS
-        return drawn.isNotEmpty() && points.size > last && points.first() === drawn.first() && points[last] === drawn[last]
+        return drawn.isNotEmpty() && points.size > last && points.first() === drawn.first() &&
+            points[last] === drawn[last]
     }
 
-    /** Makes ready for drawing a line through [points]; of a line that goes on, all but its last point must be as before. */
+    /**
+     * Makes ready for drawing a line through [points]; of a line that goes on, all but its last point must be as
+     * before.
+     */
     fun show(points: List<Point>) {
         if (!continues(points)) finished.clear()
         drawn = points
         dot = points.singleOrNull()?.let(transform::toPixels)
         // The last point may still move, so a piece is finished only when another has begun.
-        while ((finished.size + 1) * LinePiece.POINTS < points.size - 1) finished += piece(points, finished.size, points.size)
+        while ((finished.size + 1) * LinePiece.POINTS <
+            points.size - 1
+        ) {
+            finished += piece(points, finished.size, points.size)
+        }
         pieces = finished + piece(points, finished.size, points.size)
     }
 
@@ -45,7 +53,8 @@ internal class LinePaths(private val transform: SheetTransform) {
 /** A part of a line, in pixels. */
 internal class LinePiece(points: List<Offset>) {
     val path = Path().apply { addLine(points) }
-    private val bounds = Rect(points.minOf { it.x }, points.minOf { it.y }, points.maxOf { it.x }, points.maxOf { it.y })
+    private val bounds =
+        Rect(points.minOf { it.x }, points.minOf { it.y }, points.maxOf { it.x }, points.maxOf { it.y })
 
     /** Whether any of it can be seen in [area] if it is [width] wide. */
     fun isIn(area: Rect, width: Float): Boolean = bounds.inflate(width).overlaps(area)

@@ -10,14 +10,22 @@ import kotlin.math.hypot
 import kotlin.math.sin
 
 /**
- * What a lamp at [place] shines on, as the corners of a polygon: everything within [reach], in its cone and not behind one of
- * [obstacles], each of which is given by its corners. Angles are in degrees, lengths in centimetres.
+ * What a lamp at [place] shines on, as the corners of a polygon: everything within [reach], in its cone and not behind
+ * one of [obstacles], each of which is given by its corners. Angles are in degrees, lengths in centimetres.
  */
-internal fun litArea(place: Point, direction: Double, cone: Double, reach: Double, obstacles: List<List<Point>>): List<Point> {
+internal fun litArea(
+    place: Point,
+    direction: Double,
+    cone: Double,
+    reach: Double,
+    obstacles: List<List<Point>>,
+): List<Point> {
     val edges = edgesNear(place, reach, obstacles)
     val first = (direction - cone / 2) * RADIANS_PER_DEGREE
     val span = cone * RADIANS_PER_DEGREE
-    val turns = DoubleArray(ROUND_STEPS + 1) { it * span / ROUND_STEPS } + cornerTurns(place, first, edges).filter { it in 0.0..span }
+    val turns =
+        DoubleArray(ROUND_STEPS + 1) { it * span / ROUND_STEPS } +
+            cornerTurns(place, first, edges).filter { it in 0.0..span }
     turns.sort()
     val rim = turns.map { turn -> place.towards(first + turn, distanceToEdge(place, first + turn, reach, edges)) }
     return if (cone < FULL_TURN) rim + place else rim
@@ -41,12 +49,11 @@ private fun distanceToEdge(place: Point, angle: Double, reach: Double, edges: Li
 }
 
 /** The directions just before and just behind each corner, seen from [first], above 0 and up to a full turn. */
-private fun cornerTurns(place: Point, first: Double, edges: List<Edge>): List<Double> =
-    edges.flatMap { edge ->
-        val angle = atan2(edge.from.y - place.y, edge.from.x - place.x) - first
-        val turn = angle - floor(angle / (2 * PI)) * 2 * PI
-        listOf(turn - BESIDE, turn + BESIDE)
-    }
+private fun cornerTurns(place: Point, first: Double, edges: List<Edge>): List<Double> = edges.flatMap { edge ->
+    val angle = atan2(edge.from.y - place.y, edge.from.x - place.x) - first
+    val turn = angle - floor(angle / (2 * PI)) * 2 * PI
+    listOf(turn - BESIDE, turn + BESIDE)
+}
 
 private class Edge(val from: Point, val to: Point)
 

@@ -13,25 +13,19 @@ import robotran.world.geometry.Pose
 import kotlin.math.max
 
 /** The way that a robot took in one run: where it came through, and how it stood at the end. */
-class RunTrack(
-    val way: List<Point>,
-    val end: Pose,
-)
+class RunTrack(val way: List<Point>, val end: Pose)
 
 /**
- * A picture of several runs in the same world one over the other, each in a colour of its own, with an arrow where it ended: how much
- * they differ is how much was left to chance. As wide as [renderSheet] allows.
+ * A picture of several runs in the same world one over the other, each in a colour of its own, with an arrow where it
+ * ended: how much they differ is how much was left to chance. As wide as [renderSheet] allows.
  */
-fun renderRuns(
-    world: World,
-    runs: List<RunTrack>,
-    widthPixels: Int = PICTURE_PIXELS,
-): ImageBitmap = renderOn(world, widthPixels) { drawing ->
-    drawRect(SheetColours.LIGHT.desk)
-    drawGround(drawing, SheetColours.LIGHT)
-    drawSolids(drawing.solids)
-    runs.forEachIndexed { number, run -> drawTrack(run, runColour(number, runs.size), drawing.transform) }
-}
+fun renderRuns(world: World, runs: List<RunTrack>, widthPixels: Int = PICTURE_PIXELS): ImageBitmap =
+    renderOn(world, widthPixels) { drawing ->
+        drawRect(SheetColours.LIGHT.desk)
+        drawGround(drawing, SheetColours.LIGHT)
+        drawSolids(drawing.solids)
+        runs.forEachIndexed { number, run -> drawTrack(run, runColour(number, runs.size), drawing.transform) }
+    }
 
 private fun DrawScope.drawTrack(run: RunTrack, colour: Color, transform: SheetTransform) {
     val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, 1f)
@@ -46,7 +40,8 @@ private fun arrow(pose: Pose, transform: SheetTransform): Path {
     val heading = pose.heading * RADIANS_PER_DEGREE
     val back = tip.towards(heading, -ARROW_CENTIMETRES)
     val corners = listOf(
-        tip, back.towards(heading + QUARTER_TURN, ARROW_CENTIMETRES / 3),
+        tip,
+        back.towards(heading + QUARTER_TURN, ARROW_CENTIMETRES / 3),
         back.towards(
             heading - QUARTER_TURN,
             ARROW_CENTIMETRES / 3,

@@ -29,8 +29,15 @@ fun renderSheet(
 ): ImageBitmap = renderOn(world, widthPixels, density) { drawing -> drawSheet(drawing, state, colours, labels) }
 
 /** A picture with room for the sheet of [world], drawn by [draw]. */
-internal fun renderOn(world: World, widthPixels: Int, density: Float = 1f, draw: DrawScope.(SheetDrawing) -> Unit): ImageBitmap {
-    require(widthPixels in 1..MAX_PICTURE_PIXELS) { "A picture is 1 to $MAX_PICTURE_PIXELS pixels wide, not $widthPixels" }
+internal fun renderOn(
+    world: World,
+    widthPixels: Int,
+    density: Float = 1f,
+    draw: DrawScope.(SheetDrawing) -> Unit,
+): ImageBitmap {
+    require(widthPixels in 1..MAX_PICTURE_PIXELS) {
+        "A picture is 1 to $MAX_PICTURE_PIXELS pixels wide, not $widthPixels"
+    }
     val paper = world.paper
     val wide = paper.width + 2 * PICTURE_MARGIN_CENTIMETRES
     val high = paper.height + 2 * PICTURE_MARGIN_CENTIMETRES

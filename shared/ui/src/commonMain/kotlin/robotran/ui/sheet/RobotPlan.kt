@@ -4,7 +4,10 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import robotran.world.Penbot
 
-/** The parts of the penbot from above in centimetres: x forwards from the pen, which is halfway between the wheels, y to its right. */
+/**
+ * The parts of the penbot from above in centimetres: x forwards from the pen, which is halfway between the wheels, y to
+ * its right.
+ */
 internal object RobotPlan {
     private val HALF_CHASSIS = (Penbot.CHASSIS_WIDTH / 2).toFloat()
     val CHASSIS = Rect(Penbot.CHASSIS_BACK.toFloat(), -HALF_CHASSIS, Penbot.CHASSIS_FRONT.toFloat(), HALF_CHASSIS)
@@ -13,7 +16,10 @@ internal object RobotPlan {
     val BRICK = Rect(1.5f, -4.9f, 7.6f, 4.9f)
     val DISPLAY = Rect(3.6f, -1.5f, 5.6f, 1.5f)
 
-    /** The display lies along the robot: the brick's left is the robot's rear. View and On-Off are there, Prgm and Run before it. */
+    /**
+     * The display lies along the robot: the brick's left is the robot's rear. View and On-Off are there, Prgm and Run
+     * before it.
+     */
     val BUTTONS: List<Offset> = listOf(Offset(2.5f, -1.1f), Offset(2.5f, 1.1f), Offset(6.5f, -1.1f), Offset(6.5f, 1.1f))
     val INPUTS: List<Rect> = portsAt(-3.6f)
     val OUTPUTS: List<Rect> = portsAt(3.6f)
@@ -49,5 +55,12 @@ internal object RobotPlan {
     val BEACON: Offset = DISPLAY.center
     const val BEACON_RADIUS = 1.3f
 
-    private fun portsAt(y: Float): List<Rect> = listOf(2.7f, 4.6f, 6.5f).map { Rect(it - 0.7f, y - 0.7f, it + 0.7f, y + 0.7f) }
+    private fun portsAt(y: Float): List<Rect> = listOf(2.7f, 4.6f, 6.5f).map {
+        Rect(
+            it - 0.7f,
+            y - 0.7f,
+            it + 0.7f,
+            y + 0.7f,
+        )
+    }
 }

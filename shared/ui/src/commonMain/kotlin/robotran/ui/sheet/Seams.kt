@@ -4,10 +4,12 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
 /**
- * A region as it is drawn. A polygon with a hole, such as all the paper around a ring, has to be cut open somewhere, and its file says so with a slit that
- * nobody is to see: here both lips of it lie on one line, and its edges are known.
+ * A region as it is drawn. A polygon with a hole, such as all the paper around a ring, has to be cut open somewhere,
+ * and its file says so with a slit that nobody is to see: here both lips of it lie on one line, and its edges are
+ * known.
  *
- * @property seams the numbers of the edges that are lips of a slit; an edge goes from the corner with its number to the next.
+ * @property seams the numbers of the edges that are lips of a slit; an edge goes from the corner with its number to the
+ * next.
  */
 internal class SeamlessPolygon(val corners: List<Point>, val seams: Set<Int>) {
     /** Its edge in pieces, without the seams; null if it has none. */
@@ -35,7 +37,15 @@ internal class SeamlessPolygon(val corners: List<Point>, val seams: Set<Int>) {
             val seams = corners.indices.filter { one -> corners.indices.any { isSlit(corners, one, it) } }.toSet()
             if (seams.isEmpty()) return SeamlessPolygon(corners, seams)
             val lips = seams.flatMap { listOf(it, (it + 1) % corners.size) }.toSet()
-            val moved = corners.mapIndexed { number, corner -> if (number in lips) closed(corner, number, corners, lips) else corner }
+            val moved = corners.mapIndexed { number, corner ->
+                if (number in
+                    lips
+                ) {
+                    closed(corner, number, corners, lips)
+                } else {
+                    corner
+                }
+            }
             return SeamlessPolygon(moved, seams)
         }
 
@@ -50,7 +60,9 @@ internal class SeamlessPolygon(val corners: List<Point>, val seams: Set<Int>) {
 
         /** Halfway to the corner on the other lip. */
         private fun closed(corner: Point, number: Int, corners: List<Point>, lips: Set<Int>): Point {
-            val other = lips.filter { it != number && distance(corners[it], corner) < SLIT }.minByOrNull { distance(corners[it], corner) }
+            val other = lips.filter {
+                it != number && distance(corners[it], corner) < SLIT
+            }.minByOrNull { distance(corners[it], corner) }
             return other?.let { Point((corner.x + corners[it].x) / 2, (corner.y + corners[it].y) / 2) } ?: corner
         }
 

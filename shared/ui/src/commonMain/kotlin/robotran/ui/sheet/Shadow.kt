@@ -9,8 +9,9 @@ import kotlin.math.cos
 import kotlin.math.sin
 
 /**
- * What is dark behind something with these [corners] within [reach] of a lamp at [place]; null if the light does not come that far, or the lamp stands in
- * the thing itself. Always counter-clockwise, so that shadows that overlap are one.
+ * What is dark behind something with these [corners] within [reach] of a lamp at [place]; null if the light does not
+ * come that far, or the lamp stands in the thing itself. Always counter-clockwise, so that shadows that overlap are
+ * one.
  */
 internal fun shadowOf(corners: List<Point>, place: Point, reach: Double): List<Point>? {
     if (distanceInto(corners, place).let { it <= 0 || it >= reach }) return null
@@ -28,8 +29,11 @@ internal fun shadowOf(corners: List<Point>, place: Point, reach: Double): List<P
     // So far away that the straight edge between two of these directions is beyond the light.
     val far = reach / cos(span / 4)
     return listOf(
-        corners[first], place.towards(towards + turns[first], far), place.towards(towards + (turns[first] + turns[last]) / 2, far),
-        place.towards(towards + turns[last], far), corners[last],
+        corners[first],
+        place.towards(towards + turns[first], far),
+        place.towards(towards + (turns[first] + turns[last]) / 2, far),
+        place.towards(towards + turns[last], far),
+        corners[last],
     )
 }
 
@@ -47,7 +51,12 @@ private const val HALF_WIDTH = Penbot.OVERALL_WIDTH / 2
 
 /** Counter-clockwise, seen from the pen. */
 private val ROBOT_CORNERS = listOf(
-    Point(Penbot.CHASSIS_BACK, -HALF_CHASSIS), Point(-WHEEL_REACH, -HALF_WIDTH), Point(WHEEL_REACH, -HALF_WIDTH),
-    Point(Penbot.BUMPER_FRONT, -BUMPER_REACH), Point(Penbot.BUMPER_FRONT, BUMPER_REACH), Point(WHEEL_REACH, HALF_WIDTH),
-    Point(-WHEEL_REACH, HALF_WIDTH), Point(Penbot.CHASSIS_BACK, HALF_CHASSIS),
+    Point(Penbot.CHASSIS_BACK, -HALF_CHASSIS),
+    Point(-WHEEL_REACH, -HALF_WIDTH),
+    Point(WHEEL_REACH, -HALF_WIDTH),
+    Point(Penbot.BUMPER_FRONT, -BUMPER_REACH),
+    Point(Penbot.BUMPER_FRONT, BUMPER_REACH),
+    Point(WHEEL_REACH, HALF_WIDTH),
+    Point(-WHEEL_REACH, HALF_WIDTH),
+    Point(Penbot.CHASSIS_BACK, HALF_CHASSIS),
 )

@@ -58,7 +58,8 @@ internal fun Wall.corners(): List<Point> {
 }
 
 /** Where one comes to from here in the direction [angle], in radians. */
-internal fun Point.towards(angle: Double, distance: Double) = Point(x + distance * cos(angle), y + distance * sin(angle))
+internal fun Point.towards(angle: Double, distance: Double) =
+    Point(x + distance * cos(angle), y + distance * sin(angle))
 
 private fun rectangle(centre: Point, angle: Double, halfLength: Double, halfWidth: Double): List<Point> {
     val cosine = cos(angle)
@@ -67,7 +68,10 @@ private fun rectangle(centre: Point, angle: Double, halfLength: Double, halfWidt
     fun corner(along: Double, across: Double) =
         Point(centre.x + along * cosine - across * sine, centre.y + along * sine + across * cosine)
     return listOf(
-        corner(-halfLength, -halfWidth), corner(halfLength, -halfWidth), corner(halfLength, halfWidth), corner(-halfLength, halfWidth),
+        corner(-halfLength, -halfWidth),
+        corner(halfLength, -halfWidth),
+        corner(halfLength, halfWidth),
+        corner(-halfLength, halfWidth),
     )
 }
 

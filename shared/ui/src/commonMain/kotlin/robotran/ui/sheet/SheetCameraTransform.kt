@@ -18,7 +18,9 @@ internal fun SheetCamera.transform(paper: Paper, window: Rect): SheetTransform {
     return SheetTransform(scale, Rect(corner, size))
 }
 
-/** [factor] times as near, as far as possible; what is at the pixel [about] stays there if the paper reaches that far. */
+/**
+ * [factor] times as near, as far as possible; what is at the pixel [about] stays there if the paper reaches that far.
+ */
 internal fun SheetCamera.zoomedBy(factor: Double, about: Offset, paper: Paper, window: Rect): SheetCamera {
     val before = transform(paper, window)
     val nearer = copy(zoom = (zoom * factor).coerceIn(SheetCamera.MIN_ZOOM, SheetCamera.MAX_ZOOM))
@@ -38,7 +40,8 @@ internal fun SheetCamera.pushedBy(offset: Offset, paper: Paper, window: Rect): S
 /** Looks at the same with a [centre] that is really in the middle. */
 internal fun SheetCamera.within(paper: Paper, window: Rect): SheetCamera {
     if (zoom <= SheetCamera.MIN_ZOOM) return SheetCamera.FITTING
-    val scale = SheetTransform.fitting(paper.width, paper.height, marginOf(paper), window).pixelsPerCentimetre * zoom.toFloat()
+    val scale =
+        SheetTransform.fitting(paper.width, paper.height, marginOf(paper), window).pixelsPerCentimetre * zoom.toFloat()
     return if (scale <= 0f) this else copy(centre = centreIn(paper, window, scale))
 }
 
@@ -51,7 +54,10 @@ private fun SheetCamera.centreIn(paper: Paper, window: Rect, scale: Float): Poin
     )
 }
 
-/** The nearest place to [wanted] with which no more than the [margin] is seen beside a side of the paper that is [length] long. */
+/**
+ * The nearest place to [wanted] with which no more than the [margin] is seen beside a side of the paper that is
+ * [length] long.
+ */
 private fun inSight(wanted: Double, seen: Float, length: Double, margin: Double): Double {
     val min = seen / 2.0 - margin
     val max = length + margin - seen / 2.0

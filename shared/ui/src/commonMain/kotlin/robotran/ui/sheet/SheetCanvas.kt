@@ -30,9 +30,11 @@ import robotran.workshop.state.SheetLayer
 import robotran.world.World
 
 /**
- * A sheet that can be looked at from near and far, with fingers, mouse, wheel and, if it has the focus, the keys `+`, `-`, `0` and the arrows.
+ * A sheet that can be looked at from near and far, with fingers, mouse, wheel and, if it has the focus, the keys `+`,
+ * `-`, `0` and the arrows.
  *
- * @param onCamera is told how the sheet is to be looked at, and whether it was pushed; what comes back as [camera] is shown.
+ * @param onCamera is told how the sheet is to be looked at, and whether it was pushed; what comes back as [camera] is
+ * shown.
  * @param aside what lies over the sheet at each edge of the pane; at the smallest zoom all of the paper is beside that.
  * @param touch what a finger does with the things on it; null if it only pushes the sheet.
  * @param overlay what is drawn over the sheet.
@@ -65,8 +67,10 @@ internal fun SheetCanvas(
     ) {
         val window = with(LocalDensity.current) {
             Rect(
-                aside.left.toPx(), aside.top.toPx(),
-                constraints.maxWidth - aside.right.toPx(), constraints.maxHeight - aside.bottom.toPx(),
+                aside.left.toPx(),
+                aside.top.toPx(),
+                constraints.maxWidth - aside.right.toPx(),
+                constraints.maxHeight - aside.bottom.toPx(),
             )
         }
         val view = camera.transform(world.paper, window)

@@ -6,12 +6,7 @@ import robotran.ui.theme.RobotranColours
 
 /** What the sheet is painted with; only desk and paper change with the theme. */
 @Immutable
-data class SheetColours(
-    val desk: Color,
-    val paper: Color,
-    val paperEdge: Color,
-    val figures: Color,
-) {
+data class SheetColours(val desk: Color, val paper: Color, val paperEdge: Color, val figures: Color) {
     companion object {
         val INK = Color(0xFF16307A)
         val WALL = Color(0xFFA8452F)

@@ -7,13 +7,11 @@ import androidx.compose.ui.graphics.Path
 import robotran.world.World
 
 /**
- * What can be made ready for drawing a world at one size, so that a frame only has to draw it: all that does not move, and of what moves
- * its form. Of ink and of lamps' light it keeps what it drew last; it belongs to one screen or picture and to one thread.
+ * What can be made ready for drawing a world at one size, so that a frame only has to draw it: all that does not move,
+ * and of what moves its form. Of ink and of lamps' light it keeps what it drew last; it belongs to one screen or
+ * picture and to one thread.
  */
-class SheetDrawing(
-    internal val world: World,
-    internal val transform: SheetTransform,
-) {
+class SheetDrawing(internal val world: World, internal val transform: SheetTransform) {
     internal val marks: List<MarkDrawing> = world.marks.map { markDrawing(it, transform) }
     internal val template: Path? = world.template?.let { templatePath(it, transform) }
     internal val regions: List<RegionDrawing> = goalRegions(world.goals).map { RegionDrawing(it, transform) }
@@ -25,10 +23,7 @@ class SheetDrawing(
 }
 
 /** Keeps the [SheetDrawing] of a world for as long as the room for it stays the same. */
-class SheetFit(
-    private val world: World,
-    private val marginCentimetres: Double,
-) {
+class SheetFit(private val world: World, private val marginCentimetres: Double) {
     private var latest: Pair<Size, SheetDrawing>? = null
 
     /** The world as large as it fits into [area] pixels, with its margin of desk on every side. */
@@ -42,8 +37,9 @@ class SheetFit(
 }
 
 /**
- * Keeps the [SheetDrawing] of a world that is looked at from nearer and further away. While the zoom changes, one that was made for another zoom is drawn
- * larger or smaller, which costs nothing; lines are then a little wider or narrower than they should be.
+ * Keeps the [SheetDrawing] of a world that is looked at from nearer and further away. While the zoom changes, one that
+ * was made for another zoom is drawn larger or smaller, which costs nothing; lines are then a little wider or narrower
+ * than they should be.
  */
 class SheetZoom(private val world: World) {
     private var latest: SheetDrawing? = null
@@ -59,7 +55,10 @@ class SheetZoom(private val world: World) {
             val larger = pixelsPerCentimetre / known.transform.pixelsPerCentimetre
             if (larger == 1f || (!settled && larger in MIN_STRETCH..MAX_STRETCH)) return known
         }
-        val paper = Size(world.paper.width.toFloat() * pixelsPerCentimetre, world.paper.height.toFloat() * pixelsPerCentimetre)
+        val paper = Size(
+            world.paper.width.toFloat() * pixelsPerCentimetre,
+            world.paper.height.toFloat() * pixelsPerCentimetre,
+        )
         return SheetDrawing(world, SheetTransform(pixelsPerCentimetre, Rect(Offset.Zero, paper))).also { latest = it }
     }
 

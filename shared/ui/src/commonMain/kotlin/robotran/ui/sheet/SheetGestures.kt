@@ -30,8 +30,10 @@ internal suspend fun PointerInputScope.sheetGestures(look: SheetLook, touch: () 
         val down = awaitFirstDown()
         val nothing = followFinger(down, look, touch)
         val before = lastTap
-        val isSecond = nothing && before != null && down.uptimeMillis - before.uptimeMillis < viewConfiguration.doubleTapTimeoutMillis &&
-            (down.position - before.position).getDistance() < DOUBLE_TAP_DISTANCE.toPx()
+        val isSecond =
+            nothing && before != null &&
+                down.uptimeMillis - before.uptimeMillis < viewConfiguration.doubleTapTimeoutMillis &&
+                (down.position - before.position).getDistance() < DOUBLE_TAP_DISTANCE.toPx()
         if (isSecond) look.zoom(DOUBLE_TAP_ZOOM, down.position)
         lastTap = down.takeIf { nothing && !isSecond }
     }
@@ -47,9 +49,23 @@ private fun turnWheel(event: PointerEvent, look: SheetLook, density: Float) {
 }
 
 /** From the first finger down to the last one up. Whether it was no more than a tap on nothing. */
-private suspend fun AwaitPointerEventScope.followFinger(down: PointerInputChange, look: SheetLook, touch: () -> SheetTouch?): Boolean {
+private suspend fun AwaitPointerEventScope.followFinger(
+    down: PointerInputChange,
+    look: SheetLook,
+    touch: () -> SheetTouch?,
+): Boolean {
     val things = touch()
-    val tolerance = look.transform.toCentimetres((if (down.type == PointerType.Mouse) MOUSE_TOLERANCE else FINGER_TOLERANCE).toPx())
+    val tolerance = look.transform.toCentimetres(
+        (
+            if (down.type ==
+                PointerType.Mouse
+            ) {
+                MOUSE_TOLERANCE
+            } else {
+                FINGER_TOLERANCE
+            }
+        ).toPx(),
+    )
     val start = look.transform.toCentimetres(down.position)
     var moved = Offset.Zero
     var taken = false

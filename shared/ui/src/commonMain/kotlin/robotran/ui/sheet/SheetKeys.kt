@@ -13,7 +13,11 @@ import androidx.compose.ui.input.key.utf16CodePoint
 
 /** `+` and `-` zoom, `0` shows the whole sheet, the arrows move over it. Whether the key was one of those. */
 internal fun SheetLook.onKey(event: KeyEvent): Boolean {
-    if (event.type != KeyEventType.KeyDown || event.isAltPressed || event.isCtrlPressed || event.isMetaPressed) return false
+    if (event.type != KeyEventType.KeyDown || event.isAltPressed || event.isCtrlPressed ||
+        event.isMetaPressed
+    ) {
+        return false
+    }
     val push = PUSHES[event.key]
     when {
         push != null -> push(push)

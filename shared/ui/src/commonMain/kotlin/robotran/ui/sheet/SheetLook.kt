@@ -6,7 +6,8 @@ import robotran.workshop.state.SheetCamera
 import robotran.world.Paper
 
 /**
- * What the fingers on a sheet move. Several of their movements may come before the next frame, so it keeps up with them by itself and tells [onCamera].
+ * What the fingers on a sheet move. Several of their movements may come before the next frame, so it keeps up with them
+ * by itself and tells [onCamera].
  */
 internal class SheetLook {
     private var camera = SheetCamera.FITTING
@@ -25,7 +26,8 @@ internal class SheetLook {
     }
 
     /** See [SheetCamera.zoomedBy]. */
-    fun zoom(factor: Double, about: Offset = window.center) = move(camera.zoomedBy(factor, about, paper, window), pushed = false)
+    fun zoom(factor: Double, about: Offset = window.center) =
+        move(camera.zoomedBy(factor, about, paper, window), pushed = false)
 
     /** See [SheetCamera.pushedBy]. */
     fun push(offset: Offset) = move(camera.pushedBy(offset, paper, window), pushed = true)

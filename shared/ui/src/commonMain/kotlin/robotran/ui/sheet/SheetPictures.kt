@@ -17,21 +17,28 @@ import robotran.simulation.state.SessionState
 import robotran.world.World
 
 /**
- * Small pictures of worlds, before anything has happened there or after a program has run, each drawn once and one after the other, so that the
- * screen goes on meanwhile. They are drawn in about the size that they are shown in, so that thin lines stay what they are.
+ * Small pictures of worlds, before anything has happened there or after a program has run, each drawn once and one
+ * after the other, so that the screen goes on meanwhile. They are drawn in about the size that they are shown in, so
+ * that thin lines stay what they are.
  */
 internal class SheetPictures {
     private val drawing = Mutex()
     private val drawn = mutableMapOf<Pair<String, Int>, ImageBitmap>()
     private var colours: SheetColours? = null
 
-    /** The picture of the world known as [key] if it has been drawn in these [colours] for [room], or else for another until then. */
+    /**
+     * The picture of the world known as [key] if it has been drawn in these [colours] for [room], or else for another
+     * until then.
+     */
     fun ready(key: String, colours: SheetColours, room: PictureBounds): ImageBitmap? = when {
         this.colours != colours -> null
         else -> drawn[key to room.pixels] ?: drawn.entries.firstOrNull { it.key.first == key }?.value
     }
 
-    /** The picture of [world], which is known as [key], for [room], after [program] has run if there is one; drawn if it was not. */
+    /**
+     * The picture of [world], which is known as [key], for [room], after [program] has run if there is one; drawn if it
+     * was not.
+     */
     suspend fun of(
         key: String,
         world: World,
@@ -44,7 +51,12 @@ internal class SheetPictures {
         drawn.getOrPut(key to room.pixels) { draw(world, program, colours, room) }
     }
 
-    private suspend fun draw(world: World, program: suspend () -> RcxProgram?, colours: SheetColours, room: PictureBounds): ImageBitmap {
+    private suspend fun draw(
+        world: World,
+        program: suspend () -> RcxProgram?,
+        colours: SheetColours,
+        room: PictureBounds,
+    ): ImageBitmap {
         yield()
         val engine = physics ?: loadPhysicsEngine().also { physics = it }
         val width = room.widthFor(world.paper)

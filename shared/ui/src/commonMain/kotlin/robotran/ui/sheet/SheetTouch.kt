@@ -3,11 +3,15 @@ package robotran.ui.sheet
 import robotran.world.geometry.Point
 
 /**
- * What one finger or the mouse does with the things on a sheet. Two fingers, the wheel and a double tap on nothing zoom and move the sheet without
- * asking. Places are in centimetres; `tolerance` is how inexact the finger is, in centimetres at the present zoom.
+ * What one finger or the mouse does with the things on a sheet. Two fingers, the wheel and a double tap on nothing zoom
+ * and move the sheet without asking. Places are in centimetres; `tolerance` is how inexact the finger is, in
+ * centimetres at the present zoom.
  */
 interface SheetTouch {
-    /** A finger that went down at [place] begins to move. Whether there is something that it drags; otherwise it pushes the sheet. */
+    /**
+     * A finger that went down at [place] begins to move. Whether there is something that it drags; otherwise it pushes
+     * the sheet.
+     */
     fun take(place: Point, tolerance: Double): Boolean
 
     /** It has come to [place] with what it took. */

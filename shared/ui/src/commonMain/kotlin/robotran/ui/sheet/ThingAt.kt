@@ -16,8 +16,9 @@ import kotlin.math.hypot
 import kotlin.math.sin
 
 /**
- * What is at [point] as things stand in [state]: the topmost thing that the point is in, or, for fingers that are not that exact, the nearest within
- * [tolerance] centimetres. What lies on top of what the point is in has to be within half of that.
+ * What is at [point] as things stand in [state]: the topmost thing that the point is in, or, for fingers that are not
+ * that exact, the nearest within [tolerance] centimetres. What lies on top of what the point is in has to be within
+ * half of that.
  *
  * @param kinds what is looked for.
  */
@@ -34,7 +35,11 @@ fun thingAt(
         if (kind !in kinds) continue
         val distances = distances(kind, world, state, point)
         for (number in fromTheTop(kind, distances)) {
-            if (distances[number] <= 0) return nearest?.takeIf { distance <= tolerance / 2 } ?: SheetElement(kind, number)
+            if (distances[number] <=
+                0
+            ) {
+                return nearest?.takeIf { distance <= tolerance / 2 } ?: SheetElement(kind, number)
+            }
             if (distances[number] < distance) {
                 nearest = SheetElement(kind, number)
                 distance = distances[number]
@@ -45,29 +50,35 @@ fun thingAt(
 }
 
 /** The last lies on top; a region that lies in another one is what is meant rather than that. */
-private fun fromTheTop(kind: SheetElementKind, distances: List<Double>): List<Int> =
-    if (kind == SheetElementKind.REGION) distances.indices.sortedByDescending { distances[it] } else distances.indices.reversed().toList()
+private fun fromTheTop(kind: SheetElementKind, distances: List<Double>): List<Int> = if (kind ==
+    SheetElementKind.REGION
+) {
+    distances.indices.sortedByDescending { distances[it] }
+} else {
+    distances.indices.reversed().toList()
+}
 
 /** How far the point is from each thing of a kind, 0 or less inside it. */
-private fun distances(kind: SheetElementKind, world: World, state: SessionState, point: Point): List<Double> = when (kind) {
-    SheetElementKind.MARK -> world.marks.map { distanceTo(it, point) }
+private fun distances(kind: SheetElementKind, world: World, state: SessionState, point: Point): List<Double> =
+    when (kind) {
+        SheetElementKind.MARK -> world.marks.map { distanceTo(it, point) }
 
-    SheetElementKind.TEMPLATE -> world.template?.strokes.orEmpty().map { distanceToLine(it, point) }
+        SheetElementKind.TEMPLATE -> world.template?.strokes.orEmpty().map { distanceToLine(it, point) }
 
-    SheetElementKind.REGION -> goalRegions(world.goals).map { it.shape.distanceTo(point) }
+        SheetElementKind.REGION -> goalRegions(world.goals).map { it.shape.distanceTo(point) }
 
-    SheetElementKind.WALL -> world.walls.map { distanceInto(it.corners(), point) }
+        SheetElementKind.WALL -> world.walls.map { distanceInto(it.corners(), point) }
 
-    SheetElementKind.BARRIER -> world.barriers.map { it.shape.distanceTo(point) }
+        SheetElementKind.BARRIER -> world.barriers.map { it.shape.distanceTo(point) }
 
-    SheetElementKind.BLOCK -> world.blocks.zip(state.blocks) { block, moved ->
-        block.shape.distanceTo(movedBack(point, block.shape, moved))
+        SheetElementKind.BLOCK -> world.blocks.zip(state.blocks) { block, moved ->
+            block.shape.distanceTo(movedBack(point, block.shape, moved))
+        }
+
+        SheetElementKind.ROBOT -> state.robots.map { distanceToRobot(it.robot.pose, point) }
+
+        SheetElementKind.LAMP -> state.lamps.map { hypot(it.place.x - point.x, it.place.y - point.y) - LAMP_RADIUS }
     }
-
-    SheetElementKind.ROBOT -> state.robots.map { distanceToRobot(it.robot.pose, point) }
-
-    SheetElementKind.LAMP -> state.lamps.map { hypot(it.place.x - point.x, it.place.y - point.y) - LAMP_RADIUS }
-}
 
 private fun distanceTo(mark: Mark, point: Point): Double = when (val figure = mark.figure) {
     is MarkFigure.Area -> {
@@ -82,7 +93,11 @@ private fun distanceTo(mark: Mark, point: Point): Double = when (val figure = ma
     is MarkFigure.GreyMap -> {
         val width = figure.cell * figure.rows.first().length
         val height = figure.cell * figure.rows.size
-        Shape.Rectangle(Point(figure.corner.x + width / 2, figure.corner.y + height / 2), width, height).distanceTo(point)
+        Shape.Rectangle(
+            Point(figure.corner.x + width / 2, figure.corner.y + height / 2),
+            width,
+            height,
+        ).distanceTo(point)
     }
 }
 
@@ -113,6 +128,8 @@ private fun distanceToRobot(pose: Pose, point: Point): Double {
 }
 
 private val ROBOT_BOX = Shape.Rectangle(
-    Point((Penbot.BUMPER_FRONT + Penbot.CHASSIS_BACK) / 2, 0.0), Penbot.BUMPER_FRONT - Penbot.CHASSIS_BACK, Penbot.OVERALL_WIDTH,
+    Point((Penbot.BUMPER_FRONT + Penbot.CHASSIS_BACK) / 2, 0.0),
+    Penbot.BUMPER_FRONT - Penbot.CHASSIS_BACK,
+    Penbot.OVERALL_WIDTH,
 )
 private const val LAMP_RADIUS = 1.5

@@ -5,7 +5,8 @@ import kotlin.math.cos
 import kotlin.math.floor
 
 /**
- * Where the treads on top of a wheel are seen from above, in centimetres forwards of its axle. They move forwards as the wheel turns.
+ * Where the treads on top of a wheel are seen from above, in centimetres forwards of its axle. They move forwards as
+ * the wheel turns.
  *
  * @param turn how far the wheel has turned, in turns.
  * @param treads how many there are around the wheel.

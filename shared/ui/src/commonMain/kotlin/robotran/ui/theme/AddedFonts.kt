@@ -11,8 +11,8 @@ import androidx.compose.ui.window.Dialog
 val LocalAddedFonts = staticCompositionLocalOf<FontFamily.Resolver?> { null }
 
 /**
- * [content] with the fonts of [LocalAddedFonts]. Compose gives every window, and every dialog and menu, which are windows to it, fonts of its own: each that
- * shows what somebody has written has to be told of the added ones.
+ * [content] with the fonts of [LocalAddedFonts]. Compose gives every window, and every dialog and menu, which are
+ * windows to it, fonts of its own: each that shows what somebody has written has to be told of the added ones.
  */
 @Composable
 fun WithAddedFonts(content: @Composable () -> Unit) {

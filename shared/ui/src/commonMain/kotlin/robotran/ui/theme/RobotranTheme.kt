@@ -17,7 +17,11 @@ val LocalLessMotion = staticCompositionLocalOf { false }
 
 /** Calm greys, one accent: everything inside is drawn light or [dark], or as [settings] say. */
 @Composable
-fun RobotranTheme(dark: Boolean = isSystemInDarkTheme(), settings: Settings = Settings(), content: @Composable () -> Unit) {
+fun RobotranTheme(
+    dark: Boolean = isSystemInDarkTheme(),
+    settings: Settings = Settings(),
+    content: @Composable () -> Unit,
+) {
     val colours = coloursOf(settings.theme, dark)
     val base = if (colours.isDark) darkColorScheme() else lightColorScheme()
     val scheme = base.copy(

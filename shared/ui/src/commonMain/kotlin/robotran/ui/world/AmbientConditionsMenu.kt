@@ -49,25 +49,37 @@ private fun noticesLight(world: World) = world.lamps.isNotEmpty() || world.robot
 
 private fun noticesWarmth(world: World) = world.robots.any { it.has(PortSensor.TEMPERATURE) }
 
-/** A button that opens sliders for the light everywhere and for the warmth, those that something in the world notices. */
+/**
+ * A button that opens sliders for the light everywhere and for the warmth, those that something in the world notices.
+ */
 @Composable
 internal fun AmbientConditionsMenu(world: World, surroundings: AmbientConditions, inputs: FrameThrottledInput) {
     var open by remember { mutableStateOf(false) }
     Box {
-        SheetButton(SheetIcons.SURROUNDINGS, stringResource(Res.string.sheet_surroundings), "sheet-surroundings") { open = true }
+        SheetButton(SheetIcons.SURROUNDINGS, stringResource(Res.string.sheet_surroundings), "sheet-surroundings") {
+            open =
+                true
+        }
         AppMenu(open, { open = false }) {
             Column(Modifier.width(PANEL_WIDTH).padding(horizontal = 16.dp, vertical = 8.dp)) {
                 if (noticesLight(world)) {
                     SurroundingsSlider(
-                        stringResource(Res.string.sheet_light), stringResource(lightWords(surroundings.light)), "light",
-                        surroundings.light.toFloat(), 0f..max(MAX_LIGHT, world.ambientLight.toFloat()), inputs,
+                        stringResource(Res.string.sheet_light),
+                        stringResource(lightWords(surroundings.light)),
+                        "light",
+                        surroundings.light.toFloat(),
+                        0f..max(MAX_LIGHT, world.ambientLight.toFloat()),
+                        inputs,
                     ) { SessionInput.ChangeAmbientLight((it * TENTHS).roundToInt() / TENTHS.toDouble()) }
                 }
                 if (noticesWarmth(world)) {
                     SurroundingsSlider(
                         stringResource(Res.string.sheet_temperature),
-                        stringResource(Res.string.sheet_celsius, surroundings.celsius.roundToInt()), "temperature",
-                        surroundings.celsius.toFloat(), TEMPERATURES, inputs,
+                        stringResource(Res.string.sheet_celsius, surroundings.celsius.roundToInt()),
+                        "temperature",
+                        surroundings.celsius.toFloat(),
+                        TEMPERATURES,
+                        inputs,
                     ) { SessionInput.ChangeTemperature(it.roundToInt().toDouble()) }
                 }
             }

@@ -24,31 +24,35 @@ import robotran.world.geometry.Pose
 
 /** Something movable in words: what it is, where, and how it stands. */
 @Composable
-internal fun describeThing(thing: SheetElement, pose: Pose, world: World, session: SessionState): String = when (thing.kind) {
-    SheetElementKind.ROBOT -> {
-        stringResource(Res.string.sheet_robot, world.robots[thing.number].name, poseWords(pose))
-    }
+internal fun describeThing(thing: SheetElement, pose: Pose, world: World, session: SessionState): String =
+    when (thing.kind) {
+        SheetElementKind.ROBOT -> {
+            stringResource(Res.string.sheet_robot, world.robots[thing.number].name, poseWords(pose))
+        }
 
-    SheetElementKind.BLOCK -> {
-        val name = world.blocks[thing.number].name
-        if (name != null) {
-            stringResource(Res.string.sheet_block, name, poseWords(pose))
-        } else {
-            stringResource(Res.string.sheet_block_numbered, thing.number + 1, poseWords(pose))
+        SheetElementKind.BLOCK -> {
+            val name = world.blocks[thing.number].name
+            if (name != null) {
+                stringResource(Res.string.sheet_block, name, poseWords(pose))
+            } else {
+                stringResource(Res.string.sheet_block_numbered, thing.number + 1, poseWords(pose))
+            }
+        }
+
+        else -> {
+            val on =
+                stringResource(
+                    if (session.lamps[thing.number].on) Res.string.sheet_lamp_on else Res.string.sheet_lamp_off,
+                )
+            val place = placeWords(Point(pose.x, pose.y))
+            val name = world.lamps[thing.number].name
+            if (name != null) {
+                stringResource(Res.string.sheet_lamp, name, place, on)
+            } else {
+                stringResource(Res.string.sheet_lamp_numbered, thing.number + 1, place, on)
+            }
         }
     }
-
-    else -> {
-        val on = stringResource(if (session.lamps[thing.number].on) Res.string.sheet_lamp_on else Res.string.sheet_lamp_off)
-        val place = placeWords(Point(pose.x, pose.y))
-        val name = world.lamps[thing.number].name
-        if (name != null) {
-            stringResource(Res.string.sheet_lamp, name, place, on)
-        } else {
-            stringResource(Res.string.sheet_lamp_numbered, thing.number + 1, place, on)
-        }
-    }
-}
 
 /** Such as `20.0 cm across and 30.0 cm up`. */
 @Composable
@@ -59,5 +63,8 @@ internal fun placeWords(place: Point): String = stringResource(
 )
 
 @Composable
-private fun poseWords(pose: Pose): String =
-    stringResource(Res.string.sheet_pose, placeWords(Point(pose.x, pose.y)), stringResource(Res.string.degrees, oneDecimal(pose.heading)))
+private fun poseWords(pose: Pose): String = stringResource(
+    Res.string.sheet_pose,
+    placeWords(Point(pose.x, pose.y)),
+    stringResource(Res.string.degrees, oneDecimal(pose.heading)),
+)

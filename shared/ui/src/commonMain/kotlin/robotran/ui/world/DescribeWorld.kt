@@ -34,7 +34,11 @@ internal fun describeWorld(world: World, session: SessionState): String {
             stringResource(Res.string.sheet_robot_of_several, place.name, robotWords(robot))
         }
     }
-    val ink = stringResource(Res.string.ink_length, stringResource(Res.string.centimetres, oneDecimal(session.ink.lengthCentimetres)))
+    val ink =
+        stringResource(
+            Res.string.ink_length,
+            stringResource(Res.string.centimetres, oneDecimal(session.ink.lengthCentimetres)),
+        )
     val regions = goalRegions(world.goals).map { regionWords(it, session) }
     return (robots + ink + regions).joinToString(". ")
 }
@@ -48,7 +52,8 @@ private fun robotWords(snapshot: RobotSnapshot): String {
         stringResource(Res.string.centimetres, oneDecimal(pose.y)),
         stringResource(Res.string.degrees, oneDecimal(pose.heading)),
     )
-    return "$place, ${stringResource(if (snapshot.robot.penDown) Res.string.robot_pen_down else Res.string.robot_pen_up)}"
+    return "$place, " +
+        "${stringResource(if (snapshot.robot.penDown) Res.string.robot_pen_down else Res.string.robot_pen_up)}"
 }
 
 @Composable

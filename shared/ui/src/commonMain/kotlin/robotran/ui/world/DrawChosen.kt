@@ -12,7 +12,13 @@ import robotran.workshop.state.SheetElement
 import robotran.world.World
 
 /** A ring around what was chosen, and a handle for turning it, blue on white so that they stand out on everything. */
-internal fun DrawScope.drawChosen(thing: SheetElement, world: World, session: SessionState, view: SheetTransform, colour: Color) {
+internal fun DrawScope.drawChosen(
+    thing: SheetElement,
+    world: World,
+    session: SessionState,
+    view: SheetTransform,
+    colour: Color,
+) {
     val pose = poseOf(thing, world, session) ?: return
     val middle = view.toPixels(pose.x, pose.y)
     val radius = view.toPixels(reachOf(thing, world)) + RING_GAP.toPx()

@@ -67,7 +67,14 @@ internal fun ElementHandles(
         key(world, thing) {
             val mover = remember { ElementMover(thing, world, now, onInput) }
             val size = view.toPixels(reachOf(thing, world)) * 2
-            ThingHandle(mover, view.toPixels(pose.x, pose.y), size, describeThing(thing, toldPose, world, told), words, onChosen)
+            ThingHandle(
+                mover,
+                view.toPixels(pose.x, pose.y),
+                size,
+                describeThing(thing, toldPose, world, told),
+                words,
+                onChosen,
+            )
         }
     }
 }
@@ -131,7 +138,12 @@ private class ElementMover(
     ) + if (thing.kind == SheetElementKind.LAMP) {
         emptyList()
     } else {
-        listOf(CustomAccessibilityAction(words.turnLeft) { turn(TURN) }, CustomAccessibilityAction(words.turnRight) { turn(-TURN) })
+        listOf(
+            CustomAccessibilityAction(words.turnLeft) {
+                turn(TURN)
+            },
+            CustomAccessibilityAction(words.turnRight) { turn(-TURN) },
+        )
     }
 
     private fun move(x: Double, y: Double): Boolean {

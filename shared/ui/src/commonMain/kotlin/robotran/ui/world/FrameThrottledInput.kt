@@ -11,7 +11,9 @@ import androidx.compose.runtime.snapshotFlow
 import androidx.compose.runtime.withFrameNanos
 import robotran.simulation.SessionInput
 
-/** Passes on what a hand does to a session, of what it drags no more than one place for each frame: all are recorded. */
+/**
+ * Passes on what a hand does to a session, of what it drags no more than one place for each frame: all are recorded.
+ */
 internal class FrameThrottledInput(private val apply: (SessionInput) -> Unit) {
     private var waiting: SessionInput? by mutableStateOf(null)
 

@@ -15,7 +15,8 @@ import kotlin.math.atan2
 import kotlin.math.round
 
 /**
- * A hand that reaches into the world while it runs: it drags robots, blocks and lamps, turns robots and blocks by their handle and switches lamps by a tap.
+ * A hand that reaches into the world while it runs: it drags robots, blocks and lamps, turns robots and blocks by their
+ * handle and switches lamps by a tap.
  *
  * @param now what is to be seen, and what of it has a handle.
  * @param choose is told what is to have a handle.
@@ -42,7 +43,11 @@ internal class HandTouch(
         inputs.send(
             when (grip) {
                 is Held.Body -> placing(grip.thing, pose.copy(x = place.x + grip.offset.x, y = place.y + grip.offset.y))
-                is Held.Handle -> placing(grip.thing, pose.copy(heading = round(angle(Point(pose.x, pose.y), place) + grip.turn)))
+
+                is Held.Handle -> placing(
+                    grip.thing,
+                    pose.copy(heading = round(angle(Point(pose.x, pose.y), place) + grip.turn)),
+                )
             },
         )
     }
@@ -57,7 +62,11 @@ internal class HandTouch(
         if (handleAt(place, chosen, session, tolerance) != null) return true
         val thing = thingAt(world, session, place, tolerance, MOVABLE)
         choose(thing)
-        if (thing?.kind == SheetElementKind.LAMP) inputs.sendNow(SessionInput.SwitchLamp(thing.number, !session.lamps[thing.number].on))
+        if (thing?.kind ==
+            SheetElementKind.LAMP
+        ) {
+            inputs.sendNow(SessionInput.SwitchLamp(thing.number, !session.lamps[thing.number].on))
+        }
         return thing != null
     }
 

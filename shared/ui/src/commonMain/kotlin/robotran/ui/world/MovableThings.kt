@@ -42,7 +42,10 @@ internal fun reachOf(thing: SheetElement, world: World): Double = when (thing.ki
     }
 
     SheetElementKind.BLOCK -> {
-        world.blocks.getOrNull(thing.number)?.shape?.let { shape -> shape.corners().maxOf { distance(it, shape.centre) } } ?: 0.0
+        world.blocks.getOrNull(thing.number)?.shape?.let { shape ->
+            shape.corners().maxOf { distance(it, shape.centre) }
+        }
+            ?: 0.0
     }
 
     else -> {

@@ -29,7 +29,14 @@ import robotran.ui.theme.focusRing
  * @param on whether it is switched on; null if it is no switch.
  */
 @Composable
-internal fun SheetButton(icon: Icon, words: String, tag: String, on: Boolean? = null, enabled: Boolean = true, onClick: () -> Unit) {
+internal fun SheetButton(
+    icon: Icon,
+    words: String,
+    tag: String,
+    on: Boolean? = null,
+    enabled: Boolean = true,
+    onClick: () -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val press = if (on == null) {
         Modifier.clickable(enabled, role = Role.Button, onClick = onClick)

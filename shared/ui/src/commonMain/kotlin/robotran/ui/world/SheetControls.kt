@@ -22,7 +22,8 @@ import robotran.workshop.state.SheetViewState
 import robotran.world.World
 
 /**
- * The buttons at the edge of the sheet; where they do not fit in one line, as on a small screen with large text, they stand in several.
+ * The buttons at the edge of the sheet; where they do not fit in one line, as on a small screen with large text, they
+ * stand in several.
  *
  * @param upright whether they stand one under the other.
  * @param withZoom whether there is room for those that two fingers can do without.
@@ -41,7 +42,9 @@ internal fun SheetControls(
 ) {
     val buttons: @Composable () -> Unit = {
         if (withZoom) ZoomButtons(view.camera, onEvent)
-        SheetButton(SheetIcons.WHOLE, stringResource(Res.string.sheet_whole), "sheet-whole") { onEvent(SheetEvent.WholeSheetRequested) }
+        SheetButton(SheetIcons.WHOLE, stringResource(Res.string.sheet_whole), "sheet-whole") {
+            onEvent(SheetEvent.WholeSheetRequested)
+        }
         val follows = view.followed != null
         SheetButton(SheetIcons.FOLLOW, stringResource(Res.string.sheet_follow), "sheet-follow", on = follows) {
             onEvent(SheetEvent.FollowChosen(if (follows) null else robotToFollow(view)))
@@ -61,8 +64,12 @@ private fun ZoomButtons(camera: SheetCamera, onEvent: (SheetEvent) -> Unit) {
     }
     val isNearest = camera.zoom >= SheetCamera.MAX_ZOOM
     val isFurthest = camera.zoom <= SheetCamera.MIN_ZOOM
-    SheetButton(SheetIcons.NEARER, stringResource(Res.string.sheet_nearer), "sheet-nearer", enabled = !isNearest) { zoom(KEY_ZOOM) }
-    SheetButton(SheetIcons.FURTHER, stringResource(Res.string.sheet_further), "sheet-further", enabled = !isFurthest) { zoom(1 / KEY_ZOOM) }
+    SheetButton(SheetIcons.NEARER, stringResource(Res.string.sheet_nearer), "sheet-nearer", enabled = !isNearest) {
+        zoom(KEY_ZOOM)
+    }
+    SheetButton(SheetIcons.FURTHER, stringResource(Res.string.sheet_further), "sheet-further", enabled = !isFurthest) {
+        zoom(1 / KEY_ZOOM)
+    }
 }
 
 /** The one that was chosen, else the pupil's own. */

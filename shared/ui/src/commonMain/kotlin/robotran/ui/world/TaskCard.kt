@@ -52,7 +52,9 @@ internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: 
         verticalAlignment = Alignment.Top,
     ) {
         Column(
-            Modifier.weight(1f).verticalScroll(rememberScrollState()).padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
+            Modifier.weight(
+                1f,
+            ).verticalScroll(rememberScrollState()).padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),
         ) {
             Text(
@@ -71,7 +73,9 @@ internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: 
                 lineHeight = 24.sp,
             )
         }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", { onEvent(WorkshopEvent.TaskShown(false)) })
+        IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", {
+            onEvent(WorkshopEvent.TaskShown(false))
+        })
     }
 }
 

@@ -16,8 +16,8 @@ import robotran.workshop.state.SheetElementKind
 import robotran.world.geometry.Pose
 
 /**
- * What a key does to [thing], which is at [pose]: the arrows move it by a centimetre, `[` and `]`, or `,` and `.`, turn it by 15 degrees; with Shift by a
- * millimetre and a degree. Null for other keys.
+ * What a key does to [thing], which is at [pose]: the arrows move it by a centimetre, `[` and `]`, or `,` and `.`, turn
+ * it by 15 degrees; with Shift by a millimetre and a degree. Null for other keys.
  */
 internal fun inputOf(event: KeyEvent, thing: SheetElement, pose: Pose): SessionInput? {
     if (event.type != KeyEventType.KeyDown || event.isCtrlPressed || event.isMetaPressed) return null

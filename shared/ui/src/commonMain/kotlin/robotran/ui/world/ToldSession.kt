@@ -11,8 +11,8 @@ import robotran.simulation.state.SessionState
 import kotlin.math.abs
 
 /**
- * The session as it is told in words: a few times a second while something moves, since nobody listens to sixty descriptions of it, and as it is as soon
- * as it rests.
+ * The session as it is told in words: a few times a second while something moves, since nobody listens to sixty
+ * descriptions of it, and as it is as soon as it rests.
  */
 @Composable
 internal fun rememberTold(session: SessionState): SessionState {

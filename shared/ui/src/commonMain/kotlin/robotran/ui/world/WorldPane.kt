@@ -52,7 +52,13 @@ private fun WorldPane(
         val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
         TouchableSheet(world, session, view, aside, inputs, onEvent)
         SheetControls(
-            world, view, session.surroundings, inputs, upright, withZoom, onEvent,
+            world,
+            view,
+            session.surroundings,
+            inputs,
+            upright,
+            withZoom,
+            onEvent,
             Modifier.align(Alignment.BottomStart).padding(start = MARGIN, bottom = 8.dp, end = 8.dp),
         )
         BumpAnnouncement(world, session)
@@ -75,9 +81,16 @@ private fun TouchableSheet(
     val told = rememberTold(session)
     val description = describeWorld(world, told)
     SheetCanvas(
-        world, session, cameraNow(view, session), { camera, pushed -> onEvent(SheetEvent.CameraMoved(camera, pushed)) },
-        Modifier.fillMaxSize().testTag("world").focusRing(0.dp).focusable().semantics { contentDescription = description },
-        view.shown, aside, hand,
+        world,
+        session,
+        cameraNow(view, session),
+        { camera, pushed -> onEvent(SheetEvent.CameraMoved(camera, pushed)) },
+        Modifier.fillMaxSize().testTag("world").focusRing(0.dp).focusable().semantics {
+            contentDescription = description
+        },
+        view.shown,
+        aside,
+        hand,
         overlay = { sheet -> view.chosen?.let { drawChosen(it, world, session, sheet, ring) } },
     ) { sheet ->
         ElementHandles(world, session, told, sheet, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })

@@ -47,7 +47,14 @@ import robotran.ui.theme.focusRing
 
 /** A sign over its word. */
 @Composable
-internal fun IconWord(icon: Icon, word: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier, chosen: Boolean = false) {
+internal fun IconWord(
+    icon: Icon,
+    word: String,
+    tag: String,
+    onClick: () -> Unit,
+    modifier: Modifier = Modifier,
+    chosen: Boolean = false,
+) {
     val colour = LocalRobotranColours.current.onPane
     SignWord(word, tag, onClick, modifier, chosen) { Canvas(Modifier.size(24.dp)) { with(icon) { draw(colour) } } }
 }
@@ -77,7 +84,14 @@ internal fun SignWord(
         Alignment.CenterHorizontally,
     ) {
         sign()
-        Text(word, color = colours.onPane, fontSize = 12.sp, lineHeight = 14.sp, textAlign = TextAlign.Center, maxLines = 2)
+        Text(
+            word,
+            color = colours.onPane,
+            fontSize = 12.sp,
+            lineHeight = 14.sp,
+            textAlign = TextAlign.Center,
+            maxLines = 2,
+        )
     }
 }
 
@@ -95,7 +109,15 @@ internal fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier
             .clickable(role = Role.Button, onClick = onClick)
             .padding(horizontal = 14.dp, vertical = 8.dp),
         Alignment.Center,
-    ) { Text(word, color = colours.onPane, fontSize = 15.sp, fontWeight = FontWeight.Medium, textAlign = TextAlign.Center) }
+    ) {
+        Text(
+            word,
+            color = colours.onPane,
+            fontSize = 15.sp,
+            fontWeight = FontWeight.Medium,
+            textAlign = TextAlign.Center,
+        )
+    }
 }
 
 /** One of several words, side by side. */
@@ -127,7 +149,13 @@ internal fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: 
 
 /** One of many words, behind a button that shows the one that is chosen. */
 @Composable
-internal fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: String, tag: String, onChoose: (T) -> Unit) {
+internal fun <T> MenuRow(
+    title: String,
+    choices: List<Pair<T, String>>,
+    shown: String,
+    tag: String,
+    onChoose: (T) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     var open by remember { mutableStateOf(false) }
     Row(Modifier.fillMaxWidth().padding(top = 4.dp), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
@@ -146,7 +174,14 @@ internal fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: S
                 Arrangement.spacedBy(6.dp),
                 Alignment.CenterVertically,
             ) {
-                Text(shown, Modifier.weight(1f, fill = false), colours.onPane, 15.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
+                Text(
+                    shown,
+                    Modifier.weight(1f, fill = false),
+                    colours.onPane,
+                    15.sp,
+                    maxLines = 2,
+                    overflow = TextOverflow.Ellipsis,
+                )
                 Canvas(Modifier.size(18.dp)) { with(EditIcons.DOWN) { draw(colours.onPane) } }
             }
             AppMenu(open, { open = false }) {

@@ -96,19 +96,33 @@ private fun Actions(making: EditorScope) {
         Action(EditIcons.COPY, Res.string.worldedit_duplicate, "duplicate") { making.make(Edit.Duplicate) }
         if (editing.canTurn) {
             Action(EditIcons.TURN_LEFT, Res.string.worldedit_turn_left, "turn-left") { making.make(Edit.TurnBy(turn)) }
-            Action(EditIcons.TURN_RIGHT, Res.string.worldedit_turn_right, "turn-right") { making.make(Edit.TurnBy(-turn)) }
+            Action(EditIcons.TURN_RIGHT, Res.string.worldedit_turn_right, "turn-right") {
+                making.make(Edit.TurnBy(-turn))
+            }
         }
         if (editing.selection.any { it.kind != ElementKind.ROBOT && it.kind != ElementKind.LAMP } && editing.hasPlace) {
             Action(EditIcons.LARGER, Res.string.worldedit_larger, "larger") { making.make(Edit.ScaleBy(GROWTH)) }
             Action(EditIcons.SMALLER, Res.string.worldedit_smaller, "smaller") { making.make(Edit.ScaleBy(1 / GROWTH)) }
         }
         if (editing.selection.any { it.kind == ElementKind.MARK }) {
-            Action(EditIcons.FRONT, Res.string.worldedit_to_front, "to-front") { making.make(Edit.Restack(StackOrder.TO_FRONT)) }
-            Action(EditIcons.UP, Res.string.worldedit_forward, "forward") { making.make(Edit.Restack(StackOrder.FORWARD)) }
-            Action(EditIcons.DOWN, Res.string.worldedit_backward, "backward") { making.make(Edit.Restack(StackOrder.BACK)) }
-            Action(EditIcons.BACK, Res.string.worldedit_to_back, "to-back") { making.make(Edit.Restack(StackOrder.TO_BACK)) }
+            Action(EditIcons.FRONT, Res.string.worldedit_to_front, "to-front") {
+                making.make(Edit.Restack(StackOrder.TO_FRONT))
+            }
+            Action(EditIcons.UP, Res.string.worldedit_forward, "forward") {
+                making.make(Edit.Restack(StackOrder.FORWARD))
+            }
+            Action(EditIcons.DOWN, Res.string.worldedit_backward, "backward") {
+                making.make(Edit.Restack(StackOrder.BACK))
+            }
+            Action(EditIcons.BACK, Res.string.worldedit_to_back, "to-back") {
+                making.make(Edit.Restack(StackOrder.TO_BACK))
+            }
         }
-        if (editing.selection.size > 1) Action(EditIcons.GROUP, Res.string.worldedit_group, "group") { making.make(Edit.Group) }
+        if (editing.selection.size >
+            1
+        ) {
+            Action(EditIcons.GROUP, Res.string.worldedit_group, "group") { making.make(Edit.Group) }
+        }
         if (editing.groups.any { group -> group.any { it in editing.selection } }) {
             Action(EditIcons.UNGROUP, Res.string.worldedit_ungroup, "ungroup") { making.make(Edit.Ungroup) }
         }

@@ -24,8 +24,16 @@ import robotran.worldediting.form
 import robotran.worldediting.frameOf
 import robotran.worldediting.piece
 
-/** What the editor draws over the sheet: frames around what is chosen, handles, guides and signs beside what has to be mended. */
-internal fun DrawScope.drawEditing(editing: WorldEditing, transform: SheetTransform, view: EditView, colours: RobotranColours) {
+/**
+ * What the editor draws over the sheet: frames around what is chosen, handles, guides and signs beside what has to be
+ * mended.
+ */
+internal fun DrawScope.drawEditing(
+    editing: WorldEditing,
+    transform: SheetTransform,
+    view: EditView,
+    colours: RobotranColours,
+) {
     drawTroubles(editing, transform, colours)
     for (guide in editing.guides) drawGuide(guide.isUpright, guide.at, transform)
     if (editing.selection.size > 1) {
@@ -44,7 +52,9 @@ internal fun DrawScope.drawEditing(editing: WorldEditing, transform: SheetTransf
 }
 
 private fun DrawScope.drawFrame(frame: Frame, transform: SheetTransform, width: Float) {
-    val corners = listOf(-1 to -1, 1 to -1, 1 to 1, -1 to 1).map { (across, up) -> transform.toPixels(frame.at(across, up)) }
+    val corners = listOf(-1 to -1, 1 to -1, 1 to 1, -1 to 1).map { (across, up) ->
+        transform.toPixels(frame.at(across, up))
+    }
     val path = Path().apply { addLine(corners, closed = true) }
     drawPath(path, Color.White, style = Stroke((width + 2).dp.toPx()))
     drawPath(path, ACCENT, style = Stroke(width.dp.toPx()))
@@ -52,7 +62,13 @@ private fun DrawScope.drawFrame(frame: Frame, transform: SheetTransform, width: 
 
 private fun DrawScope.drawHandles(handles: List<HandlePlace>) {
     for (handle in handles) {
-        if (handle.handle.grip is DragHandle.Edge) drawPlus(handle.place) else drawKnob(handle.place, isRound = handle.handle.grip !is DragHandle.Size)
+        if (handle.handle.grip is DragHandle.Edge) {
+            drawPlus(
+                handle.place,
+            )
+        } else {
+            drawKnob(handle.place, isRound = handle.handle.grip !is DragHandle.Size)
+        }
     }
     handles.firstOrNull { it.handle.grip == DragHandle.Turn }?.let { drawTurnArrow(it.place) }
 }
@@ -83,7 +99,15 @@ private fun DrawScope.drawTurnArrow(place: Offset) {
     drawCircle(Color.White, radius, place)
     drawCircle(ACCENT, radius, place, style = Stroke(2.dp.toPx()))
     val arc = radius * 0.55f
-    drawArc(ACCENT, -60f, 280f, false, place - Offset(arc, arc), Size(arc * 2, arc * 2), style = Stroke(2.dp.toPx(), cap = StrokeCap.Round))
+    drawArc(
+        ACCENT,
+        -60f,
+        280f,
+        false,
+        place - Offset(arc, arc),
+        Size(arc * 2, arc * 2),
+        style = Stroke(2.dp.toPx(), cap = StrokeCap.Round),
+    )
     rotate(220f, place) {
         val tip = place + Offset(arc, 0f)
         val head = 4.dp.toPx()

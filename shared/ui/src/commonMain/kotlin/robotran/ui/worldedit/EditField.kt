@@ -43,7 +43,11 @@ internal fun EditFieldBox(isWrong: Boolean, modifier: Modifier, field: @Composab
             .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing(FIELD_CORNER)
             .background(if (colours.isDark) colours.desk else colours.paper, RoundedCornerShape(FIELD_CORNER))
-            .border(if (isWrong) 2.dp else 1.dp, if (isWrong) colours.error else colours.quiet, RoundedCornerShape(FIELD_CORNER)),
+            .border(
+                if (isWrong) 2.dp else 1.dp,
+                if (isWrong) colours.error else colours.quiet,
+                RoundedCornerShape(FIELD_CORNER),
+            ),
         Alignment.Center,
     ) { field() }
 }
@@ -86,7 +90,11 @@ internal fun EditField(
                 contentDescription = label
                 if (wrong != null) error(wrong)
             },
-        textStyle = TextStyle(colours.onPane, fontSize = 16.sp, textAlign = if (number) TextAlign.Center else TextAlign.Start),
+        textStyle = TextStyle(
+            colours.onPane,
+            fontSize = 16.sp,
+            textAlign = if (number) TextAlign.Center else TextAlign.Start,
+        ),
         keyboardOptions = KeyboardOptions(keyboardType = if (number) KeyboardType.Decimal else KeyboardType.Text),
         singleLine = !tall,
         minLines = if (tall) TALL_LINES else 1,

@@ -34,7 +34,10 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.WorldEditState
 import robotran.worldediting.Edit
 
-/** Why something was not done, or what has to be mended. It lies over the sheet, which does not move, until it is put away or there is something else. */
+/**
+ * Why something was not done, or what has to be mended. It lies over the sheet, which does not move, until it is put
+ * away or there is something else.
+ */
 @Composable
 internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
@@ -66,10 +69,14 @@ internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Mod
             for (sentence in sentences) Text(sentence, color = colours.onPane, fontSize = 15.sp)
             val thing = editing.errors.firstOrNull()?.thing
             if (thing != null && thing !in editing.selection) {
-                WordButton(stringResource(Res.string.worldedit_show_trouble), "show-trouble", { making.make(Edit.Choose(thing)) })
+                WordButton(stringResource(Res.string.worldedit_show_trouble), "show-trouble", {
+                    making.make(Edit.Choose(thing))
+                })
             }
         }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "edit-hints-close", { making.perform(WorldEditEvent.HintsClosed) })
+        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "edit-hints-close", {
+            making.perform(WorldEditEvent.HintsClosed)
+        })
     }
 }
 

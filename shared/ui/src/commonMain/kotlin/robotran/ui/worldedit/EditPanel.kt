@@ -81,7 +81,13 @@ internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
 }
 
 @Composable
-internal fun EditPanel(making: EditorScope, tab: EditTab, onTab: (EditTab) -> Unit, newTitle: String, modifier: Modifier = Modifier) {
+internal fun EditPanel(
+    making: EditorScope,
+    tab: EditTab,
+    onTab: (EditTab) -> Unit,
+    newTitle: String,
+    modifier: Modifier = Modifier,
+) {
     key(tab, if (tab == EditTab.CHOSEN) making.editing.selection else null) {
         Column(
             modifier

@@ -35,7 +35,13 @@ import robotran.workshop.state.SheetLayer
 
 /** The sheet on which the world is built: takes fingers and keys. A screen reader reads out what is chosen. */
 @Composable
-internal fun EditSheet(making: EditorScope, view: EditView, session: SessionState, focus: FocusRequester, modifier: Modifier = Modifier) {
+internal fun EditSheet(
+    making: EditorScope,
+    view: EditView,
+    session: SessionState,
+    focus: FocusRequester,
+    modifier: Modifier = Modifier,
+) {
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
     val world = making.world
@@ -66,7 +72,14 @@ internal fun EditSheet(making: EditorScope, view: EditView, session: SessionStat
     ) {
         if (view.window.isEmpty) return@Canvas
         val transform = view.transform(world.paper)
-        drawSheet(zoom.at(transform.pixelsPerCentimetre, settled = true), resting, sheetColours, labels, shown, transform)
+        drawSheet(
+            zoom.at(transform.pixelsPerCentimetre, settled = true),
+            resting,
+            sheetColours,
+            labels,
+            shown,
+            transform,
+        )
         drawEditing(making.editing, transform, view, colours)
     }
     LaunchedEffect(focus) { focus.requestFocus() }

@@ -21,12 +21,13 @@ import robotran.worldediting.Tool
 import robotran.worldediting.thingsAt
 
 /** Takes fingers and the mouse on the sheet: [making] gives the world as it is now. */
-internal suspend fun PointerInputScope.editByTouch(view: EditView, making: () -> EditorScope, onTouched: () -> Unit) = awaitEachGesture {
-    val down = awaitFirstDown()
-    onTouched()
-    val finger = SheetFinger(view, making(), density, making)
-    with(finger) { follow(down.position, currentEvent.keyboardModifiers.isShiftPressed) }
-}
+internal suspend fun PointerInputScope.editByTouch(view: EditView, making: () -> EditorScope, onTouched: () -> Unit) =
+    awaitEachGesture {
+        val down = awaitFirstDown()
+        onTouched()
+        val finger = SheetFinger(view, making(), density, making)
+        with(finger) { follow(down.position, currentEvent.keyboardModifiers.isShiftPressed) }
+    }
 
 /** The wheel of a mouse zooms where the mouse is. */
 internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () -> EditorScope) = awaitPointerEventScope {
@@ -102,7 +103,8 @@ private class SheetFinger(
 
     private suspend fun AwaitPointerEventScope.box(down: Offset, adding: Boolean) {
         val end = moves(down) { place ->
-            view.box = Rect(minOf(down.x, place.x), minOf(down.y, place.y), maxOf(down.x, place.x), maxOf(down.y, place.y))
+            view.box =
+                Rect(minOf(down.x, place.x), minOf(down.y, place.y), maxOf(down.x, place.x), maxOf(down.y, place.y))
         }
         val box = view.box
         view.box = null
@@ -123,7 +125,9 @@ private class SheetFinger(
 
     private enum class End { UP, SECOND_FINGER }
 
-    /** Tells [onMove] every place once the finger has really moved; a second finger pinches the sheet and ends all else. */
+    /**
+     * Tells [onMove] every place once the finger has really moved; a second finger pinches the sheet and ends all else.
+     */
     private suspend fun AwaitPointerEventScope.moves(down: Offset, onMove: (Offset) -> Unit): End {
         var moving = false
         while (true) {

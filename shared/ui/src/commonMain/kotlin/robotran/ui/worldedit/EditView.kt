@@ -13,7 +13,10 @@ import robotran.workshop.state.SheetCamera
 import robotran.world.Paper
 import robotran.world.geometry.Point
 
-/** Where on the screen the sheet of the editor is and what is drawn on it by a finger that has not let go: all that belongs to no world. */
+/**
+ * Where on the screen the sheet of the editor is and what is drawn on it by a finger that has not let go: all that
+ * belongs to no world.
+ */
 internal class EditView {
     var camera by mutableStateOf(SheetCamera.FITTING)
 

@@ -38,7 +38,9 @@ internal fun ElementFields(making: EditorScope, thing: ElementRef, piece: Elemen
 
         is Element.OfWall -> {
             FormFields(making, thing, piece)
-            ThicknessField(making, piece.wall.thickness) { making.change(thing, Element.OfWall(piece.wall.copy(thickness = it))) }
+            ThicknessField(making, piece.wall.thickness) {
+                making.change(thing, Element.OfWall(piece.wall.copy(thickness = it)))
+            }
         }
 
         is Element.OfBarrier -> {
@@ -75,21 +77,40 @@ internal fun ElementFields(making: EditorScope, thing: ElementRef, piece: Elemen
 internal fun NameField(making: EditorScope, thing: ElementRef, piece: Element) {
     val taken = (making.editing.error as? EditError.NameTaken)?.let { refusalInWords(it) }
     TextRow(
-        stringResource(Res.string.worldedit_name), piece.name.orEmpty(), WorldLimits.MAXIMUM_NAME_CHARACTERS, "field-name",
-        { making.change(thing, piece.named(it.takeIf(String::isNotBlank))) }, making::settle,
-        mayBeBlank = piece !is Element.OfRobot, hint = stringResource(Res.string.worldedit_no_name), error = taken,
+        stringResource(Res.string.worldedit_name),
+        piece.name.orEmpty(),
+        WorldLimits.MAXIMUM_NAME_CHARACTERS,
+        "field-name",
+        { making.change(thing, piece.named(it.takeIf(String::isNotBlank))) },
+        making::settle,
+        mayBeBlank = piece !is Element.OfRobot,
+        hint = stringResource(Res.string.worldedit_no_name),
+        error = taken,
     )
 }
 
 @Composable
 private fun BlockFields(making: EditorScope, block: Block, onChange: (Block) -> Unit) {
     NumberRow(
-        stringResource(Res.string.worldedit_mass), block.mass, WorldLimits.MINIMUM_MASS..WorldLimits.MAXIMUM_MASS, "field-mass",
-        { onChange(block.copy(mass = it)) }, making::settle, step = 0.05, unit = "kg", slider = 0.05f..2f,
+        stringResource(Res.string.worldedit_mass),
+        block.mass,
+        WorldLimits.MINIMUM_MASS..WorldLimits.MAXIMUM_MASS,
+        "field-mass",
+        { onChange(block.copy(mass = it)) },
+        making::settle,
+        step = 0.05,
+        unit = "kg",
+        slider = 0.05f..2f,
     )
     NumberRow(
-        stringResource(Res.string.worldedit_friction), block.friction, 0.0..WorldLimits.MAXIMUM_FRICTION, "field-friction",
-        { onChange(block.copy(friction = it)) }, making::settle, step = 0.05, slider = 0f..1.5f,
+        stringResource(Res.string.worldedit_friction),
+        block.friction,
+        0.0..WorldLimits.MAXIMUM_FRICTION,
+        "field-friction",
+        { onChange(block.copy(friction = it)) },
+        making::settle,
+        step = 0.05,
+        slider = 0f..1.5f,
     )
     Remark(stringResource(Res.string.worldedit_friction_help))
 }
@@ -109,7 +130,9 @@ private fun MarkFields(making: EditorScope, thing: ElementRef, piece: Element.Of
 
         is MarkFigure.Line -> {
             ShadeFields(making, mark.shade) { making.change(thing, Element.OfMark(mark.copy(shade = it))) }
-            ThicknessField(making, figure.width) { making.change(thing, Element.OfMark(mark.copy(figure = figure.copy(width = it)))) }
+            ThicknessField(making, figure.width) {
+                making.change(thing, Element.OfMark(mark.copy(figure = figure.copy(width = it))))
+            }
             SwitchRow(stringResource(Res.string.worldedit_closed), figure.closed, "field-closed") {
                 making.changeAtOnce(thing, Element.OfMark(mark.copy(figure = figure.copy(closed = it))))
             }
@@ -120,8 +143,15 @@ private fun MarkFields(making: EditorScope, thing: ElementRef, piece: Element.Of
 
 @Composable
 private fun ThicknessField(making: EditorScope, value: Double, onChange: (Double) -> Unit) = NumberRow(
-    stringResource(Res.string.worldedit_thickness), value, WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_WALL_THICKNESS,
-    "field-thickness", onChange, making::settle, step = 0.5, unit = "cm", slider = 0.5f..10f,
+    stringResource(Res.string.worldedit_thickness),
+    value,
+    WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_WALL_THICKNESS,
+    "field-thickness",
+    onChange,
+    making::settle,
+    step = 0.5,
+    unit = "cm",
+    slider = 0.5f..10f,
 )
 
 @Composable
@@ -133,15 +163,30 @@ private fun LampFields(making: EditorScope, thing: ElementRef, piece: Element.Of
         making.changeAtOnce(thing, Element.OfLamp(lamp.copy(on = it)))
     }
     NumberRow(
-        stringResource(Res.string.worldedit_brightness), lamp.brightness, 0.0..WorldLimits.MAXIMUM_BRIGHTNESS, "field-brightness",
-        { change(lamp.copy(brightness = it)) }, making::settle, step = 0.5, slider = 0f..10f,
+        stringResource(Res.string.worldedit_brightness),
+        lamp.brightness,
+        0.0..WorldLimits.MAXIMUM_BRIGHTNESS,
+        "field-brightness",
+        { change(lamp.copy(brightness = it)) },
+        making::settle,
+        step = 0.5,
+        slider = 0f..10f,
     )
     NumberRow(
-        stringResource(Res.string.worldedit_cone), lamp.cone, WorldLimits.MINIMUM_CONE..Lamp.ALL_ROUND, "field-cone",
-        { change(lamp.copy(cone = it)) }, making::settle, step = 15.0, unit = "°", slider = 15f..360f,
+        stringResource(Res.string.worldedit_cone),
+        lamp.cone,
+        WorldLimits.MINIMUM_CONE..Lamp.ALL_ROUND,
+        "field-cone",
+        { change(lamp.copy(cone = it)) },
+        making::settle,
+        step = 15.0,
+        unit = "°",
+        slider = 15f..360f,
     )
     if (lamp.cone < Lamp.ALL_ROUND) {
-        AngleField(making, stringResource(Res.string.worldedit_direction), lamp.direction) { change(lamp.copy(direction = it)) }
+        AngleField(making, stringResource(Res.string.worldedit_direction), lamp.direction) {
+            change(lamp.copy(direction = it))
+        }
     } else {
         Remark(stringResource(Res.string.worldedit_cone_help))
     }

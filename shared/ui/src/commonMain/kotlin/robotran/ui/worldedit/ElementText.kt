@@ -94,9 +94,17 @@ internal fun kindOf(piece: Element): StringResource = when (piece) {
     is Element.OfBlock -> Res.string.worldedit_item_block
 
     is Element.OfMark -> when (val figure = piece.mark.figure) {
-        is MarkFigure.Line -> Res.string.worldedit_item_line
-        is MarkFigure.GreyMap -> Res.string.worldedit_grey_map
-        is MarkFigure.Area -> if (figure.shape is Shape.Circle) Res.string.worldedit_item_dot else Res.string.worldedit_item_area
+        is MarkFigure.Line -> {
+            Res.string.worldedit_item_line
+        }
+
+        is MarkFigure.GreyMap -> {
+            Res.string.worldedit_grey_map
+        }
+
+        is MarkFigure.Area -> {
+            if (figure.shape is Shape.Circle) Res.string.worldedit_item_dot else Res.string.worldedit_item_area
+        }
     }
 
     is Element.OfLamp -> Res.string.worldedit_item_lamp

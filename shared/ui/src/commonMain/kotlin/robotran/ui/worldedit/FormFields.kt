@@ -52,7 +52,9 @@ internal fun FormFields(making: EditorScope, thing: ElementRef, piece: Element) 
         }
 
         is Form.Start -> {
-            PlaceFields(making, Point(form.pose.x, form.pose.y)) { change(Form.Start(Pose(it.x, it.y, form.pose.heading))) }
+            PlaceFields(making, Point(form.pose.x, form.pose.y)) {
+                change(Form.Start(Pose(it.x, it.y, form.pose.heading)))
+            }
             AngleField(making, stringResource(Res.string.worldedit_heading), form.pose.heading) {
                 change(Form.Start(form.pose.copy(heading = it)))
             }
@@ -75,15 +77,23 @@ private fun ShapeFields(making: EditorScope, thing: ElementRef, shape: Shape, on
     when (shape) {
         is Shape.Rectangle -> {
             PlaceFields(making, shape.centre) { onChange(shape.copy(centre = it)) }
-            SizeField(making, stringResource(Res.string.worldedit_width), shape.width, "width") { onChange(shape.copy(width = it)) }
-            SizeField(making, stringResource(Res.string.worldedit_height), shape.height, "height") { onChange(shape.copy(height = it)) }
-            AngleField(making, stringResource(Res.string.worldedit_angle), shape.angle) { onChange(shape.copy(angle = it)) }
+            SizeField(making, stringResource(Res.string.worldedit_width), shape.width, "width") {
+                onChange(shape.copy(width = it))
+            }
+            SizeField(making, stringResource(Res.string.worldedit_height), shape.height, "height") {
+                onChange(shape.copy(height = it))
+            }
+            AngleField(making, stringResource(Res.string.worldedit_angle), shape.angle) {
+                onChange(shape.copy(angle = it))
+            }
             MakeCorners(making, thing)
         }
 
         is Shape.Circle -> {
             PlaceFields(making, shape.centre) { onChange(shape.copy(centre = it)) }
-            SizeField(making, stringResource(Res.string.worldedit_radius), shape.radius, "radius") { onChange(shape.copy(radius = it)) }
+            SizeField(making, stringResource(Res.string.worldedit_radius), shape.radius, "radius") {
+                onChange(shape.copy(radius = it))
+            }
             MakeCorners(making, thing)
         }
 
@@ -95,7 +105,9 @@ private fun ShapeFields(making: EditorScope, thing: ElementRef, shape: Shape, on
 
 @Composable
 private fun MakeCorners(making: EditorScope, thing: ElementRef) = WordButton(
-    stringResource(Res.string.worldedit_make_corners), "make-corners", { making.make(Edit.MakeCorners(thing)) },
+    stringResource(Res.string.worldedit_make_corners),
+    "make-corners",
+    { making.make(Edit.MakeCorners(thing)) },
     Modifier.padding(top = 8.dp),
 )
 
@@ -106,19 +118,45 @@ internal fun PlaceFields(making: EditorScope, place: Point, tag: String = "", on
 }
 
 @Composable
-private fun CoordinateField(making: EditorScope, title: String, value: Double, tag: String, onChange: (Double) -> Unit) = NumberRow(
-    title, value, WorldLimits.MINIMUM_COORDINATE..WorldLimits.MAXIMUM_COORDINATE, "field-$tag", onChange, making::settle, unit = "cm",
+private fun CoordinateField(
+    making: EditorScope,
+    title: String,
+    value: Double,
+    tag: String,
+    onChange: (Double) -> Unit,
+) = NumberRow(
+    title,
+    value,
+    WorldLimits.MINIMUM_COORDINATE..WorldLimits.MAXIMUM_COORDINATE,
+    "field-$tag",
+    onChange,
+    making::settle,
+    unit = "cm",
 )
 
 @Composable
-private fun SizeField(making: EditorScope, title: String, value: Double, tag: String, onChange: (Double) -> Unit) = NumberRow(
-    title, value, WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE, "field-$tag", onChange, making::settle, unit = "cm",
-)
+private fun SizeField(making: EditorScope, title: String, value: Double, tag: String, onChange: (Double) -> Unit) =
+    NumberRow(
+        title,
+        value,
+        WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE,
+        "field-$tag",
+        onChange,
+        making::settle,
+        unit = "cm",
+    )
 
 @Composable
 internal fun AngleField(making: EditorScope, title: String, value: Double, onChange: (Double) -> Unit) = NumberRow(
-    title, value, -WorldLimits.MAXIMUM_ANGLE..WorldLimits.MAXIMUM_ANGLE, "field-angle", onChange, making::settle,
-    step = turnStep(making.editing), unit = "°", slider = -180f..180f,
+    title,
+    value,
+    -WorldLimits.MAXIMUM_ANGLE..WorldLimits.MAXIMUM_ANGLE,
+    "field-angle",
+    onChange,
+    making::settle,
+    step = turnStep(making.editing),
+    unit = "°",
+    slider = -180f..180f,
 )
 
 /** The corners one by one, since a list of all would be long. */
@@ -128,7 +166,10 @@ private fun CornerFields(making: EditorScope, thing: ElementRef, corners: List<P
     val number = chosen.coerceIn(corners.indices)
     Column(Modifier.fillMaxWidth()) {
         val words = corners.indices.map { it to stringResource(Res.string.worldedit_corner, it + 1) }
-        MenuRow(stringResource(Res.string.worldedit_corners, corners.size), words, words[number].second, "corner") { chosen = it }
+        MenuRow(stringResource(Res.string.worldedit_corners, corners.size), words, words[number].second, "corner") {
+            chosen =
+                it
+        }
         PlaceFields(making, corners[number], "corner-") { making.make(Edit.MoveCorner(thing, number, it)) }
         if (!canGrow) return@Column
         Row(Modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp)) {

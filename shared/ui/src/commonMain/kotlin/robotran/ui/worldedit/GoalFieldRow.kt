@@ -30,7 +30,14 @@ internal fun GoalFieldRow(sender: GoalSender, field: GoalField) {
 
         is GoalField.Text -> {
             TextRow(
-                stringResource(words.label), field.text, field.maximum, words.tag, { sender.change(field.with(it)) }, sender::settle,
+                stringResource(words.label),
+                field.text,
+                field.maximum,
+                words.tag,
+                {
+                    sender.change(field.with(it))
+                },
+                sender::settle,
             )
         }
 
@@ -66,16 +73,25 @@ private fun SpecifiedNumberRow(
     val factor = if (spec.isPercent) PERCENT else 1.0
     val slider = spec.slider?.let { it.start.toFloat()..it.endInclusive.toFloat() }
     NumberRow(
-        stringResource(words.label), value * factor, spec.range.start * factor..spec.range.endInclusive * factor, words.tag,
-        { sender.change(with(it / factor)) }, sender::settle,
-        step = spec.step, unit = spec.unit, slider = slider, isWhole = spec.isWhole,
+        stringResource(words.label),
+        value * factor,
+        spec.range.start * factor..spec.range.endInclusive * factor,
+        words.tag,
+        { sender.change(with(it / factor)) },
+        sender::settle,
+        step = spec.step,
+        unit = spec.unit,
+        slider = slider,
+        isWhole = spec.isWhole,
     )
 }
 
 @Composable
 private fun LineRow(sender: GoalSender, words: GoalFieldWords, field: GoalField.Line) {
     val world = sender.making.world
-    val lines = world.marks.indices.filter { world.marks[it].figure is MarkFigure.Line }.map { ElementRef(ElementKind.MARK, it) }
+    val lines = world.marks.indices.filter {
+        world.marks[it].figure is MarkFigure.Line
+    }.map { ElementRef(ElementKind.MARK, it) }
     val choices = lines.map { it to thingInWords(world, it) }
     MenuRow(stringResource(words.label), choices, field.line, words.tag) { line ->
         sender.making.nameAnd(line, choices) { name -> Edit.Change(sender.thing, sender.piece(field.with(name))) }

@@ -25,9 +25,14 @@ internal fun GoalFields(making: EditorScope, thing: ElementRef, piece: Element.O
     val condition = goal.condition
     val sender = GoalSender(making, thing, goal)
     TextRow(
-        stringResource(Res.string.worldedit_says), goal.says.orEmpty(), WorldLimits.MAXIMUM_SENTENCE_CHARACTERS, "field-says",
-        { sender.change(goal.copy(says = it.takeIf(String::isNotBlank))) }, making::settle,
-        mayBeBlank = true, hint = stringResource(Res.string.worldedit_says_hint),
+        stringResource(Res.string.worldedit_says),
+        goal.says.orEmpty(),
+        WorldLimits.MAXIMUM_SENTENCE_CHARACTERS,
+        "field-says",
+        { sender.change(goal.copy(says = it.takeIf(String::isNotBlank))) },
+        making::settle,
+        mayBeBlank = true,
+        hint = stringResource(Res.string.worldedit_says_hint),
     )
     val fields = fieldsOf(condition, making.world.timeLimit)
     if (fields.isNotEmpty()) {

@@ -57,7 +57,8 @@ internal fun goalTitle(condition: GoalCondition): StringResource = when (conditi
  * How a form names a figure of a goal.
  *
  * @property tag what tests know it by.
- * @property switchLabel stands beside the switch that says whether there is such a figure at all; [switchTag] is what tests know that by.
+ * @property switchLabel stands beside the switch that says whether there is such a figure at all; [switchTag] is what
+ * tests know that by.
  */
 internal class GoalFieldWords(
     name: String,
@@ -71,19 +72,39 @@ internal class GoalFieldWords(
 
 internal fun wordsFor(field: GoalFieldName): GoalFieldWords = when (field) {
     GoalFieldName.WHOLE -> GoalFieldWords("whole", Res.string.worldedit_whole)
+
     GoalFieldName.STAYS -> GoalFieldWords("stays", Res.string.worldedit_stays)
-    GoalFieldName.WITHIN -> GoalFieldWords("seconds", Res.string.worldedit_seconds, Res.string.worldedit_within, "within")
+
+    GoalFieldName.WITHIN -> GoalFieldWords(
+        "seconds",
+        Res.string.worldedit_seconds,
+        Res.string.worldedit_within,
+        "within",
+    )
+
     GoalFieldName.TOUCH_KINDS -> GoalFieldWords("touch", Res.string.worldedit_touch_what)
+
     GoalFieldName.TOLERANCE -> GoalFieldWords("tolerance", Res.string.worldedit_tolerance)
+
     GoalFieldName.COVERAGE -> GoalFieldWords("coverage", Res.string.worldedit_coverage)
+
     GoalFieldName.EXCESS -> GoalFieldWords("excess", Res.string.worldedit_excess)
+
     GoalFieldName.MIN_LENGTH -> GoalFieldWords("least", Res.string.worldedit_length, Res.string.worldedit_at_least)
+
     GoalFieldName.MAX_LENGTH -> GoalFieldWords("most", Res.string.worldedit_length, Res.string.worldedit_at_most)
+
     GoalFieldName.LINE -> GoalFieldWords("line", Res.string.worldedit_line)
+
     GoalFieldName.LAPS -> GoalFieldWords("laps", Res.string.worldedit_laps)
+
     GoalFieldName.SECONDS -> GoalFieldWords("seconds", Res.string.worldedit_seconds)
+
     GoalFieldName.TEXT -> GoalFieldWords("text", Res.string.worldedit_text)
+
     GoalFieldName.TIMES -> GoalFieldWords("times", Res.string.worldedit_times)
+
     GoalFieldName.LOWEST_TONE -> GoalFieldWords("lowest", Res.string.worldedit_pitch, Res.string.worldedit_lowest)
+
     GoalFieldName.HIGHEST_TONE -> GoalFieldWords("highest", Res.string.worldedit_pitch, Res.string.worldedit_highest)
 }

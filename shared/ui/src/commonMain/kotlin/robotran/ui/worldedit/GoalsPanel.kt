@@ -44,7 +44,12 @@ import robotran.worldediting.newGoals
 internal fun GoalsPanel(making: EditorScope, onChosen: () -> Unit) {
     val goals = allGoals(making.world.goals)
     if (goals.isEmpty()) Remark(stringResource(Res.string.worldedit_no_goals))
-    goals.forEachIndexed { number, entry -> ThingRow(making, ElementRef(ElementKind.GOAL, number), 20.dp * entry.depth, onChosen = {}) }
+    goals.forEachIndexed {
+        number,
+        entry,
+        ->
+        ThingRow(making, ElementRef(ElementKind.GOAL, number), 20.dp * entry.depth, onChosen = {})
+    }
     val chosen = making.editing.only?.takeIf { it.kind == ElementKind.GOAL }?.number
     if (chosen != null) ChosenGoal(making, chosen, goals[chosen].goal, onChosen)
     AddGoal(making, chosen?.takeIf { goals[it].goal.isGroup })
@@ -56,16 +61,31 @@ private fun ChosenGoal(making: EditorScope, number: Int, goal: Goal, onChosen: (
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         GoalAction(EditIcons.PENCIL, Res.string.worldedit_goal_change, "goal-change", onChosen)
         GoalAction(EditIcons.DELETE, Res.string.worldedit_delete, "goal-delete") { making.make(Edit.Delete) }
-        GoalAction(EditIcons.UP, Res.string.worldedit_goal_up, "goal-up") { making.make(Edit.MoveGoal(number, GoalMove.UP)) }
-        GoalAction(EditIcons.DOWN, Res.string.worldedit_goal_down, "goal-down") { making.make(Edit.MoveGoal(number, GoalMove.DOWN)) }
-        GoalAction(EditIcons.IN, Res.string.worldedit_goal_in, "goal-in") { making.make(Edit.MoveGoal(number, GoalMove.IN)) }
-        GoalAction(EditIcons.OUT, Res.string.worldedit_goal_out, "goal-out") { making.make(Edit.MoveGoal(number, GoalMove.OUT)) }
+        GoalAction(EditIcons.UP, Res.string.worldedit_goal_up, "goal-up") {
+            making.make(Edit.MoveGoal(number, GoalMove.UP))
+        }
+        GoalAction(EditIcons.DOWN, Res.string.worldedit_goal_down, "goal-down") {
+            making.make(Edit.MoveGoal(number, GoalMove.DOWN))
+        }
+        GoalAction(EditIcons.IN, Res.string.worldedit_goal_in, "goal-in") {
+            making.make(Edit.MoveGoal(number, GoalMove.IN))
+        }
+        GoalAction(EditIcons.OUT, Res.string.worldedit_goal_out, "goal-out") {
+            making.make(Edit.MoveGoal(number, GoalMove.OUT))
+        }
         if (goal.isGroup) {
-            GoalAction(EditIcons.UNGROUP, Res.string.worldedit_goal_unwrap, "goal-unwrap") { making.make(Edit.UnwrapGoal(number)) }
+            GoalAction(EditIcons.UNGROUP, Res.string.worldedit_goal_unwrap, "goal-unwrap") {
+                making.make(Edit.UnwrapGoal(number))
+            }
         }
     }
     val groups = GoalGroup.entries.map { it to stringResource(goalTitle(it.around(goal))) }
-    MenuRow(stringResource(Res.string.worldedit_goal_wrap), groups, stringResource(Res.string.worldedit_choose), "goal-wrap") {
+    MenuRow(
+        stringResource(Res.string.worldedit_goal_wrap),
+        groups,
+        stringResource(Res.string.worldedit_choose),
+        "goal-wrap",
+    ) {
         making.make(Edit.WrapGoal(number, it))
     }
 }
@@ -79,7 +99,15 @@ private fun GoalAction(icon: Icon, word: StringResource, tag: String, onClick: (
 private fun AddGoal(making: EditorScope, into: Int?) {
     val choices = newGoals(making.world).map { it to stringResource(goalTitle(it.condition)) }
     val line = stringResource(Res.string.worldedit_item_line)
-    val title = stringResource(if (into == null) Res.string.worldedit_add_goal else Res.string.worldedit_add_goal_to_group)
+    val title = stringResource(
+        if (into ==
+            null
+        ) {
+            Res.string.worldedit_add_goal
+        } else {
+            Res.string.worldedit_add_goal_to_group
+        },
+    )
     MenuRow("", choices, title, "add-goal") { goal -> making.make(addition(making.world, goal, into, line)) }
 }
 

@@ -25,7 +25,10 @@ internal fun handlePlaces(editing: WorldEditing, transform: SheetTransform, dens
     }.map { handle ->
         val away = if (handle.grip == DragHandle.Turn) TURN_DISTANCE else SIZE_DISTANCE
         val place = transform.toPixels(handle.place)
-        HandlePlace(handle, place + Offset(handle.outwards.x.toFloat(), -handle.outwards.y.toFloat()) * (away * density))
+        HandlePlace(
+            handle,
+            place + Offset(handle.outwards.x.toFloat(), -handle.outwards.y.toFloat()) * (away * density),
+        )
     }
 }
 

@@ -57,7 +57,9 @@ internal fun NumberRow(
     val accepted = { number: Double? -> number?.takeIf { it in range && (!isWhole || it % 1.0 == 0.0) } }
     val isWrong = draft != null && accepted(readFigure(draft.orEmpty())) == null
     val label = if (unit.isEmpty()) title else "$title ($unit)"
-    val wrong = stringResource(Res.string.worldedit_range, written(range.start), written(range.endInclusive)).takeIf { isWrong }
+    val wrong = stringResource(Res.string.worldedit_range, written(range.start), written(range.endInclusive)).takeIf {
+        isWrong
+    }
     val stepped = { by: Double ->
         draft = null
         onChange((value + by).coerceIn(range.start, range.endInclusive))
@@ -66,7 +68,9 @@ internal fun NumberRow(
     Column(Modifier.fillMaxWidth()) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
             Text(label, Modifier.weight(1f), color = LocalRobotranColours.current.onPane, fontSize = 15.sp)
-            IconTouch(EditIcons.SMALLER, stringResource(Res.string.worldedit_less, label), "$tag-less", { stepped(-step) })
+            IconTouch(EditIcons.SMALLER, stringResource(Res.string.worldedit_less, label), "$tag-less", {
+                stepped(-step)
+            })
             EditFieldBox(isWrong, Modifier.width(figureWidth())) {
                 EditField(
                     text = draft ?: written(value),
@@ -84,7 +88,9 @@ internal fun NumberRow(
                     number = true,
                 )
             }
-            IconTouch(EditIcons.LARGER, stringResource(Res.string.worldedit_more, label), "$tag-more", { stepped(step) })
+            IconTouch(EditIcons.LARGER, stringResource(Res.string.worldedit_more, label), "$tag-more", {
+                stepped(step)
+            })
         }
         if (wrong != null) Wrong(wrong)
         if (slider != null) {
@@ -120,6 +126,10 @@ private fun FigureSlider(
         },
         valueRange = range,
         onValueChangeFinished = onSettle,
-        colors = SliderDefaults.colors(thumbColor = colours.onPane, activeTrackColor = colours.onPane, inactiveTrackColor = colours.line),
+        colors = SliderDefaults.colors(
+            thumbColor = colours.onPane,
+            activeTrackColor = colours.onPane,
+            inactiveTrackColor = colours.line,
+        ),
     )
 }

@@ -43,18 +43,28 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
     if (thing.number == 0) Remark(stringResource(Res.string.worldedit_own_robot))
     NameField(making, thing, piece)
     val swatches = RobotColour.entries.map { Swatch(it, RobotColours.brick(it), stringResource(colourWord(it))) }
-    Swatches(stringResource(Res.string.worldedit_colour), swatches, robot.colour, "robot-colour") { atOnce(robot.copy(colour = it)) }
+    Swatches(stringResource(Res.string.worldedit_colour), swatches, robot.colour, "robot-colour") {
+        atOnce(robot.copy(colour = it))
+    }
     FormFields(making, thing, piece)
     val facings = listOf(
         null to stringResource(Res.string.worldedit_facing_free),
         LightFacing.DOWN to stringResource(Res.string.worldedit_facing_down),
         LightFacing.FORWARD to stringResource(Res.string.worldedit_facing_forward),
     )
-    ChipRow(stringResource(Res.string.worldedit_facing), facings, robot.lightFacing, "facing") { atOnce(robot.copy(lightFacing = it)) }
+    ChipRow(stringResource(Res.string.worldedit_facing), facings, robot.lightFacing, "facing") {
+        atOnce(robot.copy(lightFacing = it))
+    }
     PortFields(robot) { atOnce(robot.copy(ports = it)) }
     NumberRow(
-        stringResource(Res.string.worldedit_beacon), robot.beacon, 0.0..WorldLimits.MAXIMUM_BRIGHTNESS, "field-beacon",
-        { making.change(thing, Element.OfRobot(robot.copy(beacon = it))) }, making::settle, step = 0.5, slider = 0f..5f,
+        stringResource(Res.string.worldedit_beacon),
+        robot.beacon,
+        0.0..WorldLimits.MAXIMUM_BRIGHTNESS,
+        "field-beacon",
+        { making.change(thing, Element.OfRobot(robot.copy(beacon = it))) },
+        making::settle,
+        step = 0.5,
+        slider = 0f..5f,
     )
     ProgramFields(making, thing, robot)
 }
@@ -69,7 +79,16 @@ private fun PortFields(robot: RobotPlacement, onChange: (List<List<PortSensor>>)
     robot.ports.forEachIndexed { port, sensors ->
         for (place in 0..minOf(sensors.size, WorldLimits.MAXIMUM_SENSORS_PER_PORT - 1)) {
             val sensor = sensors.getOrNull(place)
-            val title = stringResource(if (place == 0) Res.string.worldedit_port else Res.string.worldedit_port_second, port + 1)
+            val title = stringResource(
+                if (place ==
+                    0
+                ) {
+                    Res.string.worldedit_port
+                } else {
+                    Res.string.worldedit_port_second
+                },
+                port + 1,
+            )
             val free = choices.filter { (other, _) -> other == null || other == sensor || other !in sensors }
             MenuRow(title, free, choices.first { it.first == sensor }.second, "port-${port + 1}-$place") { wanted ->
                 val changed = if (place < sensors.size) {
@@ -91,9 +110,14 @@ private fun ProgramFields(making: EditorScope, thing: ElementRef, robot: RobotPl
     val program = robot.program ?: return
     val error = (making.editing.error as? EditError.NoSuchText)?.let { refusalInWords(it) }
     TextRow(
-        stringResource(Res.string.worldedit_program), program,
-        WorldLimits.MAXIMUM_PROGRAM_LINES * WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS, "field-program",
-        { making.change(thing, Element.OfRobot(robot.copy(program = it))) }, making::settle, tall = true, error = error,
+        stringResource(Res.string.worldedit_program),
+        program,
+        WorldLimits.MAXIMUM_PROGRAM_LINES * WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS,
+        "field-program",
+        { making.change(thing, Element.OfRobot(robot.copy(program = it))) },
+        making::settle,
+        tall = true,
+        error = error,
     )
 }
 

@@ -71,17 +71,27 @@ internal fun ShadeFields(making: EditorScope, shade: Shade, onChange: (Shade) ->
         when (shade) {
             is Shade.Grey -> {
                 NumberRow(
-                    stringResource(Res.string.worldedit_grey), shade.reflectance, 0.0..1.0, "field-grey",
-                    { onChange(Shade.Grey(it)) }, making::settle, step = 0.05, slider = 0f..1f,
+                    stringResource(Res.string.worldedit_grey),
+                    shade.reflectance,
+                    0.0..1.0,
+                    "field-grey",
+                    { onChange(Shade.Grey(it)) },
+                    making::settle,
+                    step = 0.05,
+                    slider = 0f..1f,
                 )
             }
 
             is Shade.Colour -> {
-                PartField(making, stringResource(Res.string.worldedit_red_part), shade.red, "red") { onChange(shade.copy(red = it)) }
+                PartField(making, stringResource(Res.string.worldedit_red_part), shade.red, "red") {
+                    onChange(shade.copy(red = it))
+                }
                 PartField(making, stringResource(Res.string.worldedit_green_part), shade.green, "green") {
                     onChange(shade.copy(green = it))
                 }
-                PartField(making, stringResource(Res.string.worldedit_blue_part), shade.blue, "blue") { onChange(shade.copy(blue = it)) }
+                PartField(making, stringResource(Res.string.worldedit_blue_part), shade.blue, "blue") {
+                    onChange(shade.copy(blue = it))
+                }
             }
         }
         Remark(stringResource(Res.string.worldedit_seen_by_sensor, (shade.reflectance * 100).roundToInt()))
@@ -90,8 +100,15 @@ internal fun ShadeFields(making: EditorScope, shade: Shade, onChange: (Shade) ->
 
 @Composable
 private fun PartField(making: EditorScope, title: String, value: Int, tag: String, onChange: (Int) -> Unit) = NumberRow(
-    title, value.toDouble(), 0.0..MAX_PART, "field-$tag", { onChange(it.toInt()) }, making::settle, step = 5.0,
-    isWhole = true, slider = 0f..MAX_PART.toFloat(),
+    title,
+    value.toDouble(),
+    0.0..MAX_PART,
+    "field-$tag",
+    { onChange(it.toInt()) },
+    making::settle,
+    step = 5.0,
+    isWhole = true,
+    slider = 0f..MAX_PART.toFloat(),
 )
 
 /** A colour with its name. */
@@ -119,7 +136,11 @@ internal fun <T> Swatches(title: String, swatches: List<Swatch<T>>, chosen: T, t
                     Arrangement.spacedBy(2.dp),
                     Alignment.CenterHorizontally,
                 ) {
-                    Box(Modifier.size(28.dp).background(swatch.colour, CircleShape).border(1.dp, colours.quiet, CircleShape))
+                    Box(
+                        Modifier.size(
+                            28.dp,
+                        ).background(swatch.colour, CircleShape).border(1.dp, colours.quiet, CircleShape),
+                    )
                     Text(swatch.word, color = colours.onPane, fontSize = 12.sp, maxLines = 1)
                 }
             }

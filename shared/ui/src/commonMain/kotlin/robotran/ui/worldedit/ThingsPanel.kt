@@ -63,7 +63,9 @@ internal fun ThingRow(making: EditorScope, thing: ElementRef, indent: Dp, onChos
     ) {
         Text(thingInWords(making.world, thing), Modifier.weight(1f), color = colours.onPane, fontSize = 16.sp)
         if (making.editing.errors.any { it.thing == thing }) {
-            Box(Modifier.size(22.dp)) { Canvas(Modifier.matchParentSize()) { with(EditIcons.WARNING) { draw(colours.error) } } }
+            Box(Modifier.size(22.dp)) {
+                Canvas(Modifier.matchParentSize()) { with(EditIcons.WARNING) { draw(colours.error) } }
+            }
         }
     }
 }

@@ -42,12 +42,20 @@ import robotran.worldediting.max
 @Composable
 internal fun troubleInWords(world: World, error: ValidationError): String = when (error) {
     is ValidationError.Obstructed -> stringResource(
-        Res.string.worldedit_trouble_in_the_way, thingInWords(world, error.thing), thingInWords(world, error.other),
+        Res.string.worldedit_trouble_in_the_way,
+        thingInWords(world, error.thing),
+        thingInWords(world, error.other),
     )
 
-    is ValidationError.OffPaper -> stringResource(Res.string.worldedit_trouble_off_paper, thingInWords(world, error.thing))
+    is ValidationError.OffPaper -> stringResource(
+        Res.string.worldedit_trouble_off_paper,
+        thingInWords(world, error.thing),
+    )
 
-    is ValidationError.SelfIntersecting -> stringResource(Res.string.worldedit_trouble_tangled, thingInWords(world, error.thing))
+    is ValidationError.SelfIntersecting -> stringResource(
+        Res.string.worldedit_trouble_tangled,
+        thingInWords(world, error.thing),
+    )
 
     is ValidationError.MissingActor -> stringResource(Res.string.worldedit_trouble_nobody, error.name)
 
@@ -61,18 +69,34 @@ internal fun troubleInWords(world: World, error: ValidationError): String = when
 /** Why something was not done, as a sentence. */
 @Composable
 internal fun refusalInWords(error: EditError): String = when (error) {
-    is EditError.TooMany -> stringResource(Res.string.worldedit_refusal_too_many, stringResource(kindsWord(error.kind)), max(error.kind))
+    is EditError.TooMany -> stringResource(
+        Res.string.worldedit_refusal_too_many,
+        stringResource(kindsWord(error.kind)),
+        max(error.kind),
+    )
+
     EditError.TooManyPoints -> stringResource(Res.string.worldedit_refusal_points)
+
     EditError.TooFar -> stringResource(Res.string.worldedit_refusal_far)
+
     EditError.NoSuchSize -> stringResource(Res.string.worldedit_refusal_size)
+
     EditError.OutOfRange -> stringResource(Res.string.worldedit_refusal_range)
+
     EditError.TooFewCorners -> stringResource(Res.string.worldedit_refusal_corners)
+
     EditError.CoincidentPoints -> stringResource(Res.string.worldedit_refusal_same_place)
+
     is EditError.NameTaken -> stringResource(Res.string.worldedit_refusal_name, error.name)
+
     EditError.NoSuchText -> stringResource(Res.string.worldedit_refusal_text)
+
     EditError.LastRobot -> stringResource(Res.string.worldedit_refusal_last_robot)
+
     EditError.NeedsLine -> stringResource(Res.string.worldedit_refusal_needs_line)
+
     EditError.NeedsTemplate -> stringResource(Res.string.worldedit_refusal_needs_template)
+
     EditError.TooDeep -> stringResource(Res.string.worldedit_refusal_deep)
 }
 

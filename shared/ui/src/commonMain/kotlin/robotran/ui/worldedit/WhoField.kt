@@ -19,7 +19,13 @@ import robotran.worldediting.piece
 internal fun WhoField(sender: GoalSender, condition: HasActor) {
     val world = sender.making.world
     val robots = world.robots.indices.drop(1).map { ElementRef(ElementKind.ROBOT, it) }
-    val blocks = if (condition.mayBeBlock) world.blocks.indices.map { ElementRef(ElementKind.BLOCK, it) } else emptyList()
+    val blocks = if (condition.mayBeBlock) {
+        world.blocks.indices.map {
+            ElementRef(ElementKind.BLOCK, it)
+        }
+    } else {
+        emptyList()
+    }
     val first = ElementRef(ElementKind.ROBOT, 0)
     val choices = (listOf(first) + robots + blocks).map { it to thingInWords(world, it) }
     val shown = condition.who ?: choices.first().second
@@ -27,14 +33,16 @@ internal fun WhoField(sender: GoalSender, condition: HasActor) {
         if (thing == first) {
             sender.once(condition.withWho(null))
         } else {
-            sender.making.nameAnd(thing, choices) { name -> Edit.Change(sender.thing, sender.piece(condition.withWho(name))) }
+            sender.making.nameAnd(thing, choices) { name ->
+                Edit.Change(sender.thing, sender.piece(condition.withWho(name)))
+            }
         }
     }
 }
 
 /**
- * Gives [thing] its word from [words] for a name if it has none, since goals know things by their names, and goes on with that as one
- * step.
+ * Gives [thing] its word from [words] for a name if it has none, since goals know things by their names, and goes on
+ * with that as one step.
  */
 internal fun EditorScope.nameAnd(thing: ElementRef, words: List<Pair<ElementRef, String>>, next: (String) -> Edit) {
     val piece = world.piece(thing) ?: return

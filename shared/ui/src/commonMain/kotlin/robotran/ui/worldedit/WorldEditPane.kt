@@ -54,7 +54,10 @@ import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import kotlin.math.roundToInt
 
-/** Where the world is built, in place of the workshop: the palette, the sheet and what there is to say of the things on it. */
+/**
+ * Where the world is built, in place of the workshop: the palette, the sheet and what there is to say of the things on
+ * it.
+ */
 @Composable
 internal fun WorldEditPane(
     state: WorldEditState,
@@ -96,7 +99,17 @@ internal fun WorldEditPane(
             val isUpright = ScreenLayout.of(width, height + LocalKeyboardHeight.current, scale) == ScreenLayout.UPRIGHT
             when {
                 isUpright && width < TWO_COLUMNS -> Under(making, view, newTitle, put, height, sheet)
-                width >= WIDE + PANEL_WIDTH * (scale - 1) -> Beside(making, view, newTitle, put, panelWidth(scale), columns, sheet)
+
+                width >= WIDE + PANEL_WIDTH * (scale - 1) -> Beside(
+                    making,
+                    view,
+                    newTitle,
+                    put,
+                    panelWidth(scale),
+                    columns,
+                    sheet,
+                )
+
                 else -> Below(making, view, newTitle, put, height, sheet)
             }
         }
@@ -184,7 +197,11 @@ private fun FollowSelection(making: EditorScope, tab: EditTab?, onTab: (EditTab)
     val selection: Set<ElementRef> = making.editing.selection
     LaunchedEffect(selection) {
         val stays = tab == EditTab.GOALS && selection.all { it.kind == ElementKind.GOAL }
-        if (selection.isNotEmpty() && !stays && !(tab == EditTab.THINGS && making.editing.several)) onTab(EditTab.CHOSEN)
+        if (selection.isNotEmpty() && !stays &&
+            !(tab == EditTab.THINGS && making.editing.several)
+        ) {
+            onTab(EditTab.CHOSEN)
+        }
     }
 }
 

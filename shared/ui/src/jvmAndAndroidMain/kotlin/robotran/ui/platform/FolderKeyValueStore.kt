@@ -24,12 +24,14 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 
 /**
- * Texts as files in [folder], one each. Claims are locks of the operating system on empty files beside them, which it takes away when a
- * process ends, in whatever way.
+ * Texts as files in [folder], one each. Claims are locks of the operating system on empty files beside them, which it
+ * takes away when a process ends, in whatever way.
  *
- * @param reading where texts are read and claims are made; what is written is always written away from the caller's thread.
+ * @param reading where texts are read and claims are made; what is written is always written away from the caller's
+ * thread.
  */
-class FolderKeyValueStore(private val folder: Path, private val reading: CoroutineContext = Dispatchers.IO) : KeyValueStore {
+class FolderKeyValueStore(private val folder: Path, private val reading: CoroutineContext = Dispatchers.IO) :
+    KeyValueStore {
     override suspend fun names(): List<String> = withContext(reading) {
         try {
             val files = folder.listDirectoryEntries("*$TEXT").filter { it.isRegularFile() && !it.name.startsWith(".") }
@@ -96,7 +98,9 @@ class FolderKeyValueStore(private val folder: Path, private val reading: Corouti
 
     private fun fileOf(name: String): Path = folder.resolve("${checked(name)}$TEXT")
 
-    private fun checked(name: String): String = name.also { require(NAME.matches(it)) { "$it is not the name of a text" } }
+    private fun checked(name: String): String = name.also {
+        require(NAME.matches(it)) { "$it is not the name of a text" }
+    }
 
     private sealed interface Locking {
         class Locked(val channel: FileChannel) : Locking
@@ -112,8 +116,8 @@ class FolderKeyValueStore(private val folder: Path, private val reading: Corouti
         val NAME = Regex("[a-z][a-z0-9.-]{0,${LONGEST_NAME - 1}}")
 
         /**
-         * A lock of the operating system is one of the whole process: what its windows have is told here. It ends with its channel, so that is held here
-         * too: nobody else may hold on to a claim.
+         * A lock of the operating system is one of the whole process: what its windows have is told here. It ends with
+         * its channel, so that is held here too: nobody else may hold on to a claim.
          */
         val CLAIMED = ConcurrentHashMap<Path, AutoCloseable>()
         val NOTHING = AutoCloseable { }

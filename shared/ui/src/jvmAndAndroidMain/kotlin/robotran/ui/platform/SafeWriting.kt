@@ -14,8 +14,8 @@ import java.nio.file.StandardOpenOption.TRUNCATE_EXISTING
 import java.nio.file.StandardOpenOption.WRITE
 
 /**
- * Writes [bytes] to [path] so that at every moment, whatever happens, either all of what was there before or all of [bytes] is there: into a
- * file beside it, onto the disk, then in its place.
+ * Writes [bytes] to [path] so that at every moment, whatever happens, either all of what was there before or all of
+ * [bytes] is there: into a file beside it, onto the disk, then in its place.
  */
 fun writeSafely(path: Path, bytes: ByteArray): StoreResult {
     val target = if (Files.isSymbolicLink(path)) path.toRealPath() else path.toAbsolutePath()
@@ -32,7 +32,13 @@ fun writeSafely(path: Path, bytes: ByteArray): StoreResult {
     } catch (problem: IOException) {
         val room = roomAt(target)
         runCatching { Files.deleteIfExists(beside) }
-        if (room < bytes.size || problem.saysFull()) StoreResult.Full else StoreResult.Failed(problem.message ?: problem.toString())
+        if (room < bytes.size ||
+            problem.saysFull()
+        ) {
+            StoreResult.Full
+        } else {
+            StoreResult.Failed(problem.message ?: problem.toString())
+        }
     } catch (problem: SecurityException) {
         StoreResult.Failed(problem.message ?: problem.toString())
     }
@@ -47,7 +53,8 @@ private fun replace(from: Path, to: Path) {
 }
 
 /** Asked before the file beside is taken away again, which makes room. */
-private fun roomAt(path: Path): Long = runCatching { Files.getFileStore(path.parent).usableSpace }.getOrDefault(Long.MAX_VALUE)
+private fun roomAt(path: Path): Long =
+    runCatching { Files.getFileStore(path.parent).usableSpace }.getOrDefault(Long.MAX_VALUE)
 
 private fun IOException.saysFull(): Boolean = FULL.any { it in message.orEmpty().lowercase() }
 

@@ -11,8 +11,8 @@ import kotlin.concurrent.thread
 import kotlin.concurrent.withLock
 
 /**
- * A [LoudSpeaker] that feeds a [SampleLine] from a thread of its own, which holds the line only while there is something to be heard and
- * [IDLE_MILLISECONDS] after.
+ * A [LoudSpeaker] that feeds a [SampleLine] from a thread of its own, which holds the line only while there is
+ * something to be heard and [IDLE_MILLISECONDS] after.
  *
  * @param openLine opens the line; null if this machine has none, then this speaker is silent for good.
  */

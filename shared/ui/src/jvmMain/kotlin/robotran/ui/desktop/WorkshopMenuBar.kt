@@ -79,7 +79,8 @@ fun FrameWindowScope.WorkshopMenuBar(
     close: () -> Unit,
 ) {
     InLanguage(state.settings.language) {
-        // A window that is on the screen already neither makes room for its menu by itself nor draws another that takes its place.
+        // A window that is on the screen already neither makes room for its menu by itself nor draws another that takes
+        // its place.
         LaunchedEffect(window) {
             window.rootPane.revalidate()
             window.rootPane.repaint()
@@ -89,7 +90,9 @@ fun FrameWindowScope.WorkshopMenuBar(
             Menu(stringResource(Res.string.documents_menu_edit)) { EditItems(state, window, onEvent) }
             Menu(stringResource(Res.string.documents_menu_run)) { RunItems(state, onEvent) }
             Menu(stringResource(Res.string.documents_menu_view)) {
-                Choice(Res.string.documents_edit_world, enabled = state.worldEdit == null) { onEvent(WorldEditEvent.EditorOpened) }
+                Choice(Res.string.documents_edit_world, enabled = state.worldEdit == null) {
+                    onEvent(WorldEditEvent.EditorOpened)
+                }
                 Choice(Res.string.documents_worlds) { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
                 Separator()
                 Choice(Res.string.documents_settings, control(Key.Comma)) { onEvent(SettingsEvent.SettingsShown(true)) }
@@ -162,19 +165,27 @@ private fun MenuScope.EditItems(state: WorkshopState, window: JFrame, onEvent: (
 private fun MenuScope.RunItems(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     val isDesk = state.worldEdit == null
     Choice(Res.string.documents_run_now, KeyShortcut(Key.F5), isDesk) { onEvent(RunEvent.RunPressed) }
-    Choice(Res.string.documents_stop_now, KeyShortcut(Key.F5, shift = true), isDesk && state.stoppable) { onEvent(RunEvent.StopPressed) }
+    Choice(Res.string.documents_stop_now, KeyShortcut(Key.F5, shift = true), isDesk && state.stoppable) {
+        onEvent(RunEvent.StopPressed)
+    }
     val pause = if (state.run.isPlaying) Res.string.run_pause else Res.string.run_go_on
     Choice(pause, KeyShortcut(Key.F6), isDesk && state.run.pausable) { onEvent(RunEvent.PausePressed) }
     Separator()
     Choice(Res.string.run_step_into, KeyShortcut(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.INTO)) }
     Choice(Res.string.run_step_over, control(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OVER)) }
-    Choice(Res.string.run_step_out, KeyShortcut(Key.F7, shift = true), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OUT)) }
+    Choice(Res.string.run_step_out, KeyShortcut(Key.F7, shift = true), isDesk) {
+        onEvent(RunEvent.StepPressed(StepKind.OUT))
+    }
     Choice(Res.string.run_to_line, enabled = isDesk) { onEvent(RunEvent.RunToLine(cursorLine(state))) }
 }
 
 @Composable
-private fun MenuScope.Choice(words: StringResource, shortcut: KeyShortcut? = null, enabled: Boolean = true, onClick: () -> Unit) =
-    Item(stringResource(words), enabled = enabled, shortcut = shortcut, onClick = onClick)
+private fun MenuScope.Choice(
+    words: StringResource,
+    shortcut: KeyShortcut? = null,
+    enabled: Boolean = true,
+    onClick: () -> Unit,
+) = Item(stringResource(words), enabled = enabled, shortcut = shortcut, onClick = onClick)
 
 /** With the key that the platform's own shortcuts take. */
 private fun control(key: Key, shift: Boolean = false) =

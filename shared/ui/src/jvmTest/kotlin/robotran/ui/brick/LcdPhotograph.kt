@@ -23,14 +23,22 @@ internal const val PIXELS = 2
 
 internal fun photograph(width: Int, height: Int, draw: DrawScope.() -> Unit): ImageBitmap {
     val bitmap = ImageBitmap(width, height)
-    CanvasDrawScope().draw(Density(1f), LayoutDirection.Ltr, Canvas(bitmap), Size(width.toFloat(), height.toFloat()), draw)
+    CanvasDrawScope().draw(
+        Density(1f),
+        LayoutDirection.Ltr,
+        Canvas(bitmap),
+        Size(width.toFloat(), height.toFloat()),
+        draw,
+    )
     return bitmap
 }
 
 /** Writes [picture] into build/pictures, to be looked at. */
 internal fun keepPicture(picture: ImageBitmap, name: String) {
     val folder = File(System.getProperty("robotran.pictures")).apply { mkdirs() }
-    val bytes = Image.makeFromBitmap(picture.asSkiaBitmap()).use { checkNotNull(it.encodeToData(EncodedImageFormat.PNG)).bytes }
+    val bytes = Image.makeFromBitmap(picture.asSkiaBitmap()).use {
+        checkNotNull(it.encodeToData(EncodedImageFormat.PNG)).bytes
+    }
     File(folder, "$name.png").writeBytes(bytes)
 }
 

@@ -20,7 +20,12 @@ class DocumentPictures {
         for ((name, width, height) in SCREENS) {
             for (dark in listOf(false, true)) {
                 val prefix = "documents-$name-${theme(dark)}"
-                val picture = { what: String, workshop: Workshop -> photograph(workshop, width, height, dark, "$prefix-$what") }
+                val picture = {
+                    what: String,
+                    workshop: Workshop,
+                    ->
+                    photograph(workshop, width, height, dark, "$prefix-$what")
+                }
                 val machine = Machine()
                 val workshop = machine.window(OpenRequest.OfFiles(listOf(projectFile("forward 20\nbeep\n"))))
                 workshop.handle(DocumentEvent.Renamed("The maze behind the house"))

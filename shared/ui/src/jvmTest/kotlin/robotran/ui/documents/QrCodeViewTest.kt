@@ -33,7 +33,9 @@ class QrCodeViewTest {
     fun `a camera reads the link in the code that is drawn, by day and by night`() {
         for (dark in listOf(false, true)) {
             val workshop = Machine().window()
-            workshop.handle(ProgramEvent.ProgramEdited("pen down\nrepeat 3 times\n  forward 20\n  turn left 120 degrees\nend\n"))
+            workshop.handle(
+                ProgramEvent.ProgramEdited("pen down\nrepeat 3 times\n  forward 20\n  turn left 120 degrees\nend\n"),
+            )
             workshop.handle(DocumentEvent.LinkRequested)
             val link = assertNotNull((workshop.state.document.dialog as DocumentDialog.SharingLink).link)
             assertEquals(link, readCode(photograph(workshop, dark)))

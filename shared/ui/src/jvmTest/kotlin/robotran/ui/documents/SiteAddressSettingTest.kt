@@ -68,7 +68,10 @@ class SiteAddressSettingTest {
 
     @Test
     fun `what was kept is the address again, unless it cannot be one`() = runBlocking {
-        for ((kept, read) in listOf("https://school.example/" to "https://school.example/", "javascript:alert(1)" to "")) {
+        for ((kept, read) in listOf(
+            "https://school.example/" to "https://school.example/",
+            "javascript:alert(1)" to "",
+        )) {
             val store = MemoryStore()
             store.write("settings", """{"site": "$kept"}""")
             assertEquals(Settings(site = read), SettingsStateHolder.readFrom(MemoryPlatform(store = store).store))

@@ -42,7 +42,18 @@ class WorkMenuTest {
     @Test
     fun `the name of the work opens the menu, and everything in it is large enough for a finger`() = shown {
         onNodeWithTag("work-menu").assertContentDescriptionContains("Work: My first work").performClick()
-        for (item in listOf("new", "my-work", "open", "open-link", "rename", "save-as", "share-link", "replay", "program-file", "kit")) {
+        for (item in listOf(
+            "new",
+            "my-work",
+            "open",
+            "open-link",
+            "rename",
+            "save-as",
+            "share-link",
+            "replay",
+            "program-file",
+            "kit",
+        )) {
             val bounds = onNodeWithTag("work-$item").fetchSemanticsNode().touchBoundsInRoot
             assertTrue(bounds.height >= 48f, "$item is only $bounds")
         }
@@ -70,7 +81,9 @@ class WorkMenuTest {
         workshop.keep()
         workshop.handle(DocumentEvent.NewRequested)
         choose("my-work")
-        val work = checkNotNull(assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).works).single().entry.id
+        val work = checkNotNull(
+            assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).works,
+        ).single().entry.id
         onNodeWithTag("delete-$work").assertContentDescriptionContains("Delete My first work").performClick()
         onNodeWithTag("delete-no").performClick()
         onNodeWithTag("work-$work").performClick()
@@ -84,7 +97,9 @@ class WorkMenuTest {
         workshop.keep()
         workshop.handle(DocumentEvent.NewRequested)
         choose("my-work")
-        val work = checkNotNull(assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).works).single().entry.id
+        val work = checkNotNull(
+            assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).works,
+        ).single().entry.id
         onNodeWithTag("delete-$work").performClick()
         onNodeWithTag("delete-yes").performClick()
         onNodeWithTag("works-empty").assertIsDisplayed()

@@ -36,7 +36,11 @@ class DrawerTabsTest {
                 for (language in Language.entries) {
                     onScreen(width, height) { workshop ->
                         val told = "$width x $height at $scale in $language"
-                        workshop.handle(SettingsEvent.SettingsChanged(Settings(language = language, textScale = scale, lessMotion = true)))
+                        workshop.handle(
+                            SettingsEvent.SettingsChanged(
+                                Settings(language = language, textScale = scale, lessMotion = true),
+                            ),
+                        )
                         workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
                         for (tab in DrawerTab.entries.reversed()) {
                             workshop.handle(RunEvent.DrawerChosen(tab))
@@ -45,7 +49,12 @@ class DrawerTabsTest {
                         }
                         val last = onNodeWithTag("drawer-why").fetchSemanticsNode()
                         val isCut = last.boundsInRoot.width < last.size.width - 0.5f
-                        if (isCut) assertTrue(saysThereIsMore("drawer-names", isRight = true), "$told: nothing says that there are more")
+                        if (isCut) {
+                            assertTrue(
+                                saysThereIsMore("drawer-names", isRight = true),
+                                "$told: nothing says that there are more",
+                            )
+                        }
                         scroll("drawer-names", toEnd = true)
                         assertFalse(saysThereIsMore("drawer-names", isRight = true), told)
                     }

@@ -35,7 +35,12 @@ import kotlin.test.assertTrue
 class RunDrawerTest {
     private fun Workshop.with(source: String, goals: List<Goal> = emptyList()) {
         val world = BuiltInWorlds.plain.copy(goals = goals)
-        openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(PupilProgram("a.robo", source).asProject())))))
+        openProject(
+            Project(
+                world,
+                listOf(ProjectRobot(world.robots.first().name, listOf(PupilProgram("a.robo", source).asProject()))),
+            ),
+        )
     }
 
     @Test
@@ -114,7 +119,9 @@ class RunDrawerTest {
         val found = workshop.state.run.drawer.log.entries
         assertTrue(found.isNotEmpty() && found.size < all)
         onNodeWithTag("log-count").assertTextContains("${found.size} of", substring = true)
-        workshop.handle(RunEvent.LogFiltered(workshop.state.run.drawer.log.filter.copy(groups = setOf(RomGroup.INFRARED))))
+        workshop.handle(
+            RunEvent.LogFiltered(workshop.state.run.drawer.log.filter.copy(groups = setOf(RomGroup.INFRARED))),
+        )
         pass(300)
         onNodeWithTag("drawer-empty").assertIsDisplayed()
     }
@@ -129,7 +136,10 @@ class RunDrawerTest {
         onNodeWithTag("lane-sensor_2").performClick()
         onNodeWithTag("lane-sensor_3").performClick()
         pass(300)
-        assertEquals(setOf(ChartLane.SENSOR_1, ChartLane.SENSOR_2, ChartLane.SENSOR_3), workshop.state.run.drawer.chart.hidden)
+        assertEquals(
+            setOf(ChartLane.SENSOR_1, ChartLane.SENSOR_2, ChartLane.SENSOR_3),
+            workshop.state.run.drawer.chart.hidden,
+        )
         assertEquals(0, onAllNodesWithTag("chart-sensor_1", useUnmergedTree = true).fetchSemanticsNodes().size)
         onNodeWithTag("value-motor_a", useUnmergedTree = true).assertTextContains("+3")
         onNodeWithTag("chart-finer").performClick()
@@ -178,7 +188,9 @@ class RunDrawerTest {
 
     @Test
     fun `a touch sensor that only a finger presses is pressed on the brick`() = onTablet { workshop ->
-        val world = BuiltInWorlds.plain.let { it.copy(robots = listOf(it.robots.first().copy(ports = listOf(listOf(PortSensor.TOUCH))))) }
+        val world = BuiltInWorlds.plain.let {
+            it.copy(robots = listOf(it.robots.first().copy(ports = listOf(listOf(PortSensor.TOUCH)))))
+        }
         workshop.openProject(Project(world))
         pass(300)
         onNodeWithTag("port-1").performSemanticsAction(SemanticsActions.OnClick)

@@ -37,7 +37,9 @@ class RunPictures {
         paused(null).use("laptop", 1440, 900)
     }
 
-    private fun paused(tab: DrawerTab?, settings: Settings = Settings()): Workshop = runBlocking { openWorkshop() }.apply {
+    private fun paused(tab: DrawerTab?, settings: Settings = Settings()): Workshop = runBlocking {
+        openWorkshop()
+    }.apply {
         val goals = listOf(Goal(InkLength(40.0, null)), Goal(NeverTouch()), Goal(InkLength(400.0, null)))
         val world = BuiltInWorlds.plain.copy(goals = goals, realism = 0.6)
         val program = PupilProgram("rounds.robo", SOURCE).asProject()
@@ -48,7 +50,9 @@ class RunPictures {
         handle(RunEvent.DrawerChosen(tab))
         handle(RunEvent.Scrubbed(9_300))
         repeat(30) { frame(it * 16_000_000L) }
-        repeat(2) { handle(RunEvent.StepPressed(StepKind.INTO)).also { repeat(60) { frame(1_000_000_000L + it * 16_000_000L) } } }
+        repeat(2) {
+            handle(RunEvent.StepPressed(StepKind.INTO)).also { repeat(60) { frame(1_000_000_000L + it * 16_000_000L) } }
+        }
     }
 
     private fun Workshop.use(name: String, width: Int, height: Int, dark: Boolean = false) {

@@ -12,8 +12,9 @@ import kotlin.math.abs
 import kotlin.test.fail
 
 /**
- * Holds pictures of the screen against those that were looked at and found good. These are kept at a quarter of their size, and compared by the
- * mean colours of tiles: another machine's fonts and smoothing pass, a pane, button or colour that is missing does not.
+ * Holds pictures of the screen against those that were looked at and found good. These are kept at a quarter of their
+ * size, and compared by the mean colours of tiles: another machine's fonts and smoothing pass, a pane, button or colour
+ * that is missing does not.
  *
  * `-PrecordPictures` keeps the pictures as they are now, to be looked at.
  */
@@ -48,7 +49,11 @@ internal object GoldenPicture {
     private fun quarterOf(picture: Image): Image {
         val bitmap = Bitmap()
         bitmap.allocPixels(ImageInfo.makeN32Premul(picture.width / SCALE, picture.height / SCALE))
-        picture.scalePixels(checkNotNull(bitmap.peekPixels()), FilterMipmap(FilterMode.LINEAR, MipmapMode.LINEAR), false)
+        picture.scalePixels(
+            checkNotNull(bitmap.peekPixels()),
+            FilterMipmap(FilterMode.LINEAR, MipmapMode.LINEAR),
+            false,
+        )
         return Image.makeFromBitmap(bitmap.setImmutable())
     }
 

@@ -56,7 +56,9 @@ class GoldenPicturesTest {
     fun `the tutorial looks as it did`() = everywhere("tutorial") { handle(LearningEvent.TutorialBegun) }
 
     @Test
-    fun `the first page looks as it did`() = everywhere("first-page") { handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
+    fun `the first page looks as it did`() = everywhere("first-page") {
+        handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
+    }
 
     @Test
     fun `the settings look as they did`() = everywhere("settings") { handle(SettingsEvent.SettingsShown(true)) }

@@ -20,15 +20,23 @@ class StringsTest {
             (english.keys + files.keys).flatMap { file ->
                 val known = english[file].orEmpty().keys
                 val said = files[file].orEmpty().keys
-                (known - said).map { "$it of $file is missing in $language" } + (said - known).map { "$it of $file is only in $language" }
+                (known - said).map { "$it of $file is missing in $language" } +
+                    (said - known).map { "$it of $file is only in $language" }
             }
         }
         assertEquals(emptyList(), wrong)
     }
 
     @Test
-    fun `a text has the same arguments in every language`() =
-        forEachTranslation { one, other -> if (argumentsIn(one) == argumentsIn(other)) null else "has other arguments than \"$one\"" }
+    fun `a text has the same arguments in every language`() = forEachTranslation { one, other ->
+        if (argumentsIn(one) ==
+            argumentsIn(other)
+        ) {
+            null
+        } else {
+            "has other arguments than \"$one\""
+        }
+    }
 
     @Test
     fun `no English text is left in another language`() = forEachTranslation { one, other ->
@@ -37,8 +45,15 @@ class StringsTest {
     }
 
     @Test
-    fun `a sentence ends with a full stop in every language`() =
-        forEachTranslation { one, other -> if (one.endsWith('.') && !other.endsWith('.')) "does not end as \"$one\"" else null }
+    fun `a sentence ends with a full stop in every language`() = forEachTranslation { one, other ->
+        if (one.endsWith('.') &&
+            !other.endsWith('.')
+        ) {
+            "does not end as \"$one\""
+        } else {
+            null
+        }
+    }
 
     @Test
     fun `nothing is shouted, nobody is kept at a distance and nothing is misspelt by a computer`() {
@@ -55,7 +70,9 @@ class StringsTest {
         val wrong = others.flatMap { (language, files) ->
             english.flatMap { (file, texts) ->
                 texts.mapNotNull { (key, text) ->
-                    files[file]?.get(key)?.let { other -> wrongIn(text, other)?.let { "$key in $language $it: $other" } }
+                    files[file]?.get(key)?.let { other ->
+                        wrongIn(text, other)?.let { "$key in $language $it: $other" }
+                    }
                 }
             }
         }
@@ -75,7 +92,8 @@ class StringsTest {
         val strings = (0..<nodes.length).map { nodes.item(it) as Element }
         val names = strings.map { it.getAttribute("name") }
         assertEquals(
-            names.toSet().size, names.size,
+            names.toSet().size,
+            names.size,
             "A key is twice in ${file.path}: ${names.groupBy {
                 it
             }.filterValues { it.size > 1 }.keys}",
@@ -88,12 +106,43 @@ class StringsTest {
         const val RESOURCES = "src/commonMain/composeResources"
 
         val ARGUMENT = Regex("""%\d\${'$'}[sd]""")
-        val UNWANTED = listOf("!", "¡", "  ", """ \.( |$)""", """\bustedes?\b""", """\bIhnen\b""", """\bTODO\b""", """\\""").map(::Regex)
+        val UNWANTED = listOf(
+            "!",
+            "¡",
+            "  ",
+            """ \.( |$)""",
+            """\bustedes?\b""",
+            """\bIhnen\b""",
+            """\bTODO\b""",
+            """\\""",
+        ).map(::Regex)
 
-        /** Words that English shares with another language, and names and units: a text of nothing else may be the same. */
+        /**
+         * Words that English shares with another language, and names and units: a text of nothing else may be the same.
+         */
         val SHARED_WORDS = setOf(
-            "On", "Off", "View", "Prgm", "Run", "s", "cm", "C", "Aa", "Java", "Link", "Motor", "Name", "Pause", "Robot", "Sensor",
-            "Threads", "Variables", "firmware", "orange", "Radius", "Text",
+            "On",
+            "Off",
+            "View",
+            "Prgm",
+            "Run",
+            "s",
+            "cm",
+            "C",
+            "Aa",
+            "Java",
+            "Link",
+            "Motor",
+            "Name",
+            "Pause",
+            "Robot",
+            "Sensor",
+            "Threads",
+            "Variables",
+            "firmware",
+            "orange",
+            "Radius",
+            "Text",
         )
         val WORD = Regex("\\p{L}+")
     }

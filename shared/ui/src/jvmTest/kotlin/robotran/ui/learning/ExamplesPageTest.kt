@@ -70,14 +70,24 @@ class ExamplesPageTest {
     }
 
     @Test
-    fun `pictures show what the examples draw, those in Java as their twins in Robolang or, without one, as they are`() = runBlocking {
+    fun `pictures show what the examples draw, those in Java as their twins in Robolang`() = runBlocking {
         val square = ExamplePictures.of("square.robo", SheetColours.LIGHT, ROOM)
         val other = ExamplePictures.of("tree.robo", SheetColours.LIGHT, ROOM)
         assertTrue(square.pixels() != other.pixels())
         assertEquals(square.pixels(), ExamplePictures.of("Square.java", SheetColours.LIGHT, ROOM).pixels())
         val empty = ExamplePictures.of("none.java", SheetColours.LIGHT, ROOM).pixels()
-        val shown = ProgramLanguage.JAVA.examples.keys.filter { ExamplePictures.of(it, SheetColours.LIGHT, ROOM).pixels() != empty }
-        for (name in listOf("Spiral.java", "WallBouncer.java", "FirstDrive.java", "Patrol.java", "Shapes.java", "TwoThings.java")) {
+        val shown = ProgramLanguage.JAVA.examples.keys.filter {
+            ExamplePictures.of(it, SheetColours.LIGHT, ROOM).pixels() !=
+                empty
+        }
+        for (name in listOf(
+            "Spiral.java",
+            "WallBouncer.java",
+            "FirstDrive.java",
+            "Patrol.java",
+            "Shapes.java",
+            "TwoThings.java",
+        )) {
             assertTrue(name in shown, "$name of $shown")
         }
     }
@@ -86,12 +96,17 @@ class ExamplesPageTest {
     fun `every example says what it does in every language, in English as its note does`() {
         val tables = listOf("values", "values-es", "values-de").map { folder ->
             val text = File("src/commonMain/composeResources/$folder/example_strings.xml").readText()
-            Regex("<string name=\"(.*?)\">(.*?)</string>").findAll(text).associate { it.groupValues[1] to it.groupValues[2] }
+            Regex("<string name=\"(.*?)\">(.*?)</string>").findAll(text).associate {
+                it.groupValues[1] to
+                    it.groupValues[2]
+            }
         }
         val used = ProgramLanguage.entries.flatMap { language ->
             language.examples.map { (name, text) ->
                 val key = aboutExample(language, name).key
-                val note = text.lineSequence().takeWhile { it.startsWith("//") }.joinToString(" ") { it.removePrefix("//").trim() }
+                val note = text.lineSequence().takeWhile {
+                    it.startsWith("//")
+                }.joinToString(" ") { it.removePrefix("//").trim() }
                 assertEquals(note.substringBefore(". ").removeSuffix("."), tables.first()[key], name)
                 key
             }
@@ -113,13 +128,23 @@ class ExamplesPageTest {
         for ((name, width, height) in listOf(Triple("tablet", 1280, 800), Triple("phone", 411, 891))) {
             val workshop = runBlocking { openWorkshop() }
             workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
-            runBlocking { for (example in ProgramLanguage.ROBOLANG.examples.keys) ExamplePictures.of(example, SheetColours.LIGHT, ROOM) }
+            runBlocking {
+                for (example in ProgramLanguage.ROBOLANG.examples.keys) {
+                    ExamplePictures.of(
+                        example,
+                        SheetColours.LIGHT,
+                        ROOM,
+                    )
+                }
+            }
             photograph(workshop, width, height).keepAs("examples-$name")
             workshop.close()
         }
         val workshop = runBlocking { openWorkshop(listOf(newJava())) }
         workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
-        runBlocking { for (example in ProgramLanguage.JAVA.examples.keys) ExamplePictures.of(example, SheetColours.LIGHT, ROOM) }
+        runBlocking {
+            for (example in ProgramLanguage.JAVA.examples.keys) ExamplePictures.of(example, SheetColours.LIGHT, ROOM)
+        }
         photograph(workshop, 1280, 1600).keepAs("examples-java")
         workshop.close()
     }

@@ -52,7 +52,13 @@ class LearningPictures {
     /** The pictures of the worlds come by and by: here they are wanted at once. */
     private fun drawWorlds(settings: Settings) = runBlocking {
         val colours = if (settings.theme == AppTheme.DARK) RobotranColours.DARK else RobotranColours.LIGHT
-        for (world in WorldGallery.worlds) WorldPictures.of(world, SheetColours.of(colours), PictureBounds.of(272, 170, density = 1f))
+        for (world in WorldGallery.worlds) {
+            WorldPictures.of(
+                world,
+                SheetColours.of(colours),
+                PictureBounds.of(272, 170, density = 1f),
+            )
+        }
     }
 
     private fun photograph(workshop: Workshop, look: Look, name: String, prepare: Workshop.() -> Unit) {

@@ -42,7 +42,13 @@ class LearningScreenTest {
     fun `the first page runs the square at a touch`() = onEither { workshop ->
         workshop.handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
         pass(100)
-        for (tag in listOf("try-square", "try-tutorial", "try-worlds")) onNodeWithTag(tag).assertIsDisplayed().assertLargeEnough()
+        for (tag in listOf(
+            "try-square",
+            "try-tutorial",
+            "try-worlds",
+        )) {
+            onNodeWithTag(tag).assertIsDisplayed().assertLargeEnough()
+        }
         onNodeWithTag("try-square").performClick()
         pass(2000)
         assertTrue(workshop.state.session.ink.lengthCentimetres > 5)
@@ -135,7 +141,16 @@ class LearningScreenTest {
     fun `on a tablet program, world and tutorial are seen at once`() = onTablet { workshop ->
         workshop.handle(LearningEvent.TutorialBegun)
         pass(100)
-        for (tag in listOf("tutorial", "program", "world", "lcd", "brick-run", "run")) onNodeWithTag(tag).assertIsDisplayed()
+        for (tag in listOf(
+            "tutorial",
+            "program",
+            "world",
+            "lcd",
+            "brick-run",
+            "run",
+        )) {
+            onNodeWithTag(tag).assertIsDisplayed()
+        }
     }
 
     @Test
@@ -247,7 +262,9 @@ class LearningScreenTest {
     /** Presses Tab until the node with [tag] has the focus. */
     private fun ComposeUiTest.goTo(tag: String) {
         repeat(STEPS) {
-            val focused = onAllNodesWithTag(tag).onFirst().fetchSemanticsNode().config.getOrNull(SemanticsProperties.Focused)
+            val focused = onAllNodesWithTag(
+                tag,
+            ).onFirst().fetchSemanticsNode().config.getOrNull(SemanticsProperties.Focused)
             if (focused == true) return
             onRoot().performKeyInput { pressKey(Key.Tab) }
             pass(50)

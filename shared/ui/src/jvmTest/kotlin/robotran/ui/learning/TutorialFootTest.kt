@@ -37,9 +37,23 @@ class TutorialFootTest {
                         workshop.handle(LearningEvent.HintRequested(true))
                         workshop.handle(LearningEvent.SolutionRequested(true))
                         pass(600)
-                        val others = if (isThere("step-more")) listOf("step-more") else listOf("begin-again", "leave-tutorial")
+                        val others = if (isThere(
+                                "step-more",
+                            )
+                        ) {
+                            listOf("step-more")
+                        } else {
+                            listOf("begin-again", "leave-tutorial")
+                        }
                         for (tag in listOf("run-step", "previous-step", "next-step") + others) assertWhole(tag, told)
-                        if (scale == 1f) assertTrue(placesByTag().getValue("tutorial-text").height >= 120f, "$told: no room for the text")
+                        if (scale ==
+                            1f
+                        ) {
+                            assertTrue(
+                                placesByTag().getValue("tutorial-text").height >= 120f,
+                                "$told: no room for the text",
+                            )
+                        }
                     }
                 }
             }
@@ -72,13 +86,14 @@ class TutorialFootTest {
     }
 
     @Test
-    fun `a hint comes under its button, which stays for whoever touches twice where there is room`() = onStep(1366, 1080) { workshop ->
-        val before = placesByTag()
-        press("hint-wanted")
-        assertTrue(workshop.state.learning.tutorial?.hintShown == true)
-        assertWhole("hint", "the hint")
-        assertUnmoved(before, listOf("hint-wanted", "solution-wanted", "run-step"), "with the hint")
-    }
+    fun `a hint comes under its button, which stays for whoever touches twice where there is room`() =
+        onStep(1366, 1080) { workshop ->
+            val before = placesByTag()
+            press("hint-wanted")
+            assertTrue(workshop.state.learning.tutorial?.hintShown == true)
+            assertWhole("hint", "the hint")
+            assertUnmoved(before, listOf("hint-wanted", "solution-wanted", "run-step"), "with the hint")
+        }
 
     @Test
     fun `over another world a folded tutorial is a way back to its step, and can be put away`() {
@@ -106,13 +121,17 @@ class TutorialFootTest {
         }
     }
 
-    private fun onStep(width: Int, height: Int, settings: Settings = Settings(), check: ComposeUiTest.(Workshop) -> Unit) =
-        onScreen(width, height) { workshop ->
-            workshop.handle(SettingsEvent.SettingsChanged(settings.copy(lessMotion = true)))
-            workshop.handle(LearningEvent.TutorialBegun)
-            pass(500)
-            check(workshop)
-        }
+    private fun onStep(
+        width: Int,
+        height: Int,
+        settings: Settings = Settings(),
+        check: ComposeUiTest.(Workshop) -> Unit,
+    ) = onScreen(width, height) { workshop ->
+        workshop.handle(SettingsEvent.SettingsChanged(settings.copy(lessMotion = true)))
+        workshop.handle(LearningEvent.TutorialBegun)
+        pass(500)
+        check(workshop)
+    }
 
     private fun ComposeUiTest.press(tag: String) {
         onNodeWithTag(tag).performClick()

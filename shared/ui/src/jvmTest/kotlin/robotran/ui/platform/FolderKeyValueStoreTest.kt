@@ -45,7 +45,11 @@ class FolderKeyValueStoreTest {
 
     @Test
     fun `names that lead out of the folder are not taken`() = runTest {
-        for (name in listOf("../x", "", "a/b", "A", "a".repeat(99))) assertFailsWith<IllegalArgumentException> { store.read(name) }
+        for (name in listOf("../x", "", "a/b", "A", "a".repeat(99))) {
+            assertFailsWith<IllegalArgumentException> {
+                store.read(name)
+            }
+        }
     }
 
     @Test
@@ -98,7 +102,9 @@ class FolderKeyValueStoreTest {
             val told = other.awaitCopies(3 + 7 * time)
             other.kill()
             val toldInAll = other.told.coerceAtLeast(told)
-            val found = assertIs<SavedProjectResult.Found>(ProjectRepository(FolderKeyValueStore(place)).read("one")).work
+            val found = assertIs<SavedProjectResult.Found>(
+                ProjectRepository(FolderKeyValueStore(place)).read("one"),
+            ).work
             val kept = found.name.toInt()
             assertTrue(kept >= last + toldInAll, "$kept is there, but ${last + toldInAll} was told to be kept")
             last = kept
@@ -109,7 +115,10 @@ class FolderKeyValueStoreTest {
     fun `a torn file is passed over for the one before it`() = runTest {
         val shelf = ProjectRepository(store)
         repeat(2) { assertEquals(SaveResult.Kept, shelf.keep(workFor(it.toString()))) }
-        val newest = folder.resolve("not/there/yet").listDirectoryEntries("work-one.*").single { "\"1\"" in it.readText() }
+        val newest = folder.resolve("not/there/yet").listDirectoryEntries("work-one.*").single {
+            "\"1\"" in
+                it.readText()
+        }
         newest.writeText(newest.readText().dropLast(100))
         val found = assertIs<SavedProjectResult.Found>(ProjectRepository(store).read("one"))
         assertEquals("0", found.work.name)

@@ -10,7 +10,10 @@ import robotran.world.file.BuiltInWorlds
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 
-/** A process that does nothing but keep a work that changes, as fast as it can, and tells each copy that it was told is kept. */
+/**
+ * A process that does nothing but keep a work that changes, as fast as it can, and tells each copy that it was told is
+ * kept.
+ */
 internal class KeepingProcess private constructor(private val process: Process) {
     private val lines = process.inputStream.bufferedReader()
 
@@ -40,7 +43,14 @@ internal class KeepingProcess private constructor(private val process: Process) 
 
         fun start(folder: Path): KeepingProcess {
             val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-            val command = listOf(java, "-cp", System.getProperty("java.class.path"), "robotran.ui.platform.KeepingMain", folder.toString())
+            val command =
+                listOf(
+                    java,
+                    "-cp",
+                    System.getProperty("java.class.path"),
+                    "robotran.ui.platform.KeepingMain",
+                    folder.toString(),
+                )
             return KeepingProcess(ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start())
         }
     }

@@ -31,7 +31,13 @@ import kotlin.test.assertEquals
 class ProgramHelpTest {
     private fun ComposeUiTest.chooseComplete(byTouch: Boolean) {
         for (tag in listOf("editor-more", "tool-complete")) {
-            if (byTouch) onNodeWithTag(tag).performTouchInput { click() } else onNodeWithTag(tag).performMouseInput { click() }
+            if (byTouch) {
+                onNodeWithTag(tag).performTouchInput {
+                    click()
+                }
+            } else {
+                onNodeWithTag(tag).performMouseInput { click() }
+            }
             pass(600)
         }
     }

@@ -95,7 +95,10 @@ class ProgramWritingTest {
         keys(listOf(Key.Escape))
         keys(listOf(Key.Tab))
         assertEquals("beep", workshop.text)
-        assertNotEquals(true, onNodeWithTag("program").fetchSemanticsNode().config.getOrNull(SemanticsProperties.Focused))
+        assertNotEquals(
+            true,
+            onNodeWithTag("program").fetchSemanticsNode().config.getOrNull(SemanticsProperties.Focused),
+        )
     }
 
     @Test

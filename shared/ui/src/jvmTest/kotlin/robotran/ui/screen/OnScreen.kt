@@ -8,7 +8,10 @@ import robotran.ui.RobotranApp
 import robotran.workshop.Workshop
 import robotran.workshop.openWorkshop
 
-/** Shows the app on a screen of that many dp, with a clock that only goes on when the test says so, and runs [check] on it. */
+/**
+ * Shows the app on a screen of that many dp, with a clock that only goes on when the test says so, and runs [check] on
+ * it.
+ */
 @OptIn(ExperimentalTestApi::class)
 internal fun onScreen(width: Int, height: Int, check: ComposeUiTest.(Workshop) -> Unit) {
     val workshop = runBlocking { openWorkshop() }

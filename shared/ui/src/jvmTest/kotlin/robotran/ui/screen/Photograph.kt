@@ -10,7 +10,10 @@ import robotran.workshop.Workshop
 import java.io.File
 import kotlin.test.assertTrue
 
-/** How [workshop] looks on a screen of [width] by [height] once all has come to rest; before that, [meanwhile] is done to the screen. */
+/**
+ * How [workshop] looks on a screen of [width] by [height] once all has come to rest; before that, [meanwhile] is done
+ * to the screen.
+ */
 internal fun photograph(
     workshop: Workshop,
     width: Int,
@@ -29,12 +32,16 @@ internal fun photograph(
     }
 }
 
-/** Keeps the picture as [name].png in build/pictures, to be looked at. A screen that shows next to nothing is a fault. */
+/**
+ * Keeps the picture as [name].png in build/pictures, to be looked at. A screen that shows next to nothing is a fault.
+ */
 internal fun Image.keepAs(name: String) {
     val file = File(System.getProperty("robotran.pictures"), "$name.png").apply { parentFile.mkdirs() }
     file.writeBytes(checkNotNull(encodeToData(EncodedImageFormat.PNG)).bytes)
     val bitmap = Bitmap.makeFromImage(this)
-    val colours = (0..<width step SAMPLE).flatMap { x -> (0..<height step SAMPLE).map { y -> bitmap.getColor(x, y) } }.toSet()
+    val colours = (0..<width step SAMPLE).flatMap { x ->
+        (0..<height step SAMPLE).map { y -> bitmap.getColor(x, y) }
+    }.toSet()
     assertTrue(colours.size > FEW_COLOURS, "$name is next to empty: ${colours.size} colours")
 }
 

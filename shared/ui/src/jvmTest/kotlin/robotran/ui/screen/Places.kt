@@ -26,7 +26,13 @@ internal fun ComposeUiTest.placesByTag(): Map<String, Rect> =
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.assertUnmoved(before: Map<String, Rect>, tags: Collection<String>, told: String) {
     val now = placesByTag()
-    assertEquals(tags.associateWith { checkNotNull(before[it]) { "$told: there was no $it" } }, tags.associateWith { now[it] }, told)
+    assertEquals(
+        tags.associateWith {
+            checkNotNull(before[it]) { "$told: there was no $it" }
+        },
+        tags.associateWith { now[it] },
+        told,
+    )
 }
 
 @OptIn(ExperimentalTestApi::class)
@@ -37,10 +43,18 @@ internal fun ComposeUiTest.isThere(tag: String): Boolean = onAllNodesWithTag(tag
 internal fun ComposeUiTest.assertWhole(tag: String, told: String) {
     val node = onNodeWithTag(tag).fetchSemanticsNode()
     assertEquals(node.size.width.toFloat(), node.boundsInRoot.width, 0.5f, "$told: $tag is cut at ${node.boundsInRoot}")
-    assertEquals(node.size.height.toFloat(), node.boundsInRoot.height, 0.5f, "$told: $tag is cut at ${node.boundsInRoot}")
+    assertEquals(
+        node.size.height.toFloat(),
+        node.boundsInRoot.height,
+        0.5f,
+        "$told: $tag is cut at ${node.boundsInRoot}",
+    )
 }
 
-/** Whether anything is drawn on the ground in the middle of the lower or, if [isRight], of the right edge of [tag], where an arrow says that there is more. */
+/**
+ * Whether anything is drawn on the ground in the middle of the lower or, if [isRight], of the right edge of [tag],
+ * where an arrow says that there is more.
+ */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.saysThereIsMore(tag: String, isRight: Boolean = false): Boolean {
     val image = onNodeWithTag(tag).captureToImage().toPixelMap()

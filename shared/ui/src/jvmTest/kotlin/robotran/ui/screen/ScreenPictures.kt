@@ -26,18 +26,30 @@ class ScreenPictures {
                 val workshop = newWorkshop()
                 for (pane in screen.panes) {
                     workshop.handle(WorkshopEvent.PaneChosen(pane))
-                    photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-first-${pane.name.lowercase()}")
+                    photograph(
+                        workshop,
+                        screen,
+                        dark,
+                        "${screen.name.lowercase()}-$theme-first-${pane.name.lowercase()}",
+                    )
                 }
                 workshop.handle(RunEvent.RunPressed)
                 workshop.advance(HALF_DRAWN)
                 for (pane in screen.panes) {
                     workshop.handle(WorkshopEvent.PaneChosen(pane))
-                    photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-half-${pane.name.lowercase()}")
+                    photograph(
+                        workshop,
+                        screen,
+                        dark,
+                        "${screen.name.lowercase()}-$theme-half-${pane.name.lowercase()}",
+                    )
                 }
                 workshop.advance(HALF_DRAWN * 2)
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
                 photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-end")
-                workshop.handle(ProgramEvent.ProgramEdited("pen down\nrepaet 4 times\n  forwrd 20\n  turn left\nend\nbeep beep\n"))
+                workshop.handle(
+                    ProgramEvent.ProgramEdited("pen down\nrepaet 4 times\n  forwrd 20\n  turn left\nend\nbeep beep\n"),
+                )
                 workshop.handle(RunEvent.RunPressed)
                 photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-mistakes")
                 workshop.close()
@@ -75,7 +87,9 @@ class ScreenPictures {
                 val name = "${screen.name.lowercase()}-${if (dark) "dark" else "light"}-java"
                 val workshop = newWorkshop()
                 val example = "WallBouncer.java"
-                workshop.handle(ProgramEvent.ProgramAdded(PupilProgram(example, ProgramLanguage.JAVA.examples.getValue(example))))
+                workshop.handle(
+                    ProgramEvent.ProgramAdded(PupilProgram(example, ProgramLanguage.JAVA.examples.getValue(example))),
+                )
                 workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
                 workshop.handle(ProgramEvent.ClassAdded)
                 workshop.handle(ProgramEvent.FileChosen(0))

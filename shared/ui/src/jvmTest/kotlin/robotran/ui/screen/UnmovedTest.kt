@@ -115,7 +115,7 @@ class UnmovedTest {
     }
 
     @Test
-    fun `that a program was closed is told over the text until it is put away, and the program comes back all the same`() {
+    fun `a notice over the text says that a program was closed, and brings it back`() {
         for ((width, height) in SIZES) {
             onScreen(width, height) { workshop ->
                 val told = "$width x $height"

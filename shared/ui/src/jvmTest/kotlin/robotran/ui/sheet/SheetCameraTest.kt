@@ -49,7 +49,11 @@ class SheetCameraTest {
     }
 
     @Test
-    fun `pushing to and fro comes back to the same place, and never further than the margin`() = property { zoom, x, y ->
+    fun `pushing to and fro comes back to the same place, and never further than the margin`() = property {
+        zoom,
+        x,
+        y,
+        ->
         val camera = SheetCamera(zoom, Point(x, y)).within(paper, window)
         val there = camera.pushedBy(Offset(31f, -17f), paper, window)
         val view = there.transform(paper, window)

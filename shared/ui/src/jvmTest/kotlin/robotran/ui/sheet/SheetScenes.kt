@@ -44,7 +44,10 @@ internal object SheetScenes {
             RobotPlacement(Pose(20.0, 20.0, 0.0)),
             RobotPlacement(Pose(90.0, 66.0, 135.0), "red", RobotColour.RED, beacon = 1.0),
         ),
-        walls = listOf(Wall(Point(2.0, 88.0), Point(118.0, 88.0), 1.0), Wall(Point(118.0, 88.0), Point(118.0, 50.0), 1.0)),
+        walls = listOf(
+            Wall(Point(2.0, 88.0), Point(118.0, 88.0), 1.0),
+            Wall(Point(118.0, 88.0), Point(118.0, 50.0), 1.0),
+        ),
         barriers = listOf(
             Barrier(Shape.Rectangle(Point(60.0, 70.0), 14.0, 5.0, 30.0)),
             Barrier(Shape.Circle(Point(38.0, 66.0), 4.0)),
@@ -56,12 +59,27 @@ internal object SheetScenes {
             Block(Shape.Polygon(listOf(Point(45.0, 8.0), Point(54.0, 8.0), Point(45.0, 16.0)))),
         ),
         marks = listOf(
-            Mark(MarkFigure.Line(listOf(Point(60.0, 10.0), Point(80.0, 10.0), Point(85.0, 25.0), Point(62.0, 28.0)), 2.0, closed = true)),
-            Mark(MarkFigure.Line(listOf(Point(62.0, 36.0), Point(72.0, 36.0), Point(80.0, 42.0)), 2.5), Shade.Colour(0x11, 0x33, 0xaa)),
+            Mark(
+                MarkFigure.Line(
+                    listOf(Point(60.0, 10.0), Point(80.0, 10.0), Point(85.0, 25.0), Point(62.0, 28.0)),
+                    2.0,
+                    closed = true,
+                ),
+            ),
+            Mark(
+                MarkFigure.Line(listOf(Point(62.0, 36.0), Point(72.0, 36.0), Point(80.0, 42.0)), 2.5),
+                Shade.Colour(0x11, 0x33, 0xaa),
+            ),
             Mark(MarkFigure.Area(Shape.Rectangle(Point(98.0, 36.0), 12.0, 8.0, 20.0)), Shade.Colour(0x22, 0x66, 0xcc)),
             Mark(MarkFigure.Area(Shape.Circle(Point(110.0, 24.0), 5.0)), Shade.Colour(0xcc, 0x33, 0x22)),
             Mark(MarkFigure.Area(Shape.Circle(Point(98.0, 22.0), 4.0)), Shade.Grey(0.5)),
-            Mark(MarkFigure.GreyMap(Point(90.0, 6.0), 2.0, listOf("0123456789abcdef", "f.f.f.f.f.f.f.f.", "0000000000000000"))),
+            Mark(
+                MarkFigure.GreyMap(
+                    Point(90.0, 6.0),
+                    2.0,
+                    listOf("0123456789abcdef", "f.f.f.f.f.f.f.f.", "0000000000000000"),
+                ),
+            ),
         ),
         lamps = listOf(
             Lamp(Point(12.0, 76.0), brightness = 1.0),
@@ -111,7 +129,9 @@ internal object SheetScenes {
         goals: List<GoalProgress> = emptyList(),
     ) = SessionState(
         milliseconds = 0,
-        robots = poses.map { RobotSnapshot(Brick(emptyList()).state, RobotState(it, 0.0, 0.0, false, false, false), 0, emptyList(), 0) },
+        robots = poses.map {
+            RobotSnapshot(Brick(emptyList()).state, RobotState(it, 0.0, 0.0, false, false, false), 0, emptyList(), 0)
+        },
         blocks = blocks,
         lamps = lamps,
         ink = if (strokes.isEmpty()) Ink.NONE else Ink(strokes, 0.0),

@@ -40,7 +40,12 @@ class SheetThingsTest {
     @Test
     fun `a mark has its own grey and the last one lies on top`() {
         val world = with {
-            copy(marks = listOf(area(Shape.Circle(Point(50.0, 20.0), 5.0), Shade.Grey(0.0)), area(box(50.0, 20.0), Shade.Grey(1.0))))
+            copy(
+                marks = listOf(
+                    area(Shape.Circle(Point(50.0, 20.0), 5.0), Shade.Grey(0.0)),
+                    area(box(50.0, 20.0), Shade.Grey(1.0)),
+                ),
+            )
         }
         assertEquals(Color.White, closeUp(world).at(50.0, 20.0))
         assertEquals(Color.Black, closeUp(world).at(54.0, 20.0))
@@ -111,7 +116,10 @@ class SheetThingsTest {
     @Test
     fun `a lamp lights what is before it but not behind a barrier, and nothing when it is off`() {
         val lamp = Lamp(Point(40.0, 30.0), direction = 0.0, cone = 90.0)
-        val world = with { copy(lamps = listOf(lamp), barriers = listOf(Barrier(Shape.Rectangle(Point(55.0, 30.0), 1.0, 6.0)))) }
+        val world =
+            with {
+                copy(lamps = listOf(lamp), barriers = listOf(Barrier(Shape.Rectangle(Point(55.0, 30.0), 1.0, 6.0))))
+            }
         val picture = closeUp(world)
         assertNotEquals(paper, picture.at(50.0, 30.0))
         assertNotEquals(paper, picture.at(60.0, 40.0))
@@ -144,8 +152,18 @@ class SheetThingsTest {
     @Test
     fun `a region that had to be cut open has no seam`() {
         val slit = listOf(
-            20.0 to 5.0, 80.0 to 5.0, 80.0 to 40.0, 50.1 to 40.0, 50.1 to 30.0, 60.0 to 30.0, 60.0 to 15.0, 40.0 to 15.0, 40.0 to 30.0,
-            49.9 to 30.0, 49.9 to 40.0, 20.0 to 40.0,
+            20.0 to 5.0,
+            80.0 to 5.0,
+            80.0 to 40.0,
+            50.1 to 40.0,
+            50.1 to 30.0,
+            60.0 to 30.0,
+            60.0 to 15.0,
+            40.0 to 15.0,
+            40.0 to 30.0,
+            49.9 to 30.0,
+            49.9 to 40.0,
+            20.0 to 40.0,
         )
         val region = Shape.Polygon(slit.map { (x, y) -> Point(x, y) })
         val picture = closeUp(with { copy(goals = listOf(Goal(Reach(region)))) })
@@ -205,7 +223,8 @@ class SheetThingsTest {
     @Test
     fun `each robot has a brick of its colour`() {
         for (colour in RobotColour.entries) {
-            val picture = closeUp(with { copy(robots = listOf(RobotPlacement(Pose(40.0, 20.0, 0.0), colour = colour))) })
+            val picture =
+                closeUp(with { copy(robots = listOf(RobotPlacement(Pose(40.0, 20.0, 0.0), colour = colour))) })
             assertEquals(RobotColours.brick(colour), picture.at(40.0 + RobotPlan.BRICK.left + 0.4, 20.0), colour.name)
         }
         assertEquals(RobotColour.entries.size, RobotColour.entries.map(RobotColours::brick).toSet().size)
@@ -215,7 +234,10 @@ class SheetThingsTest {
     fun `a region to be reached is green, and fuller once it is reached`() {
         val world = with { copy(goals = listOf(Goal(Reach(box(60.0, 20.0, 20.0))))) }
         val before = closeUp(world).at(52.0, 12.0)
-        val after = closeUp(world, SheetScenes.state(world, goals = listOf(SheetScenes.progress(GoalStatus.MET)))).at(52.0, 12.0)
+        val after = closeUp(
+            world,
+            SheetScenes.state(world, goals = listOf(SheetScenes.progress(GoalStatus.MET))),
+        ).at(52.0, 12.0)
         assertTrue(before.green > before.red && after.red < before.red)
     }
 
@@ -233,7 +255,11 @@ class SheetThingsTest {
         val world = with { copy(template = Template(listOf(listOf(Point(40.0, 30.0), Point(60.0, 30.0))))) }
         val colours = closeUp(world).coloursAround(50.0, 30.0, 1.5)
         assertTrue(SheetColours.TEMPLATE in colours && paper in colours)
-        val traced = closeUp(world, SheetScenes.state(world, strokes = listOf(InkStroke(listOf(Point(40.0, 30.0), Point(60.0, 30.0))))))
+        val traced =
+            closeUp(
+                world,
+                SheetScenes.state(world, strokes = listOf(InkStroke(listOf(Point(40.0, 30.0), Point(60.0, 30.0))))),
+            )
         assertEquals(SheetColours.INK, traced.at(50.0, 30.0))
     }
 
@@ -250,7 +276,9 @@ class SheetThingsTest {
 
     @Test
     fun `the flag of a dented region is put where there is room for it`() {
-        val hook = listOf(0.0 to 0.0, 40.0 to 0.0, 40.0 to 4.0, 12.0 to 4.0, 12.0 to 40.0, 0.0 to 40.0).map { (x, y) -> Point(x, y) }
+        val hook = listOf(0.0 to 0.0, 40.0 to 0.0, 40.0 to 4.0, 12.0 to 4.0, 12.0 to 40.0, 0.0 to 40.0).map { (x, y) ->
+            Point(x, y)
+        }
         val (place, room) = roomiestPlace(Shape.Polygon(hook))
         assertTrue(place.x in 4.0..8.0 && place.y in 4.0..36.0, place.toString())
         assertTrue(room in 4.0..6.5, room.toString())

@@ -28,7 +28,10 @@ class TemplatePictureTest {
         }
     }
 
-    /** How much the darkest point of the row [y] stands out from the paper (WCAG 2.2), away from what stands around the paper. */
+    /**
+     * How much the darkest point of the row [y] stands out from the paper (WCAG 2.2), away from what stands around the
+     * paper.
+     */
     private fun PixelMap.bestContrast(y: Int, paper: Float): Float =
         (width / 5..width * 4 / 5).maxOf { x -> (paper + GLARE) / (this[x, y].luminance() + GLARE) }
 

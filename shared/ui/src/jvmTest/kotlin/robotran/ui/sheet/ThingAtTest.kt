@@ -13,8 +13,12 @@ class ThingAtTest {
     private val world = SheetScenes.everything
     private val state = SheetScenes.everythingLater
 
-    private fun at(x: Double, y: Double, tolerance: Double = 0.0, kinds: Set<SheetElementKind> = SheetElementKind.entries.toSet()) =
-        thingAt(world, state, Point(x, y), tolerance, kinds)
+    private fun at(
+        x: Double,
+        y: Double,
+        tolerance: Double = 0.0,
+        kinds: Set<SheetElementKind> = SheetElementKind.entries.toSet(),
+    ) = thingAt(world, state, Point(x, y), tolerance, kinds)
 
     @Test
     fun `everything is found where it is drawn`() {
@@ -41,7 +45,10 @@ class ThingAtTest {
 
     @Test
     fun `a finger that misses a lamp by a little has it, and by much has not`() {
-        assertEquals(SheetElement(SheetElementKind.LAMP, 2), at(114.2, 56.0, tolerance = 2.0, kinds = setOf(SheetElementKind.LAMP)))
+        assertEquals(
+            SheetElement(SheetElementKind.LAMP, 2),
+            at(114.2, 56.0, tolerance = 2.0, kinds = setOf(SheetElementKind.LAMP)),
+        )
         assertNull(at(116.0, 56.0, tolerance = 2.0, kinds = setOf(SheetElementKind.LAMP)))
     }
 }

@@ -45,20 +45,54 @@ class WorldPanePictures {
 
     @Test
     fun `the pane can be photographed large and small, by day and by night, from near and far`() {
-        photograph("tablet", handyWorld, 1280, 800, dark = false, shown(SheetLayer.SENSORS, SheetLayer.GRID) + chosen(0))
-        photograph("tablet-dark", handyWorld, 1280, 800, dark = true, shown(SheetLayer.SENSORS, SheetLayer.TRAIL, SheetLayer.NAMES))
+        photograph(
+            "tablet",
+            handyWorld,
+            1280,
+            800,
+            dark = false,
+            shown(SheetLayer.SENSORS, SheetLayer.GRID) + chosen(0),
+        )
+        photograph(
+            "tablet-dark",
+            handyWorld,
+            1280,
+            800,
+            dark = true,
+            shown(SheetLayer.SENSORS, SheetLayer.TRAIL, SheetLayer.NAMES),
+        )
         photograph("phone", handyWorld, 411, 891, dark = false, chosen(0))
         val near = SheetEvent.CameraMoved(SheetCamera(6.0, Point(45.0, 42.0)), pushed = true)
-        photograph("laptop-near", handyWorld, 1440, 900, dark = false, shown(SheetLayer.SENSORS, SheetLayer.GRID, SheetLayer.TRAIL) + near)
+        photograph(
+            "laptop-near",
+            handyWorld,
+            1440,
+            900,
+            dark = false,
+            shown(SheetLayer.SENSORS, SheetLayer.GRID, SheetLayer.TRAIL) + near,
+        )
         photograph("laptop-light-room", lightRoom, 1440, 900, dark = false, shown(SheetLayer.SENSORS))
-        photograph("phone-german-large", handyWorld, 411, 891, dark = false, chosen(0), Settings(Language.GERMAN, textScale = 2f))
+        photograph(
+            "phone-german-large",
+            handyWorld,
+            411,
+            891,
+            dark = false,
+            chosen(0),
+            Settings(Language.GERMAN, textScale = 2f),
+        )
     }
 
     @Test
     fun `all worlds on one sheet, by day and by night`() {
-        val worlds = File("../../worlds").listFiles { file -> file.name.endsWith(".world.json") }.orEmpty().sortedBy { it.name }
+        val worlds = File("../../worlds").listFiles { file ->
+            file.name.endsWith(".world.json")
+        }.orEmpty().sortedBy { it.name }
         assertTrue(worlds.size >= 20, "only ${worlds.size} worlds")
-        for ((name, colours) in listOf("light" to SheetColours.LIGHT, "dark" to SheetColours.of(RobotranColours.DARK))) {
+        for ((name, colours) in listOf(
+            "light" to SheetColours.LIGHT,
+            "dark" to SheetColours.of(RobotranColours.DARK),
+        )) {
             val sheets = worlds.map { file ->
                 val world = world(file.name.removeSuffix(".world.json"))
                 val session = Session(world, emptyList<robotran.simulation.RobotLoad>(), physics)
@@ -73,9 +107,16 @@ class WorldPanePictures {
     private fun contactSheet(sheets: List<ImageBitmap>): ImageBitmap {
         val rows = (sheets.size + COLUMNS - 1) / COLUMNS
         val image = ImageBitmap(COLUMNS * TILE, rows * TILE)
-        CanvasDrawScope().draw(Density(1f), LayoutDirection.Ltr, Canvas(image), Size(image.width.toFloat(), image.height.toFloat())) {
+        CanvasDrawScope().draw(
+            Density(1f),
+            LayoutDirection.Ltr,
+            Canvas(image),
+            Size(image.width.toFloat(), image.height.toFloat()),
+        ) {
             sheets.forEachIndexed { number, sheet ->
-                translate((number % COLUMNS * TILE).toFloat(), (number / COLUMNS * TILE).toFloat()) { drawImage(sheet, Offset.Zero) }
+                translate((number % COLUMNS * TILE).toFloat(), (number / COLUMNS * TILE).toFloat()) {
+                    drawImage(sheet, Offset.Zero)
+                }
             }
         }
         return image
@@ -98,11 +139,15 @@ class WorldPanePictures {
         workshop.close()
     }
 
-    private fun shown(vararg layers: SheetLayer): List<WorkshopEvent> = layers.map { SheetEvent.LayerSwitched(it, true) }
+    private fun shown(vararg layers: SheetLayer): List<WorkshopEvent> = layers.map {
+        SheetEvent.LayerSwitched(it, true)
+    }
 
-    private fun chosen(robot: Int): List<WorkshopEvent> = listOf(SheetEvent.ElementChosen(SheetElement(SheetElementKind.ROBOT, robot)))
+    private fun chosen(robot: Int): List<WorkshopEvent> =
+        listOf(SheetEvent.ElementChosen(SheetElement(SheetElementKind.ROBOT, robot)))
 
-    private fun world(name: String): World = (readWorld(File("../../worlds/$name.world.json").readText()) as WorldFileResult.Loaded).world
+    private fun world(name: String): World =
+        (readWorld(File("../../worlds/$name.world.json").readText()) as WorldFileResult.Loaded).world
 
     private companion object {
         const val RUN_MILLISECONDS = 3_200

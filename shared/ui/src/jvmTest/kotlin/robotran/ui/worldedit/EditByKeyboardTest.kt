@@ -89,7 +89,9 @@ class EditByKeyboardTest {
     @Test
     fun `a screen reader is told what is chosen`() = onEditor {
         key(Key.Tab)
-        val told = screen.onNodeWithTag("edit-sheet").fetchSemanticsNode().config.getOrNull(SemanticsProperties.StateDescription)
+        val told = screen.onNodeWithTag(
+            "edit-sheet",
+        ).fetchSemanticsNode().config.getOrNull(SemanticsProperties.StateDescription)
         assertEquals("Chosen: Robot yellow", told)
     }
 

@@ -72,7 +72,12 @@ class EditByTouchTest {
         }
         screen.pass(200)
         assertEquals(1, world.lamps.size)
-        assertTrue(world.lamps[0].place.let { it.x in 78.0..82.0 && it.y in 58.0..62.0 }, "it is at ${world.lamps[0].place}")
+        assertTrue(
+            world.lamps[0].place.let {
+                it.x in 78.0..82.0 && it.y in 58.0..62.0
+            },
+            "it is at ${world.lamps[0].place}",
+        )
     }
 
     @Test
@@ -115,7 +120,12 @@ class EditByTouchTest {
         tap("edit-several")
         make(Edit.Choose(null))
         drag(place(70.0, 60.0), place(70.0, 55.0))
-        assertEquals(listOf(55.0, 55.0), world.marks.map { ((it.figure as MarkFigure.Area).shape as Shape.Circle).centre.y })
+        assertEquals(
+            listOf(55.0, 55.0),
+            world.marks.map {
+                ((it.figure as MarkFigure.Area).shape as Shape.Circle).centre.y
+            },
+        )
         tap("duplicate")
         assertEquals(4, world.marks.size)
         tap("delete")
@@ -202,7 +212,17 @@ class EditByTouchTest {
     @Test
     fun `everything that can be pressed is large enough for a finger`() = onEditor {
         put(PaletteItem.DOT, 80.0, 60.0)
-        val tags = listOf("edit-undo", "edit-redo", "edit-several", "edit-menu", "edit-try", "edit-done", "palette-wall", "delete")
+        val tags =
+            listOf(
+                "edit-undo",
+                "edit-redo",
+                "edit-several",
+                "edit-menu",
+                "edit-try",
+                "edit-done",
+                "palette-wall",
+                "delete",
+            )
         for (tag in tags + listOf("tab-edit-chosen", "tab-edit-world")) {
             val size = screen.onNodeWithTag(tag).fetchSemanticsNode().touchBoundsInRoot
             assertTrue(size.width >= 48f && size.height >= 48f, "$tag is only ${size.size}")

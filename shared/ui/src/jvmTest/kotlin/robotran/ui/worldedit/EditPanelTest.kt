@@ -25,15 +25,16 @@ import kotlin.test.assertTrue
 @OptIn(ExperimentalTestApi::class)
 class EditPanelTest {
     @Test
-    fun `on a tablet held upright the paper has the width of the screen, and the panel lies under it`() = onEditor(820, 1180) {
-        put(PaletteItem.BLOCK, 75.0, 60.0)
-        val sheet = boundsOf("edit-sheet")
-        val panel = boundsOf("edit-panel")
-        assertTrue(sheet.width > 650f && sheet.height > 500f, "$sheet")
-        assertTrue(panel.top >= sheet.bottom && panel.width == 820f, "$panel under $sheet")
-        tap("delete")
-        assertEquals(emptyList(), world.blocks)
-    }
+    fun `on a tablet held upright the paper has the width of the screen, and the panel lies under it`() =
+        onEditor(820, 1180) {
+            put(PaletteItem.BLOCK, 75.0, 60.0)
+            val sheet = boundsOf("edit-sheet")
+            val panel = boundsOf("edit-panel")
+            assertTrue(sheet.width > 650f && sheet.height > 500f, "$sheet")
+            assertTrue(panel.top >= sheet.bottom && panel.width == 820f, "$panel under $sheet")
+            tap("delete")
+            assertEquals(emptyList(), world.blocks)
+        }
 
     @Test
     fun `figures can be typed and stepped, and what cannot be is told and not taken`() = onEditor(1280, 2400) {

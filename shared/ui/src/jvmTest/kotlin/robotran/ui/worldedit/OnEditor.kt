@@ -31,12 +31,13 @@ import robotran.worldediting.piece
 
 /** The editor open over the plain sheet, on a tablet; snapping to others is off, so that places are as told. */
 @OptIn(ExperimentalTestApi::class)
-internal fun onEditor(width: Int = 1280, height: Int = 800, check: EditorTest.() -> Unit) = onScreen(width, height) { workshop ->
-    workshop.handle(WorldEditEvent.EditorOpened)
-    workshop.handle(WorldEditEvent.Edited(Edit.Snap(Snapping(toOthers = false))))
-    pass(200)
-    EditorTest(this, workshop).check()
-}
+internal fun onEditor(width: Int = 1280, height: Int = 800, check: EditorTest.() -> Unit) =
+    onScreen(width, height) { workshop ->
+        workshop.handle(WorldEditEvent.EditorOpened)
+        workshop.handle(WorldEditEvent.Edited(Edit.Snap(Snapping(toOthers = false))))
+        pass(200)
+        EditorTest(this, workshop).check()
+    }
 
 /** What a person can do with the editor, in their words. */
 @OptIn(ExperimentalTestApi::class)

@@ -62,11 +62,16 @@ internal class DocumentAutosaver(
     /** Whether all there is has been kept as it is now. */
     val isKept: Boolean get() = keptProject == current.project && keptName == name && keptFile == file
 
-    /** The id of the work to go back to from the one that is open, if nobody has changed that; null if there is none. */
+    /**
+     * The id of the work to go back to from the one that is open, if nobody has changed that; null if there is none.
+     */
     var before: String? = null
         private set
 
-    /** Whether the open work is a world that comes with the app, with programs of another work, and nobody has changed anything about it. */
+    /**
+     * Whether the open work is a world that comes with the app, with programs of another work, and nobody has changed
+     * anything about it.
+     */
     val isOnlyAChosenWorld: Boolean get() = isOnlyChosen && isSaved
 
     /** What is on the screen now is a work that was never kept, called [name]; nothing is kept until it changes. */
@@ -79,7 +84,8 @@ internal class DocumentAutosaver(
     }
 
     /**
-     * What is on the screen now is a work that was never kept, called [name], from [file], a link or a world; it is kept at once.
+     * What is on the screen now is a work that was never kept, called [name], from [file], a link or a world; it is
+     * kept at once.
      *
      * @param before the id of the work that was there before; null if there is none to go back to.
      * @param isOnlyChosen whether it is a world that comes with the app, with the programs of the work before.

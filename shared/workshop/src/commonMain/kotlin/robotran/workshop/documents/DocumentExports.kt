@@ -90,7 +90,15 @@ internal class DocumentExports(
         if (single != null) {
             save(program.name, kind, single.text.encodeToByteArray())
         } else {
-            save(program.name, FileKind.ZIP, zipOf(program.files.map { ZipEntry(it.name, it.text.encodeToByteArray()) }))
+            save(
+                program.name,
+                FileKind.ZIP,
+                zipOf(
+                    program.files.map {
+                        ZipEntry(it.name, it.text.encodeToByteArray())
+                    },
+                ),
+            )
         }
     }
 
@@ -119,13 +127,28 @@ internal class DocumentExports(
             }
 
             is ProgramResult.Ready -> {
-                saveKit(program, javaKitFiles(checkNotNull(result.mainClass), program.files.map { KitFile(it.name, it.text) }))
+                saveKit(
+                    program,
+                    javaKitFiles(
+                        checkNotNull(result.mainClass),
+                        program.files.map {
+                            KitFile(it.name, it.text)
+                        },
+                    ),
+                )
             }
         }
     }
 
-    private suspend fun saveKit(program: PupilProgram, files: List<KitFile>) =
-        save(program.name, FileKind.ZIP, zipOf(files.map { ZipEntry(it.path, it.text.encodeToByteArray(), it.isExecutable) }))
+    private suspend fun saveKit(program: PupilProgram, files: List<KitFile>) = save(
+        program.name,
+        FileKind.ZIP,
+        zipOf(
+            files.map {
+                ZipEntry(it.path, it.text.encodeToByteArray(), it.isExecutable)
+            },
+        ),
+    )
 
     private suspend fun save(name: String, kind: FileKind, bytes: ByteArray) {
         when (val saving = platform.files.save(fileNameFor(name, kind), kind, bytes)) {

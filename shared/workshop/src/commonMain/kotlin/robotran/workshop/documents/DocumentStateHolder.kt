@@ -42,7 +42,8 @@ class DocumentStateHolder(
     private val view = DocumentView(keeper, platform.sharing.hasShareSheet)
     private val saver = FileSaver(platform, current, notices, keeper, view)
     private val replacement = ProjectReplacement(keeper, view, saver, notices)
-    private val opener = FileOpener(platform, preferences, current, editor, tabs, navigator, notices, keeper, view, replacement)
+    private val opener =
+        FileOpener(platform, preferences, current, editor, tabs, navigator, notices, keeper, view, replacement)
     private val exports = DocumentExports(platform, preferences, current, notices, keeper, view)
     private val works = SavedProjectList(platform, preferences, editor, notices, keeper, view, replacement)
     private val comeBack = ProjectRestoration(platform, notices, keeper)
@@ -96,7 +97,10 @@ class DocumentStateHolder(
     /** Whether nobody has worked on what is open yet. */
     val isFresh: Boolean get() = keeper.openId == null && keeper.isKept
 
-    /** Keeps the work as it changes and opens what is brought, for ever; to be called once, for as long as the workshop is on a screen. */
+    /**
+     * Keeps the work as it changes and opens what is brought, for ever; to be called once, for as long as the workshop
+     * is on a screen.
+     */
     suspend fun keepKeeping() = coroutineScope {
         launch { while (true) receive(platform.arrivals.take()) }
         while (true) {
@@ -125,7 +129,10 @@ class DocumentStateHolder(
         return true
     }
 
-    /** The window is out of sight and may be gone without a word: all is kept, and the next start goes on as if it had been closed. */
+    /**
+     * The window is out of sight and may be gone without a word: all is kept, and the next start goes on as if it had
+     * been closed.
+     */
     suspend fun rest() {
         keeper.leaveUnkept()
         if (keepNow()) keeper.leave(comesBack = true)
@@ -148,7 +155,13 @@ class DocumentStateHolder(
         replacement.replace {
             val left = keeper.openId
             editor.openProject(project)
-            if (taken != null) keeper.tookUp(taken.first, taken.second, taken.first.project) else keeper.opened(name, null)
+            if (taken !=
+                null
+            ) {
+                keeper.tookUp(taken.first, taken.second, taken.first.project)
+            } else {
+                keeper.opened(name, null)
+            }
             view.show(null)
             keepNow()
             result = SwitchResult.Switched(left, keeper.openId)

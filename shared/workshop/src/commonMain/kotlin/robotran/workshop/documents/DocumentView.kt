@@ -29,7 +29,10 @@ internal class DocumentView(private val keeper: DocumentAutosaver, hasShareSheet
         state = state.copy(warningShown = shown)
     }
 
-    /** Asks what to do about work that cannot be saved; null if the pupil goes back to it. An earlier question counts as answered so. */
+    /**
+     * Asks what to do about work that cannot be saved; null if the pupil goes back to it. An earlier question counts as
+     * answered so.
+     */
     suspend fun askAboutLoss(): DocumentAnswer? {
         answer(null)
         val asked = CompletableDeferred<DocumentAnswer?>()

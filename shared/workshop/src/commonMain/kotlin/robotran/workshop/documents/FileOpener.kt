@@ -46,7 +46,9 @@ internal class FileOpener(
     }
 
     suspend fun open(files: List<OpenedFile>) {
-        val given = files.map { file -> IncomingFile(file.name, file.bytes, file.place?.let { FileReference(it, file.name) }) }
+        val given = files.map { file ->
+            IncomingFile(file.name, file.bytes, file.place?.let { FileReference(it, file.name) })
+        }
         when (val opening = withContext(platform.background) { openFiles(given, preferences.language) }) {
             is OpenFilesResult.Opened -> take(opening)
             is OpenFilesResult.Rejected -> view.show(DocumentDialog.Rejected(opening.error))
@@ -120,7 +122,17 @@ internal class FileOpener(
         val now = platform.clock.now
         projects.forEachIndexed { number, opened ->
             val id = "o${(now + number).toString(radix = 36)}"
-            keeper.shelf.keep(SavedProject(id, opened.name, now - 1 - number, opened.project, opened.file, saved = opened.file != null))
+            keeper.shelf.keep(
+                SavedProject(
+                    id,
+                    opened.name,
+                    now - 1 - number,
+                    opened.project,
+                    opened.file,
+                    saved =
+                        opened.file != null,
+                ),
+            )
         }
         return projects.isNotEmpty()
     }

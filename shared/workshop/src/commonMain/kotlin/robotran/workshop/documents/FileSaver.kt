@@ -57,7 +57,12 @@ internal class FileSaver(
     private suspend fun tell(saving: Saving, project: Project, bytes: ByteArray): Boolean {
         when (saving) {
             is Saving.Saved -> {
-                keeper.saved(project, saving.place?.let { SaveTarget(FileReference(it, saving.name), FileStamp.of(bytes)) })
+                keeper.saved(
+                    project,
+                    saving.place?.let {
+                        SaveTarget(FileReference(it, saving.name), FileStamp.of(bytes))
+                    },
+                )
                 keeper.name = workNameOfFile(saving.name)
                 view.show(null)
                 if (keeper.claimFile()) {

@@ -6,7 +6,10 @@ import robotran.workshop.service.Notices
 import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.state.Notice
 
-/** Puts another project in place of the open one, one after the other, and only if nothing is lost by it or the pupil does not mind. */
+/**
+ * Puts another project in place of the open one, one after the other, and only if nothing is lost by it or the pupil
+ * does not mind.
+ */
 internal class ProjectReplacement(
     private val keeper: DocumentAutosaver,
     private val view: DocumentView,

@@ -8,11 +8,17 @@ import robotran.workshop.service.Notices
 import robotran.workshop.state.Notice
 
 /** Finds the work with which a window begins, and says what is to be said about it. */
-internal class ProjectRestoration(private val platform: Platform, private val notices: Notices, private val keeper: DocumentAutosaver) {
+internal class ProjectRestoration(
+    private val platform: Platform,
+    private val notices: Notices,
+    private val keeper: DocumentAutosaver,
+) {
     /**
-     * The work that comes back into this window: its own if it was loaded anew, otherwise what was open last; null if it begins a new one.
+     * The work that comes back into this window: its own if it was loaded anew, otherwise what was open last; null if
+     * it begins a new one.
      *
-     * @param isBroughtSomething whether something was brought to the window, which takes the place of what was open last.
+     * @param isBroughtSomething whether something was brought to the window, which takes the place of what was open
+     * last.
      */
     suspend fun take(isBroughtSomething: Boolean): RestoredProject? {
         val own = platform.window.workId
@@ -27,10 +33,21 @@ internal class ProjectRestoration(private val platform: Platform, private val no
     /** Says what came back, if it did not come back as if nothing had been. */
     fun say(back: RestoredProject) {
         if (!back.wasCutShort && back.others == 0) return
-        notices.say(if (back.others > 0) Notice.OtherProjectsOpen(back.wasCutShort) else Notice.ProjectRestored(back.work.name))
+        notices.say(
+            if (back.others >
+                0
+            ) {
+                Notice.OtherProjectsOpen(back.wasCutShort)
+            } else {
+                Notice.ProjectRestored(back.work.name)
+            },
+        )
     }
 
-    /** The work [id], which this window has shown before; null if it is gone, or if another window has it, which is then said. */
+    /**
+     * The work [id], which this window has shown before; null if it is gone, or if another window has it, which is then
+     * said.
+     */
     private suspend fun takeOwn(id: String): RestoredProject? {
         val left = platform.window.left(id)
         if (left == null && id !in keeper.shelf.ids()) return null

@@ -58,7 +58,13 @@ internal class SavedProjectList(
         if (view.dialog !is DocumentDialog.ProjectList) view.show(DocumentDialog.ProjectList(works = null))
         view.keepNow()
         val language = preferences.settings.language?.tag.orEmpty()
-        val works = keeper.shelf.works().map { ProjectListEntry(it, platform.clock.describe(it.keptAt, language), it.id == keeper.openId) }
+        val works = keeper.shelf.works().map {
+            ProjectListEntry(
+                it,
+                platform.clock.describe(it.keptAt, language),
+                it.id == keeper.openId,
+            )
+        }
         if (view.dialog is DocumentDialog.ProjectList) view.show(DocumentDialog.ProjectList(works))
         for (work in works) {
             yield()
@@ -72,7 +78,19 @@ internal class SavedProjectList(
         val project = (keeper.shelf.read(entry.id) as? SavedProjectResult.Found)?.work?.project ?: return
         val programs = project.robots.flatMap { robot -> robot.programs.map { it.name } }
         val now = view.dialog as? DocumentDialog.ProjectList ?: return
-        view.show(now.copy(works = now.works?.map { if (it.entry == entry) it.copy(world = project.world, programs = programs) else it }))
+        view.show(
+            now.copy(
+                works = now.works?.map {
+                    if (it.entry ==
+                        entry
+                    ) {
+                        it.copy(world = project.world, programs = programs)
+                    } else {
+                        it
+                    }
+                },
+            ),
+        )
     }
 
     private suspend fun open(id: String) {

@@ -55,10 +55,15 @@ sealed interface ProgramEvent : WorkshopEvent {
     /** The Java program that is shown is to have one more class. */
     data object ClassAdded : ProgramEvent
 
-    /** The file [place] of the program that is shown is to be called [name], which must be possible, see [nameProblem]. */
+    /**
+     * The file [place] of the program that is shown is to be called [name], which must be possible, see [nameProblem].
+     */
     data class FileRenamed(val place: Int, val name: String) : ProgramEvent
 
-    /** The file [place] of the Java program that is shown is to go away, if there are others; it can be brought back as long as nothing else goes. */
+    /**
+     * The file [place] of the Java program that is shown is to go away, if there are others; it can be brought back as
+     * long as nothing else goes.
+     */
     data class FileClosed(val place: Int) : ProgramEvent
 
     /** The program in [slot] is to go away; it can be brought back as long as nothing else goes. */

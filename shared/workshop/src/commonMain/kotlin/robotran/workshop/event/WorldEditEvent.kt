@@ -10,7 +10,9 @@ sealed interface WorldEditEvent : WorkshopEvent {
     /** Something is to be done to the world. */
     data class Edited(val edit: Edit) : WorldEditEvent
 
-    /** The world is as it should be: robots are put into it. If something has to be mended first, that is pointed out. */
+    /**
+     * The world is as it should be: robots are put into it. If something has to be mended first, that is pointed out.
+     */
     data object EditorClosed : WorldEditEvent
 
     /** The same, and the program runs in it at once. */

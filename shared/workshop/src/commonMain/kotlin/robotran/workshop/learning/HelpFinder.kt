@@ -39,7 +39,10 @@ internal class HelpFinder(
     fun on(code: ProgramLanguage, word: String?): HelpState =
         HelpState(code, word, word?.let { WordHelp.of(preferences.language, code, it) })
 
-    /** Puts the example of [help] into a tab and runs nothing; false if there is no example, or no room for it, which is then said. */
+    /**
+     * Puts the example of [help] into a tab and runs nothing; false if there is no example, or no room for it, which is
+     * then said.
+     */
     fun tryExample(help: HelpState): Boolean {
         val example = help.found?.example ?: return false
         val program = when (help.code) {

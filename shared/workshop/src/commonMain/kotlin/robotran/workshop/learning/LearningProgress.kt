@@ -12,7 +12,8 @@ import robotran.workshop.platform.KeyValueStore
  * @property tutorialShown whether the tutorial stands beside the program.
  * @property step the name of the step that was shown last.
  * @property programs the pupil's own versions of the steps' programs, by the names of the steps.
- * @property ownWork the id of the kept work that was on the desk before the tutorial; null if nothing was changed in that.
+ * @property ownWork the id of the kept work that was on the desk before the tutorial; null if nothing was changed in
+ * that.
  * @property tutorialWork the id of the kept work that the tutorial is.
  */
 @Serializable

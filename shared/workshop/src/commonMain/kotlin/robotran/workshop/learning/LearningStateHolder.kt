@@ -50,18 +50,23 @@ class LearningStateHolder(
     /** Whether the tutorial was folded because something else came onto the desk. */
     private var hasGivenWay = false
     private var goalsSeen: List<GoalProgress> = emptyList()
-    private val tutorial = TutorialController(scope, preferences, current, editor, switcher, navigator, { progress }, ::keep)
+    private val tutorial =
+        TutorialController(scope, preferences, current, editor, switcher, navigator, { progress }, ::keep)
     private val help = HelpFinder(preferences, current, tabs, navigator, notices)
 
     var state: LearningState by mutableStateOf(LearningState())
         private set
 
-    /** Goes on where somebody has stopped the last time; on the very first start, shows what there is to be tried if [welcoming]. */
+    /**
+     * Goes on where somebody has stopped the last time; on the very first start, shows what there is to be tried if
+     * [welcoming].
+     */
     suspend fun start(welcoming: Boolean) {
         progress = LearningProgress.readFrom(store)
         state = state.copy(
             page = LearningPage.FIRST_RUN.takeIf { welcoming && !progress.welcomed },
-            tutorial = tutorial.stepOnDesk()?.let(tutorial::show) ?: if (progress.tutorialShown) tutorial.first() else null,
+            tutorial =
+                tutorial.stepOnDesk()?.let(tutorial::show) ?: if (progress.tutorialShown) tutorial.first() else null,
         )
         hasStarted = true
         refresh()
@@ -116,7 +121,9 @@ class LearningStateHolder(
         if (hasStarted) tutorial.keepProgram()
     }
 
-    /** Something else is on the desk: the tutorial folds if that is none of its steps, and shows the step if it is one. */
+    /**
+     * Something else is on the desk: the tutorial folds if that is none of its steps, and shows the step if it is one.
+     */
     fun deskChanged() {
         if (!hasStarted) return
         val shown = state.tutorial
@@ -152,7 +159,11 @@ class LearningStateHolder(
         if (page == LearningPage.TUTORIAL) {
             showTutorial()
         } else {
-            if (page == LearningPage.HELP || page == LearningPage.EXAMPLES) state = state.copy(help = HelpState(help.shownCode))
+            if (page == LearningPage.HELP ||
+                page == LearningPage.EXAMPLES
+            ) {
+                state = state.copy(help = HelpState(help.shownCode))
+            }
             state = state.copy(page = page, asked = "")
         }
     }

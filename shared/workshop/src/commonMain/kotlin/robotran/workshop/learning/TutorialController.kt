@@ -16,8 +16,8 @@ import robotran.workshop.state.Pane
 import robotran.workshop.state.TutorialState
 
 /**
- * Puts the tutorial's steps on the desk, in a work of its own, and what was there before back again. What a pupil has written in a step is
- * kept and comes back with it.
+ * Puts the tutorial's steps on the desk, in a work of its own, and what was there before back again. What a pupil has
+ * written in a step is kept and comes back with it.
  *
  * @param keep keeps what has become of the progress.
  */
@@ -118,5 +118,6 @@ internal class TutorialController(
     private fun programOnDesk(step: TutorialStep): String? =
         current.project.pupilPrograms.firstOrNull { it.name == step.program.name }?.files?.first()?.text
 
-    private fun own(step: TutorialStep) = progress().programs[step.name]?.let { SourceFile(step.program.name, it) } ?: step.program
+    private fun own(step: TutorialStep) =
+        progress().programs[step.name]?.let { SourceFile(step.program.name, it) } ?: step.program
 }

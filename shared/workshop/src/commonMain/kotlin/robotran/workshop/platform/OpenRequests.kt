@@ -3,7 +3,8 @@ package robotran.workshop.platform
 import kotlinx.coroutines.channels.Channel
 
 /**
- * What is brought to a window from outside: files named at its start, dropped on it or handed over by another app, and links.
+ * What is brought to a window from outside: files named at its start, dropped on it or handed over by another app, and
+ * links.
  *
  * [bring] may be called from any thread.
  */

@@ -33,8 +33,8 @@ interface Platform {
     val window: WindowMemory get() = NoWindowMemory
 
     /**
-     * The address of the page this runs in or belongs to, without a fragment; empty where there is none, so that people are asked for
-     * [Settings.site][robotran.workshop.state.Settings.site].
+     * The address of the page this runs in or belongs to, without a fragment; empty where there is none, so that people
+     * are asked for [Settings.site][robotran.workshop.state.Settings.site].
      */
     val pageAddress: String get() = ""
 

@@ -2,7 +2,9 @@ package robotran.workshop.platform
 
 /** How text leaves the app. */
 interface Sharing {
-    /** Whether the platform has a way of sharing of its own beside the clipboard, such as the share sheet of a phone. */
+    /**
+     * Whether the platform has a way of sharing of its own beside the clipboard, such as the share sheet of a phone.
+     */
     val hasShareSheet: Boolean get() = false
 
     /** Copies [text] to the clipboard; whether that worked. */

@@ -5,7 +5,9 @@ interface WallClock {
     /** Milliseconds since 1970. */
     val now: Long
 
-    /** When [milliseconds] was, as people write it who speak [language] (`en`), short: today's times without their day. */
+    /**
+     * When [milliseconds] was, as people write it who speak [language] (`en`), short: today's times without their day.
+     */
     fun describe(milliseconds: Long, language: String): String
 }
 

@@ -5,10 +5,16 @@ interface WindowMemory {
     /** The id of the work that this window showed last; empty if that was not kept, null if the window is new. */
     var workId: String?
 
-    /** Whether the window that showed the work [id] last was left or loaded anew, rather than having crashed; asked once, when that comes back. */
+    /**
+     * Whether the window that showed the work [id] last was left or loaded anew, rather than having crashed; asked
+     * once, when that comes back.
+     */
     fun hasEnded(id: String): Boolean
 
-    /** Remembers at once [text], what may not have been kept of the work [id] when this window ends; null once it was kept. */
+    /**
+     * Remembers at once [text], what may not have been kept of the work [id] when this window ends; null once it was
+     * kept.
+     */
     fun leave(id: String, text: String?)
 
     /** What was left of the work [id], null if nothing was. */

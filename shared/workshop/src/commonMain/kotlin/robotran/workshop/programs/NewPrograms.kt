@@ -19,7 +19,10 @@ internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>): 
 /** A file with one more class for the Java program [program]. */
 internal fun newClass(program: PupilProgram): ProgramFile {
     val name = freeName("Helper", ProgramLanguage.JAVA, program.files.map { it.name })
-    return ProgramFile(name, "import josx.platform.rcx.*;\n\nclass ${name.removeSuffix(ProgramLanguage.JAVA.extension)} {\n\n}\n")
+    return ProgramFile(
+        name,
+        "import josx.platform.rcx.*;\n\nclass ${name.removeSuffix(ProgramLanguage.JAVA.extension)} {\n\n}\n",
+    )
 }
 
 private fun freeName(name: String, language: ProgramLanguage, taken: List<String>): String =

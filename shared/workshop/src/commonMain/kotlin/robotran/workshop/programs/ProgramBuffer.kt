@@ -27,7 +27,9 @@ internal class ProgramBuffer private constructor(
     private val earlierTranslation: Translation?,
     knownTranslation: Lazy<Translation?>? = null,
 ) {
-    constructor(program: PupilProgram) : this(program, program.files.map { ProgramFileMemory(Draft(it.text)) }, null, emptyList(), null)
+    constructor(
+        program: PupilProgram,
+    ) : this(program, program.files.map { ProgramFileMemory(Draft(it.text)) }, null, emptyList(), null)
 
     /** Nobody waits for a translation that nobody looks at. */
     private val lazyTranslation: Lazy<Translation?> =
@@ -42,10 +44,12 @@ internal class ProgramBuffer private constructor(
     val isTranslated: Boolean get() = robolang != null
 
     private val robolang: RobolangProgram? get() = (result as? ProgramResult.Ready)?.program as? RobolangProgram
-    private val lastTranslation: Translation? get() = if (lazyTranslation.isInitialized()) translation else earlierTranslation
+    private val lastTranslation: Translation?
+        get() = if (lazyTranslation.isInitialized()) translation else earlierTranslation
 
     /** The same program once [result] came of reading it. */
-    fun read(result: ProgramResult): ProgramBuffer = ProgramBuffer(program, memories, result, notesOf(result), earlierTranslation)
+    fun read(result: ProgramResult): ProgramBuffer =
+        ProgramBuffer(program, memories, result, notesOf(result), earlierTranslation)
 
     /** The same program, as if nobody had read it. */
     fun unread(): ProgramBuffer = ProgramBuffer(program, memories, null, notes, lastTranslation)

@@ -33,7 +33,8 @@ internal class ProgramEditing(
     /** Whether something is to be done as soon as the program was read. */
     val waitsForReading: Boolean get() = fixes.waitsForReading
 
-    private val fixes = QuickFixes(sayFixGone) { robot, text -> write(robot, robot.memory.draft.changedTo(text), EditKind.OTHER) }
+    private val fixes =
+        QuickFixes(sayFixGone) { robot, text -> write(robot, robot.memory.draft.changedTo(text), EditKind.OTHER) }
 
     fun handle(event: ProgramEvent) {
         val robot = shown()
@@ -97,7 +98,11 @@ internal class ProgramEditing(
         val line = draft.lines.lineOf(draft.selection.caret)
         val laidOut = Draft(text)
         val column = draft.lines.columnOf(draft.selection.caret)
-        write(robot, laidOut.withCaret(laidOut.lines.offset(minOf(line, laidOut.lines.count - 1), column)), EditKind.OTHER)
+        write(
+            robot,
+            laidOut.withCaret(laidOut.lines.offset(minOf(line, laidOut.lines.count - 1), column)),
+            EditKind.OTHER,
+        )
     }
 
     /** The programs were read, or cannot be: does what waited for it. */
@@ -134,14 +139,27 @@ internal class ProgramEditing(
         val entry = robot.entry
         if (event.place !in entry.memories.indices) return
         if (nameProblem(robot.shelf.programs, robot.shownProgram, event.place, event.name) != null) return
-        robot.shelf.change(robot.shownProgram, entry.withFileRenamed(event.place, fileNameFor(event.name, entry.program.language)))
+        robot.shelf.change(
+            robot.shownProgram,
+            entry.withFileRenamed(event.place, fileNameFor(event.name, entry.program.language)),
+        )
     }
 
     private fun closeFile(robot: RobotPrograms, place: Int) {
         val files = robot.entry.program.files.zip(robot.entry.memories)
         if (place !in files.indices || files.size == 1) return
         robot.closed = ClosedFile.OfProgram(robot.shownProgram, place, files[place].first, files[place].second)
-        robot.shelf.change(robot.shownProgram, robot.entry.withFiles(files.filterIndexed { index, _ -> index != place }))
+        robot.shelf.change(
+            robot.shownProgram,
+            robot.entry.withFiles(
+                files.filterIndexed {
+                    index,
+                    _,
+                    ->
+                    index != place
+                },
+            ),
+        )
         robot.shownFile = robot.shownFile.let { if (it > place) it - 1 else it }.coerceAtMost(files.size - 2)
     }
 

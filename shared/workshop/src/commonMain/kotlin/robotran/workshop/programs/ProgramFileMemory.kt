@@ -20,13 +20,21 @@ internal data class ProgramFileMemory(
 ) {
     /** The same after [written] has come in place of the text. */
     fun written(written: Draft, kind: EditKind): ProgramFileMemory {
-        if (written.text == draft.text) return copy(draft = draft.copy(selection = written.selection), history = history.closed())
+        if (written.text ==
+            draft.text
+        ) {
+            return copy(draft = draft.copy(selection = written.selection), history = history.closed())
+        }
         return copy(draft = written, history = history.recorded(draft, written, kind), breakpoints = movedTo(written))
     }
 
-    fun undone(): ProgramFileMemory? = history.undone(draft)?.let { (before, rest) -> ProgramFileMemory(before, rest, movedTo(before)) }
+    fun undone(): ProgramFileMemory? = history.undone(draft)?.let { (before, rest) ->
+        ProgramFileMemory(before, rest, movedTo(before))
+    }
 
-    fun redone(): ProgramFileMemory? = history.redone(draft)?.let { (after, rest) -> ProgramFileMemory(after, rest, movedTo(after)) }
+    fun redone(): ProgramFileMemory? = history.redone(draft)?.let { (after, rest) ->
+        ProgramFileMemory(after, rest, movedTo(after))
+    }
 
     fun withBreakpointToggled(line: Int): ProgramFileMemory = when (line) {
         in breakpoints -> copy(breakpoints = breakpoints - line)
@@ -34,5 +42,6 @@ internal data class ProgramFileMemory(
         else -> this
     }
 
-    private fun movedTo(after: Draft): Set<Int> = editBetween(draft, after)?.let { breakpoints.movedWith(it, draft.lines) } ?: breakpoints
+    private fun movedTo(after: Draft): Set<Int> =
+        editBetween(draft, after)?.let { breakpoints.movedWith(it, draft.lines) } ?: breakpoints
 }

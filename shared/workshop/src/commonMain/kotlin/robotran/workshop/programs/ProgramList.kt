@@ -12,13 +12,10 @@ import robotran.rcxrom.program.RcxProgram
 import robotran.workshop.state.PupilProgram
 
 /**
- * The programs of one robot in the order of its brick's slots, and what came of reading them. Robolang is read while it is typed, unless it is very
- * long; Java takes a compiler, so it is read when there is time for it, by [readUnread].
+ * The programs of one robot in the order of its brick's slots, and what came of reading them. Robolang is read while it
+ * is typed, unless it is very long; Java takes a compiler, so it is read when there is time for it, by [readUnread].
  */
-internal class ProgramList(
-    programs: List<PupilProgram>,
-    private val reader: ProgramCompiler,
-) {
+internal class ProgramList(programs: List<PupilProgram>, private val reader: ProgramCompiler) {
     var entries: List<ProgramBuffer> = programs.take(Brick.MAX_PROGRAMS).map { readIfShort(ProgramBuffer(it)) }
         private set
 
@@ -73,7 +70,9 @@ internal class ProgramList(
     }
 
     private companion object {
-        /** Characters of Robolang that are read at every key; that takes a small part of the time between two pictures. */
+        /**
+         * Characters of Robolang that are read at every key; that takes a small part of the time between two pictures.
+         */
         const val READ_AT_ONCE = 12_000
     }
 }

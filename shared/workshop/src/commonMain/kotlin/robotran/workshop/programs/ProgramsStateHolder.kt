@@ -72,7 +72,15 @@ class ProgramsStateHolder(
 
     /** All programs as they are written now, and what the bricks' slots get of them. */
     internal val written: WrittenPrograms
-        get() = WrittenPrograms(robots.map { it.shelf.programs }, robots.map { robot -> robot.shelf.slots.map { it != null } })
+        get() = WrittenPrograms(
+            robots.map { it.shelf.programs },
+            robots.map { robot ->
+                robot.shelf.slots.map {
+                    it !=
+                        null
+                }
+            },
+        )
 
     /** How many programs the first robot has. */
     val count: Int get() = robots.first().shelf.entries.size
@@ -84,25 +92,36 @@ class ProgramsStateHolder(
     fun projectRobots(world: World): List<ProjectRobot> =
         robots.filter { robot -> world.robots.any { it.name == robot.place.name } }.mapNotNull { it.asProject() }
 
-    /** The slots whose programs Run in the run bar starts: [first] of the first robot, and of the others what was shown last. */
+    /**
+     * The slots whose programs Run in the run bar starts: [first] of the first robot, and of the others what was shown
+     * last.
+     */
     fun slotsBeginning(first: Int): List<Int> = starting(first).map { it.second }
 
-    /** What the robots of [world] are loaded with, as the programs were last read; Run starts the programs in [firstSlots], robot by robot. */
+    /**
+     * What the robots of [world] are loaded with, as the programs were last read; Run starts the programs in
+     * [firstSlots], robot by robot.
+     */
     fun loads(world: World, firstSlots: List<Int>): List<RobotLoad> = world.robots.mapIndexed { index, place ->
-        robots.firstOrNull { it.place.name == place.name }?.load(firstSlots.getOrElse(index) { 0 }) ?: RobotLoad(emptyList())
+        robots.firstOrNull { it.place.name == place.name }?.load(firstSlots.getOrElse(index) { 0 })
+            ?: RobotLoad(emptyList())
     }
 
     /** Where the program in [slot] of the robot called [robot] is to stop. */
-    fun breakpoints(robot: String, slot: Int): Set<Breakpoint> = robots.firstOrNull { it.place.name == robot }?.breakpoints(slot).orEmpty()
+    fun breakpoints(robot: String, slot: Int): Set<Breakpoint> =
+        robots.firstOrNull { it.place.name == robot }?.breakpoints(slot).orEmpty()
 
     /**
-     * Whether the program in [slot] of the first robot, and those of the others, can run now; if one has mistakes, the first is pointed out, and if
-     * one was not read yet, it is being read from now on, and [onRead] tells when that is done.
+     * Whether the program in [slot] of the first robot, and those of the others, can run now; if one has mistakes, the
+     * first is pointed out, and if one was not read yet, it is being read from now on, and [onRead] tells when that is
+     * done.
      */
     fun canStart(slot: Int): Boolean {
         if (!isRead(slot)) readingLoop.hurry()
         if (!isRead(slot)) return false
-        val mistaken = starting(slot).firstOrNull { (robot, itsSlot) -> robot.isNeeded() && !robot.shelf.canRun(itsSlot) } ?: return true
+        val mistaken =
+            starting(slot).firstOrNull { (robot, itsSlot) -> robot.isNeeded() && !robot.shelf.canRun(itsSlot) }
+                ?: return true
         shownRobot = mistaken.first.place.name
         editing.pointOutMistakes(mistaken.first, mistaken.second)
         refresh()
@@ -112,7 +131,9 @@ class ProgramsStateHolder(
     /** Whether the program in [slot] of the first robot, and those of the others, were read since they were changed. */
     fun isRead(slot: Int): Boolean = starting(slot).all { (robot, itsSlot) -> robot.shelf.isRead(itsSlot) }
 
-    /** Shows the file [name] of the program in [slot] of the robot called [robot], if it is that program that is shown. */
+    /**
+     * Shows the file [name] of the program in [slot] of the robot called [robot], if it is that program that is shown.
+     */
     internal fun showFile(robot: String, slot: Int, name: String) {
         if (shown.place.name != robot || shown.shownProgram != slot) return
         val place = shown.entry.program.files.indexOfFirst { it.name == name }
@@ -186,7 +207,12 @@ class ProgramsStateHolder(
 
     private fun sayTooLong() {
         // In thousands: every language writes longer numbers in its own way.
-        notices.say(Notice.ProgramTooLong(ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS / THOUSAND, ProjectLimits.MAXIMUM_LINES / THOUSAND))
+        notices.say(
+            Notice.ProgramTooLong(
+                ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS / THOUSAND,
+                ProjectLimits.MAXIMUM_LINES / THOUSAND,
+            ),
+        )
     }
 
     private fun sayFixGone() = notices.say(Notice.FixOutdated)
@@ -241,5 +267,8 @@ class ProgramsStateHolder(
 
 private const val THOUSAND = 1_000
 
-/** What the pupil has written and which of it can run, robot by robot: two of them are alike if nothing has changed between them. */
+/**
+ * What the pupil has written and which of it can run, robot by robot: two of them are alike if nothing has changed
+ * between them.
+ */
 internal data class WrittenPrograms(val programs: List<List<PupilProgram>>, val runnable: List<List<Boolean>>)

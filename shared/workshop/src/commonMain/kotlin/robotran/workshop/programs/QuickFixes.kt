@@ -5,8 +5,8 @@ import robotran.workshop.state.InlineDiagnostic
 import robotran.workshop.state.mendedBy
 
 /**
- * Applies the fixes of mistakes, also those that are wanted before the program was read again: at once where the text that is to be mended is as it was,
- * otherwise as soon as it was read.
+ * Applies the fixes of mistakes, also those that are wanted before the program was read again: at once where the text
+ * that is to be mended is as it was, otherwise as soon as it was read.
  *
  * @param sayGone tells that a fix does not fit the program any more.
  * @param write puts a text in place of that of the file that a robot's programs show.

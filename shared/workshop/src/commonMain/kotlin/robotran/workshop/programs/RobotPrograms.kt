@@ -13,7 +13,8 @@ import robotran.workshop.state.withPlainLineEnds
 import robotran.world.RobotPlacement
 
 /**
- * The programs of one robot: those that a pupil has given it or, as long as they were not touched, the one that its world gives it.
+ * The programs of one robot: those that a pupil has given it or, as long as they were not touched, the one that its
+ * world gives it.
  *
  * @property place the robot as its world has it.
  * @param kept what a project says about it.
@@ -72,14 +73,22 @@ internal class RobotPrograms(
     /** Where the program in [slot] is to stop. */
     fun breakpoints(slot: Int): Set<Breakpoint> {
         val entry = shelf.entries.getOrNull(slot) ?: return emptySet()
-        val file = { index: Int -> entry.program.files[index].name.takeIf { entry.program.language == ProgramLanguage.JAVA } }
-        return entry.memories.flatMapIndexedTo(mutableSetOf()) { index, memory -> memory.breakpoints.map { Breakpoint(it, file(index)) } }
+        val file = { index: Int ->
+            entry.program.files[index].name.takeIf {
+                entry.program.language ==
+                    ProgramLanguage.JAVA
+            }
+        }
+        return entry.memories.flatMapIndexedTo(mutableSetOf()) { index, memory ->
+            memory.breakpoints.map { Breakpoint(it, file(index)) }
+        }
     }
 
     /** The same programs for [place], with all that is remembered of them. */
     fun movedTo(place: RobotPlacement): RobotPrograms {
         val isOwn = isUntouched && ownProgramOf(place) != given
-        val moved = RobotPrograms(place, kept.copy(name = place.name), reader, if (isOwn) emptyList() else shelf.programs)
+        val moved =
+            RobotPrograms(place, kept.copy(name = place.name), reader, if (isOwn) emptyList() else shelf.programs)
         if (!isOwn) moved.remember(this) { it }
         moved.closed = closed
         moved.closedShown = closedShown
@@ -103,6 +112,5 @@ internal class RobotPrograms(
 }
 
 /** What the world gives a robot to do, as a program. */
-private fun ownProgramOf(
-    place: RobotPlacement,
-) = PupilProgram("${place.name}${ProgramLanguage.ROBOLANG.extension}", place.program.orEmpty())
+private fun ownProgramOf(place: RobotPlacement) =
+    PupilProgram("${place.name}${ProgramLanguage.ROBOLANG.extension}", place.program.orEmpty())

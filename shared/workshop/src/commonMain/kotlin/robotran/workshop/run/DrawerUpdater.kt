@@ -48,13 +48,21 @@ internal class DrawerUpdater {
 
     private fun fill(drawer: DrawerState, tab: DrawerTab, player: RunPlayer): DrawerState = when (tab) {
         // On the way to another time the program is somewhere that nobody wants to see.
-        DrawerTab.VARIABLES -> if (player.playback is PlaybackState.Seeking) drawer else drawer.copy(variables = lookAtVariables(player))
+        DrawerTab.VARIABLES -> if (player.playback is PlaybackState.Seeking) {
+            drawer
+        } else {
+            drawer.copy(
+                variables = lookAtVariables(player),
+            )
+        }
 
         DrawerTab.LOG -> drawer.copy(log = lookAtLog(player))
 
         DrawerTab.CHART -> drawer.copy(chart = drawer.chart.copy(lines = ChartLane.entries.map(player::chart)))
 
-        DrawerTab.WHY -> drawer.copy(why = WhyState(player.session.explain(), player.state.robots[player.watched].remarks))
+        DrawerTab.WHY -> drawer.copy(
+            why = WhyState(player.session.explain(), player.state.robots[player.watched].remarks),
+        )
 
         DrawerTab.GOALS -> drawer
     }

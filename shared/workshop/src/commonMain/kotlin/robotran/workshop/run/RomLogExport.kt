@@ -11,7 +11,11 @@ import robotran.workshop.state.LogState
 import robotran.workshop.state.Notice
 
 /** Takes the ROM calls that are shown out of the app. */
-internal class RomLogExport(private val platform: Platform, private val scope: CoroutineScope, private val notices: Notices) {
+internal class RomLogExport(
+    private val platform: Platform,
+    private val scope: CoroutineScope,
+    private val notices: Notices,
+) {
     /** Copies them as text. */
     fun copy(log: LogState) {
         val text = log.entries.toLogText()

@@ -35,9 +35,9 @@ import robotran.world.World
 /**
  * Keeps the run that is watched; not safe for use by several threads.
  *
- * Run in the run bar begins afresh with the program that is shown: the robot is back at its start on a clean sheet, on a brick that is switched on, and Run is
- * pressed on the bricks of all robots. The brick's own Run carries on from where the robot stands, as on a real one, unless a program has changed, which begins
- * afresh too.
+ * Run in the run bar begins afresh with the program that is shown: the robot is back at its start on a clean sheet, on
+ * a brick that is switched on, and Run is pressed on the bricks of all robots. The brick's own Run carries on from
+ * where the robot stands, as on a real one, unless a program has changed, which begins afresh too.
  *
  * @param recording what was done to a run that the project came with; it can be played.
  */
@@ -66,7 +66,10 @@ class RunStateHolder(
     var state: RunPaneState by mutableStateOf(firstState())
         private set
 
-    /** The program of each robot of the world that Run started, or would start, in this run, as long as Prgm was not pressed. */
+    /**
+     * The program of each robot of the world that Run started, or would start, in this run, as long as Prgm was not
+     * pressed.
+     */
     val startedPrograms: List<Int> get() = run.firstSlots
 
     /** What was done to the run, also after the time that is looked at. */
@@ -116,7 +119,10 @@ class RunStateHolder(
         show()
     }
 
-    /** A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards: virtual time follows it while [RunPaneState.awake]. */
+    /**
+     * A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards: virtual time follows it
+     * while [RunPaneState.awake].
+     */
     fun frame(nanoseconds: Long) {
         if (!state.awake) return player.rest()
         player.frame(nanoseconds)
@@ -158,7 +164,10 @@ class RunStateHolder(
     /** Gives back what the session holds. Nothing may be called afterwards. */
     fun close() = run.close()
 
-    /** Presses Run on a clean sheet, with the program in [slot], and then does [what] is wanted of it; if it was not compiled yet, once it is. */
+    /**
+     * Presses Run on a clean sheet, with the program in [slot], and then does [what] is wanted of it; if it was not
+     * compiled yet, once it is.
+     */
     private fun start(slot: Int, what: StartAction) {
         pendingStart = if (programs.isRead(slot)) null else PendingStart(slot, what)
         if (!programs.canStart(slot)) return
@@ -197,8 +206,13 @@ class RunStateHolder(
         }
     }
 
-    private fun step(kind: StepKind) =
-        if (state.running) goOn { player.step(kind) } else start(programs.slotToRun, StartAction.StopBeforeFirstStatement)
+    private fun step(kind: StepKind) = if (state.running) {
+        goOn {
+            player.step(kind)
+        }
+    } else {
+        start(programs.slotToRun, StartAction.StopBeforeFirstStatement)
+    }
 
     /** Java loads its classes before it comes to a statement; meanwhile there is no line that could be shown. */
     private fun standBeforeFirstStatement() =
@@ -266,12 +280,20 @@ class RunStateHolder(
         if (tab != null) navigator.show(Pane.WORLD)
     }
 
-    private fun firstState() =
-        RunPaneState(run.world, player.state, hasRecording = recording.isNotEmpty(), settings = current.project.settings)
+    private fun firstState() = RunPaneState(
+        run.world,
+        player.state,
+        hasRecording = recording.isNotEmpty(),
+        settings = current.project.settings,
+    )
 
     private fun beginAfresh(slot: Int) = beginAfresh(programs.slotsBeginning(slot))
 
-    private fun beginAfresh(firstSlots: List<Int>, world: World = run.world, inputs: List<RecordedInput> = emptyList()) {
+    private fun beginAfresh(
+        firstSlots: List<Int>,
+        world: World = run.world,
+        inputs: List<RecordedInput> = emptyList(),
+    ) {
         run.beginAfresh(firstSlots, world, inputs)
         rest.disturb()
         state = state.copy(watched = player.watched)

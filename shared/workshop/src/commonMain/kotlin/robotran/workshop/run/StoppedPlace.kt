@@ -5,7 +5,10 @@ import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RunPlayer
 import robotran.workshop.programs.ProgramsStateHolder
 
-/** Turns to the file that the program of the watched robot has come to a stop in, once at each stop: whoever then looks elsewhere is left alone. */
+/**
+ * Turns to the file that the program of the watched robot has come to a stop in, once at each stop: whoever then looks
+ * elsewhere is left alone.
+ */
 internal class StoppedPlace(private val programs: ProgramsStateHolder) {
     private var seen: Pair<Long, RunState>? = null
 

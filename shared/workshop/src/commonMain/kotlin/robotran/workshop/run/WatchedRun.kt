@@ -17,7 +17,8 @@ import robotran.workshop.state.Notice
 import robotran.world.World
 
 /**
- * The run that is watched, with its sound; one after the other, since whenever the robots go back to their starts another begins.
+ * The run that is watched, with its sound; one after the other, since whenever the robots go back to their starts
+ * another begins.
  *
  * @param world what the first takes place in.
  */
@@ -58,7 +59,10 @@ internal class WatchedRun(
     /** The program that is chosen on the brick of the watched robot. */
     val slotOnBrick: Int get() = player.state.brick.selectedSlot.coerceAtMost(programs.count - 1)
 
-    /** Puts the robots at their starts in [world], with the programs as they are and [firstSlots] chosen; [inputs] will be done to them. */
+    /**
+     * Puts the robots at their starts in [world], with the programs as they are and [firstSlots] chosen; [inputs] will
+     * be done to them.
+     */
     fun beginAfresh(firstSlots: List<Int>, world: World = this.world, inputs: List<RecordedInput> = emptyList()) {
         val before = player
         before.close()
@@ -76,7 +80,12 @@ internal class WatchedRun(
     fun speak(language: Language) {
         val now = if (isChanged) setup.loads else programs.loads(world, firstSlots)
         val loads = setup.loads.zip(now) { loaded, read ->
-            loaded.copy(programs = loaded.programs.mapIndexed { slot, program -> read.programs.getOrNull(slot) ?: program })
+            loaded.copy(
+                programs = loaded.programs.mapIndexed { slot, program ->
+                    read.programs.getOrNull(slot)
+                        ?: program
+                },
+            )
         }
         setup = RunSetup(world, loads, physics, language)
         player.speak(language, loads)
@@ -89,7 +98,10 @@ internal class WatchedRun(
         sound.skip()
     }
 
-    /** Does what has to be done when something may have become of it: hears another session, tells of a new future, stops before other lines. */
+    /**
+     * Does what has to be done when something may have become of it: hears another session, tells of a new future,
+     * stops before other lines.
+     */
     fun look() {
         if (player.session !== lastSession) {
             val isAfresh = player.session.milliseconds == 0L && player.time == 0L
@@ -106,7 +118,8 @@ internal class WatchedRun(
     /** Plays what has sounded since the last time, unless that passed too quickly. */
     fun hearWhatIsNew() {
         val isHeard =
-            player.speed != RunSpeed.FASTEST && (player.playback is PlaybackState.Playing || player.playback is PlaybackState.Stepping)
+            player.speed != RunSpeed.FASTEST &&
+                (player.playback is PlaybackState.Playing || player.playback is PlaybackState.Stepping)
         if (isHeard) sound.follow() else sound.skip()
     }
 

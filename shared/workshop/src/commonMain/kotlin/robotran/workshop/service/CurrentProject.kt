@@ -9,7 +9,10 @@ interface CurrentProject {
     /** What would be saved now: programs, world and settings; without inputs, see [replay]. */
     val project: Project
 
-    /** [project] with what was done to the session so far and with the programs that Run has started: makes the same session again. */
+    /**
+     * [project] with what was done to the session so far and with the programs that Run has started: makes the same
+     * session again.
+     */
     val replay: Project
 
     /** The program that is shown. */

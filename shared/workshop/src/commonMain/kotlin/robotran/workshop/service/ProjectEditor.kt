@@ -16,7 +16,10 @@ interface ProjectEditor {
      */
     fun changeWorld(world: World, isAnother: Boolean = false)
 
-    /** From now on [world] is what would be saved, while robots still drive in the one before; [changeWorld] puts them into it. */
+    /**
+     * From now on [world] is what would be saved, while robots still drive in the one before; [changeWorld] puts them
+     * into it.
+     */
     fun keepWorld(world: World)
 
     /** Changes how the programs run; the run begins afresh. */

@@ -3,7 +3,10 @@ package robotran.workshop.service
 import robotran.projects.Project
 import robotran.world.World
 
-/** Opens another project in place of the one that is open, which stays among the saved ones. Asks before anything is lost. */
+/**
+ * Opens another project in place of the one that is open, which stays among the saved ones. Asks before anything is
+ * lost.
+ */
 interface ProjectSwitcher {
     /**
      * Opens [project].

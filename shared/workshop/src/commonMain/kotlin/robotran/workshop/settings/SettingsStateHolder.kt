@@ -66,7 +66,10 @@ class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScop
             }
         }
 
-        private fun Settings.within() =
-            copy(textScale = textScale.coerceIn(1f, 2f), codeSize = codeSize.coerceIn(10f, 40f), site = siteAddress(site).orEmpty())
+        private fun Settings.within() = copy(
+            textScale = textScale.coerceIn(1f, 2f),
+            codeSize = codeSize.coerceIn(10f, 40f),
+            site = siteAddress(site).orEmpty(),
+        )
     }
 }

@@ -15,9 +15,25 @@ class SheetStateHolder {
     fun handle(event: SheetEvent) {
         state = when (event) {
             SheetEvent.WholeSheetRequested -> state.copy(camera = SheetCamera.FITTING, followed = null)
-            is SheetEvent.CameraMoved -> state.copy(camera = event.camera, followed = state.followed.takeUnless { event.pushed })
+
+            is SheetEvent.CameraMoved -> state.copy(
+                camera = event.camera,
+                followed = state.followed.takeUnless {
+                    event.pushed
+                },
+            )
+
             is SheetEvent.FollowChosen -> follow(event.robot)
-            is SheetEvent.LayerSwitched -> state.copy(shown = if (event.on) state.shown + event.layer else state.shown - event.layer)
+
+            is SheetEvent.LayerSwitched -> state.copy(
+                shown = if (event.on) {
+                    state.shown + event.layer
+                } else {
+                    state.shown -
+                        event.layer
+                },
+            )
+
             is SheetEvent.ElementChosen -> state.copy(chosen = event.thing)
         }
     }

@@ -1,8 +1,9 @@
 package robotran.workshop.sound
 
 /**
- * What makes a brick's tones heard on this machine. It has a clock of its own, plays each tone at its moment of that clock, and one tone at a
- * time: where a later one begins, an earlier one ends. Every call returns at once; a machine that cannot make sounds stays silent.
+ * What makes a brick's tones heard on this machine. It has a clock of its own, plays each tone at its moment of that
+ * clock, and one tone at a time: where a later one begins, an earlier one ends. Every call returns at once; a machine
+ * that cannot make sounds stays silent.
  */
 interface LoudSpeaker {
     /** The clock, in milliseconds; it never goes back, and may stand still while nothing sounds. */
@@ -28,11 +29,7 @@ interface LoudSpeaker {
  * @property hertz 31 to 20,000.
  * @property duration in milliseconds.
  */
-data class PlannedTone(
-    val start: Double,
-    val hertz: Double,
-    val duration: Double,
-) {
+data class PlannedTone(val start: Double, val hertz: Double, val duration: Double) {
     /** When it ends, in milliseconds. */
     val end: Double get() = start + duration
 }

@@ -5,9 +5,10 @@ import robotran.rcxrom.sound.SoundEvent
 /**
  * Fits what a brick plays in virtual time into the real time of a [LoudSpeaker].
  *
- * In real time every tone sounds, with the rhythm it has on the brick, [LEAD] later, whenever exactly the news of it arrive. In slow
- * motion a tone begins when it comes and has its usual pitch and length. In fast motion tones keep pitch and length too, and only those
- * sound that there is room for: a tone that would have to wait for others is dropped. So nothing piles up and nothing screeches.
+ * In real time every tone sounds, with the rhythm it has on the brick, [LEAD] later, whenever exactly the news of it
+ * arrive. In slow motion a tone begins when it comes and has its usual pitch and length. In fast motion tones keep
+ * pitch and length too, and only those sound that there is room for: a tone that would have to wait for others is
+ * dropped. So nothing piles up and nothing screeches.
  */
 class SoundPlan(private val speaker: LoudSpeaker) {
     /** The speaker's clock when the brick's is 0; null before the first tone. */
@@ -45,7 +46,10 @@ class SoundPlan(private val speaker: LoudSpeaker) {
         latest = null
     }
 
-    /** When what happens on the brick at [milliseconds] is to be heard, on the speaker's clock; null if there is no room for it. */
+    /**
+     * When what happens on the brick at [milliseconds] is to be heard, on the speaker's clock; null if there is no room
+     * for it.
+     */
     private fun placeOf(milliseconds: Long): Double? {
         val now = speaker.milliseconds
         val steady = offset?.plus(milliseconds)
@@ -61,14 +65,15 @@ class SoundPlan(private val speaker: LoudSpeaker) {
 
     companion object {
         /**
-         * Milliseconds between the news of a tone and its begin: as much as a frame of the screen may be late (about 20) and a speaker
-         * may have taken on before it plays it (40). Less than what an eye notices between a picture and its sound.
+         * Milliseconds between the news of a tone and its begin: as much as a frame of the screen may be late (about
+         * 20) and a speaker may have taken on before it plays it (40). Less than what an eye notices between a picture
+         * and its sound.
          */
         const val LEAD = 60.0
 
         /**
-         * Milliseconds: nothing is planned further ahead. In real time a tone only is while the clock stands still because the sound
-         * card is being opened, which takes about 200 ms the first time.
+         * Milliseconds: nothing is planned further ahead. In real time a tone only is while the clock stands still
+         * because the sound card is being opened, which takes about 200 ms the first time.
          */
         const val MAX_AHEAD = 400.0
     }

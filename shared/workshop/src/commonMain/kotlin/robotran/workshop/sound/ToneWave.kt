@@ -5,9 +5,9 @@ import kotlin.math.ceil
 import kotlin.math.sin
 
 /**
- * Tones as samples of sixteen bits, one channel, [SAMPLE_RATE] a second, in a square wave as the RCX drives its little loudspeaker with.
- * The wave never jumps: it goes on where it is when the tone changes, and its loudness rises and falls within [RAMP_MILLISECONDS]. Not
- * safe for use by several threads.
+ * Tones as samples of sixteen bits, one channel, [SAMPLE_RATE] a second, in a square wave as the RCX drives its little
+ * loudspeaker with. The wave never jumps: it goes on where it is when the tone changes, and its loudness rises and
+ * falls within [RAMP_MILLISECONDS]. Not safe for use by several threads.
  */
 class ToneWave {
     private val planned = ArrayDeque<PlannedTone>()
@@ -54,7 +54,14 @@ class ToneWave {
             } else {
                 next.start
             }
-            val end = if (change.isInfinite()) buffer.size else minOf(buffer.size.toLong(), place + samplesUntil(change)).toInt()
+            val end = if (change.isInfinite()) {
+                buffer.size
+            } else {
+                minOf(
+                    buffer.size.toLong(),
+                    place + samplesUntil(change),
+                ).toInt()
+            }
             write(buffer, place, end, sounds)
             place = end
         }
@@ -89,14 +96,20 @@ class ToneWave {
         /** A fifth of what there is: a square wave is loud. */
         private const val AMPLITUDE = 6_500
 
-        /** From here on a square wave's next overtone, the third, cannot be sampled: only its fundamental is left, a sine. */
+        /**
+         * From here on a square wave's next overtone, the third, cannot be sampled: only its fundamental is left, a
+         * sine.
+         */
         private const val HIGHEST_SQUARE_STEP = 1.0 / 6
         private const val FUNDAMENTAL_OF_SQUARE = 4 / PI
 
         private fun wave(phase: Double, step: Double): Double =
             if (step >= HIGHEST_SQUARE_STEP) FUNDAMENTAL_OF_SQUARE * sin(2 * PI * phase) else square(phase, step)
 
-        /** Up for half a period and down for the other; the edges are rounded (polyBLEP), or overtones would come back as false tones. */
+        /**
+         * Up for half a period and down for the other; the edges are rounded (polyBLEP), or overtones would come back
+         * as false tones.
+         */
         private fun square(phase: Double, step: Double): Double =
             (if (phase < 0.5) 1.0 else -1.0) + edge(phase, step) - edge((phase + 0.5) % 1.0, step)
 

@@ -56,7 +56,8 @@ sealed interface DocumentDialog {
      * @property tooLong why there is none, one sentence; null if there can be one.
      * @property copied whether it is in the clipboard.
      */
-    data class SharingLink(val link: String? = null, val tooLong: String? = null, val copied: Boolean = false) : DocumentDialog
+    data class SharingLink(val link: String? = null, val tooLong: String? = null, val copied: Boolean = false) :
+        DocumentDialog
 
     /** There is no link, since nobody knows where it would lead to; there is the file. */
     data object SharingFile : DocumentDialog

@@ -83,10 +83,7 @@ data class LogState(
  * @property hidden what is not to be seen.
  */
 @Immutable
-data class ChartState(
-    val lines: List<ChartLine> = emptyList(),
-    val hidden: Set<ChartLane> = emptySet(),
-)
+data class ChartState(val lines: List<ChartLine> = emptyList(), val hidden: Set<ChartLane> = emptySet())
 
 /** What made the robots stray so far, and what there is to learn from the run. */
 @Immutable

@@ -8,7 +8,13 @@ data class GoalCount(val all: Int = 0, val met: Int = 0, val failed: Int = 0) {
     val allMet: Boolean get() = met == all
 
     companion object {
-        fun of(goals: List<GoalProgress>) =
-            GoalCount(goals.size, goals.count { it.status == GoalStatus.MET }, goals.count { it.status == GoalStatus.FAILED })
+        fun of(goals: List<GoalProgress>) = GoalCount(
+            goals.size,
+            goals.count { it.status == GoalStatus.MET },
+            goals.count {
+                it.status ==
+                    GoalStatus.FAILED
+            },
+        )
     }
 }

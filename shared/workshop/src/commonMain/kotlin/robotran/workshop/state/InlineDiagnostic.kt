@@ -21,12 +21,17 @@ data class InlineDiagnostic(val diagnostic: ProgramDiagnostic, val kind: NoteKin
     /** The line it is about, from 1; null if it is at no place. */
     val line: Int? get() = diagnostic.range?.line
 
-    /** Whether this is [other] as it may be told once the program was read again: at the same line, with the same fix. */
+    /**
+     * Whether this is [other] as it may be told once the program was read again: at the same line, with the same fix.
+     */
     internal fun mendsAs(other: ProgramDiagnostic): Boolean =
-        diagnostic.fix != null && diagnostic.fix?.replacement == other.fix?.replacement && diagnostic.file == other.file &&
+        diagnostic.fix != null && diagnostic.fix?.replacement == other.fix?.replacement &&
+            diagnostic.file == other.file &&
             line == other.range?.line
 
-    /** The same once [edit] has made the lines [after] of [before] in the file called [file]; null if its line has gone. */
+    /**
+     * The same once [edit] has made the lines [after] of [before] in the file called [file]; null if its line has gone.
+     */
     internal fun movedWith(edit: TextEdit, file: String, before: TextLines, after: TextLines): InlineDiagnostic? {
         val range = diagnostic.range
         if (range == null || diagnostic.file != file) return this
@@ -35,13 +40,17 @@ data class InlineDiagnostic(val diagnostic: ProgramDiagnostic, val kind: NoteKin
         val movedFix = if (isFixStale) null else fix?.movedWith(edit, before, after)
         val staleFix = fix?.copy(range = fix.range.copy(line = fix.range.line + line - range.line))
         return InlineDiagnostic(
-            diagnostic.copy(range = range.copy(line = line), fix = movedFix ?: staleFix), kind,
+            diagnostic.copy(range = range.copy(line = line), fix = movedFix ?: staleFix),
+            kind,
             fix != null && movedFix == null,
         )
     }
 }
 
-/** Where this fix belongs once [edit] has made the lines [after] of [before]; null if the edit has touched what it would change. */
+/**
+ * Where this fix belongs once [edit] has made the lines [after] of [before]; null if the edit has touched what it would
+ * change.
+ */
 private fun SourceFix.movedWith(edit: TextEdit, before: TextLines, after: TextLines): SourceFix? {
     if (range.line > before.count) return null
     val from = before.start(range.line - 1) + range.column - 1

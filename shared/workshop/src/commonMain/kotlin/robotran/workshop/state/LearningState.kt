@@ -10,7 +10,8 @@ import robotran.learning.WordHelp
 /**
  * What is being learned from.
  *
- * @property page the page that lies over the workshop; null for none. The tutorial is none: it stands beside the program.
+ * @property page the page that lies over the workshop; null for none. The tutorial is none: it stands beside the
+ * program.
  * @property language what all of it is told in.
  * @property tutorial null while it is not shown.
  * @property stepsDone the names of the tutorial's steps whose task is done.

@@ -12,13 +12,17 @@ sealed interface Notice {
     val action: NoticeAction? get() = null
 
     /** A sentence in the pupil's language that comes from elsewhere, such as the operating system's. */
-    data class ForeignError(val sentence: String) : Notice, Error
+    data class ForeignError(val sentence: String) :
+        Notice,
+        Error
 
     /** Something unexpected happened, but nothing was lost. */
     data object Unexpected : Notice, Error
 
     /** A text was refused; limits in thousands of characters and of lines. */
-    data class ProgramTooLong(val maxThousandCharacters: Int, val maxThousandLines: Int) : Notice, Error
+    data class ProgramTooLong(val maxThousandCharacters: Int, val maxThousandLines: Int) :
+        Notice,
+        Error
 
     /** The program has changed where a fix was to be applied. */
     data object FixOutdated : Notice
@@ -27,7 +31,9 @@ sealed interface Notice {
     data object NoSlotForExample : Notice
 
     /** Of the programs that were opened, [program] is the first that did not fit into the [maxPrograms] slots. */
-    data class NoSlotForProgram(val program: String, val maxPrograms: Int) : Notice, Error
+    data class NoSlotForProgram(val program: String, val maxPrograms: Int) :
+        Notice,
+        Error
 
     data object LogCopied : Notice
 
@@ -38,13 +44,17 @@ sealed interface Notice {
     data class FileSaved(val name: String) : Notice
 
     /** A file could not be written; [reason] comes from the platform. */
-    data class FileNotSaved(val reason: String, val isFull: Boolean) : Notice, Error
+    data class FileNotSaved(val reason: String, val isFull: Boolean) :
+        Notice,
+        Error
 
     /** The project is larger than a project file may be. */
     data object ProjectTooLong : Notice, Error
 
     /** Another window has the file [name] open. */
-    data class FileOpenElsewhere(val name: String) : Notice, Error
+    data class FileOpenElsewhere(val name: String) :
+        Notice,
+        Error
 
     /** So many [others] were opened together with the project that is shown; they are in My work. */
     data class MoreProjectsOpened(val others: Int) : Notice
@@ -53,7 +63,9 @@ sealed interface Notice {
     data object ReplayEmpty : Notice
 
     /** A kit takes a program without mistakes; the first is in [line]. */
-    data class KitNeedsCorrectProgram(val line: Int) : Notice, Error
+    data class KitNeedsCorrectProgram(val line: Int) :
+        Notice,
+        Error
 
     data object CompilerMissing : Notice, Error
 
@@ -63,9 +75,13 @@ sealed interface Notice {
     /** The project of this window is shown by another one, so it begins with a new one. */
     data object OwnProjectOpenElsewhere : Notice
 
-    data class ProjectUnusable(val reason: String) : Notice, Error
+    data class ProjectUnusable(val reason: String) :
+        Notice,
+        Error
 
-    data class ProjectNotDeleted(val reason: String) : Notice, Error
+    data class ProjectNotDeleted(val reason: String) :
+        Notice,
+        Error
 
     /** The project [name] came back after a crash; empty if it has no name. */
     data class ProjectRestored(val name: String) : Notice

@@ -18,7 +18,8 @@ import robotran.world.RobotPlacement
  * @property shownFile the file of it that is shown, from 0.
  * @property draft the text of that file, and what is selected in it.
  * @property breakpoints the lines of that file, from 1, that the program is to stop before.
- * @property closed the name of the program, or the class of one, that was taken away last and is kept; null if nothing is.
+ * @property closed the name of the program, or the class of one, that was taken away last and is kept; null if nothing
+ * is.
  * @property closedShown whether that is told; false once somebody has put it away.
  * @property canReopen whether there is room to bring it back.
  * @property diagnostics what is wrong with the program shown, in its order; empty as long as it was not read.
@@ -61,7 +62,10 @@ data class ProgramsState(
     val hasRoom: Boolean get() = programs.size < Brick.MAX_PROGRAMS
 }
 
-/** How far programs were read since they were changed; [isOver] says that nothing is read any more until something changes. */
+/**
+ * How far programs were read since they were changed; [isOver] says that nothing is read any more until something
+ * changes.
+ */
 enum class ProgramReading(val isOver: Boolean = false) {
     /** All of them. */
     DONE(isOver = true),

@@ -11,9 +11,7 @@ import robotran.textediting.text.Draft
  *
  * @property files one file for Robolang, one or more for Java; never empty.
  */
-data class PupilProgram(
-    val files: List<ProgramFile>,
-) {
+data class PupilProgram(val files: List<ProgramFile>) {
     constructor(name: String, text: String) : this(listOf(ProgramFile(name, text)))
 
     /** What the pupil knows it by. */
@@ -45,4 +43,8 @@ data class PupilProgram(
         copy(files = files.mapIndexed { place, old -> if (place == file) old.copy(text = text) else old })
 }
 
-fun PupilProgram.withPlainLineEnds(): PupilProgram = copy(files = files.map { it.copy(text = it.text.withPlainLineEnds()) })
+fun PupilProgram.withPlainLineEnds(): PupilProgram = copy(
+    files = files.map {
+        it.copy(text = it.text.withPlainLineEnds())
+    },
+)

@@ -11,7 +11,8 @@ import robotran.language.Language
  * @property textScale how much larger than usual all text is, 1..2.
  * @property codeSize how large program text is, in sp, 10..40.
  * @property lessMotion whether things appear at their place at once.
- * @property site the address of the site that links lead to, where the app has none of its own; empty if nobody has named one.
+ * @property site the address of the site that links lead to, where the app has none of its own; empty if nobody has
+ * named one.
  */
 @Immutable
 @Serializable

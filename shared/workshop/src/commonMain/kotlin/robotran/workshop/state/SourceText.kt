@@ -12,7 +12,9 @@ fun String.mendedBy(fix: SourceFix): String {
     return if (from <= to) replaceRange(from, to, fix.replacement) else this
 }
 
-/** Where [column] of [line] is, both from 1; the column after the last character counts. Null if there is no such place. */
+/**
+ * Where [column] of [line] is, both from 1; the column after the last character counts. Null if there is no such place.
+ */
 fun String.offsetOf(line: Int, column: Int): Int? {
     var start = 0
     repeat(line - 1) {

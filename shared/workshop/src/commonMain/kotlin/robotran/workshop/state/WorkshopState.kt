@@ -65,19 +65,36 @@ data class WorkshopState(
     private val isShownInRun: Boolean get() = !changed && shownRobot?.brick?.selectedSlot == programs.shownProgram
 
     /** The robot whose programs are shown, as it is in the session. */
-    private val shownRobot: RobotSnapshot? get() = session.robots.getOrNull(programs.robots.indexOfFirst { it.name == programs.shownRobot })
+    private val shownRobot: RobotSnapshot? get() = session.robots.getOrNull(
+        programs.robots.indexOfFirst {
+            it.name ==
+                programs.shownRobot
+        },
+    )
 
-    /** What there is to learn from the last run of the program shown, the first thing first; empty once it has been changed. */
+    /**
+     * What there is to learn from the last run of the program shown, the first thing first; empty once it has been
+     * changed.
+     */
     val remarks: List<RuntimeWarning> get() = shownRobot?.remarks?.takeIf { isShownInRun }.orEmpty()
 
     /** The line of the text shown that is running, 0 if none is. */
     val runningLine: Int
         get() {
             val now = shownRobot?.brick?.run as? RunState.Running ?: return 0
-            return if (run.lineIsLit && isShownInRun && (now.sourceFile ?: file.name) == file.name) now.sourceLine else 0
+            return if (run.lineIsLit && isShownInRun &&
+                (now.sourceFile ?: file.name) == file.name
+            ) {
+                now.sourceLine
+            } else {
+                0
+            }
         }
 
-    /** Why the last run of the program shown could not go on, if that was in a line of the file that is shown; null once it has been changed. */
+    /**
+     * Why the last run of the program shown could not go on, if that was in a line of the file that is shown; null once
+     * it has been changed.
+     */
     val failure: ProgramFailure?
         get() {
             val failure = (shownRobot?.brick?.run as? RunState.Failed)?.failure ?: return null
@@ -87,7 +104,15 @@ data class WorkshopState(
 
     val status: WorkshopStatus
         get() = runStatus(session.brick.run).takeIf { running }
-            ?: diagnostics.firstOrNull()?.let { WorkshopStatus.HasErrors(it.range?.line ?: 0, it.file.takeIf { program.files.size > 1 }) }
+            ?: diagnostics.firstOrNull()?.let {
+                WorkshopStatus.HasErrors(
+                    it.range?.line ?: 0,
+                    it.file.takeIf {
+                        program.files.size >
+                            1
+                    },
+                )
+            }
             ?: WorkshopStatus.Empty.takeIf { program.isBlank }
             ?: WorkshopStatus.NoCompiler.takeIf { programs.reading == ProgramReading.NO_COMPILER }
             ?: WorkshopStatus.CompilerFailed.takeIf { programs.reading == ProgramReading.COMPILER_FAILED }

@@ -8,7 +8,10 @@ sealed interface WorkshopStatus {
     /** There is nothing to run. */
     data object Empty : WorkshopStatus
 
-    /** Nothing can run before [line], 0 if the mistake is at none, of [file] is mended; null if the program has only one file. */
+    /**
+     * Nothing can run before [line], 0 if the mistake is at none, of [file] is mended; null if the program has only one
+     * file.
+     */
     data class HasErrors(val line: Int, val file: String? = null) : WorkshopStatus
 
     /** The text is not the program that ran last. */

@@ -10,7 +10,8 @@ import robotran.worldediting.WorldEditing
  * @property editing the world as it is now, what is chosen, and what can be undone.
  * @property first the world as it was before.
  * @property mendFirst whether somebody wanted to leave although something has to be mended.
- * @property hintsShown whether it is told why something was not done, or what has to be mended; false once somebody has put that away.
+ * @property hintsShown whether it is told why something was not done, or what has to be mended; false once somebody has
+ * put that away.
  */
 @Immutable
 data class WorldEditState(

@@ -12,8 +12,15 @@ import robotran.worldediting.Edit
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.after
 
-/** Keeps the world while it is changed; null while it is not. What can be kept of it is kept at once, so that a crash takes nothing away. */
-class WorldEditStateHolder(private val current: CurrentProject, private val editor: ProjectEditor, private val runControls: RunControls) {
+/**
+ * Keeps the world while it is changed; null while it is not. What can be kept of it is kept at once, so that a crash
+ * takes nothing away.
+ */
+class WorldEditStateHolder(
+    private val current: CurrentProject,
+    private val editor: ProjectEditor,
+    private val runControls: RunControls,
+) {
     private var latest: WorldEditing? = null
 
     var state: WorldEditState? by mutableStateOf(null)

@@ -20,7 +20,12 @@ class CompileSchedulerTest {
 
     @Test
     fun `a compiler that could not be loaded is told as missing`() = runTest {
-        assertEquals(ProgramReading.NO_COMPILER, readingAfter { CompilerLoading.Failed(IllegalStateException("offline")) })
+        assertEquals(
+            ProgramReading.NO_COMPILER,
+            readingAfter {
+                CompilerLoading.Failed(IllegalStateException("offline"))
+            },
+        )
     }
 
     @Test

@@ -86,7 +86,9 @@ class AnotherWorldTest {
     fun `a world file and a link to a world begin a work of their own, with the world before kept`() {
         val workshop = machine.window()
         val own = workshop.build()
-        workshop.handle(DocumentEvent.FilesBrought(listOf(OpenedFile("corner.world.json", writeWorld(corner).encodeToByteArray()))))
+        workshop.handle(
+            DocumentEvent.FilesBrought(listOf(OpenedFile("corner.world.json", writeWorld(corner).encodeToByteArray()))),
+        )
         assertEquals(corner, workshop.state.world)
         assertEquals("Corner", workshop.state.document.name)
         workshop.handle(WorkshopEvent.NoticeTaken)

@@ -264,7 +264,9 @@ class DocumentStateHolderTest {
         workshop.advance(500)
         machine.files.place = "replay.robotran"
         workshop.handle(DocumentEvent.ReplayRequested)
-        val project = assertIs<ProjectFileResult.Loaded>(readProject(machine.files.disk.getValue("replay.robotran"))).project
+        val project = assertIs<ProjectFileResult.Loaded>(
+            readProject(machine.files.disk.getValue("replay.robotran")),
+        ).project
         assertTrue(project.inputs.isNotEmpty())
     }
 

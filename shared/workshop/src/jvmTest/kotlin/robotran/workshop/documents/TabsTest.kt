@@ -127,7 +127,9 @@ class TabsTest {
     @Test
     fun `two tabs that are gone before they could keep their last letters lose none of them`() {
         val left = mutableMapOf<String, String>()
-        val tabs = listOf("forward 1", "forward 2").map { text -> machine.tab(TabMemory(texts = left)).also { it.write(text) } }
+        val tabs = listOf("forward 1", "forward 2").map { text ->
+            machine.tab(TabMemory(texts = left)).also { it.write(text) }
+        }
         tabs.forEachIndexed { number, tab -> machine.goAfter(tab, "forward 1$number") }
         val next = machine.tab(TabMemory(texts = left))
         assertEquals(emptyMap(), left)

@@ -21,11 +21,13 @@ class JavaDebuggingTest {
     private val counting = ProgramFile(
         "Counting.java",
         "import josx.platform.rcx.LCD;\n\npublic class Counting {\n    public static void main(String[] args) {\n" +
-            "        int rounds = 0;\n        while (rounds < 5) {\n            rounds = Helper.next(rounds);\n        }\n    }\n}\n",
+            "        int rounds = 0;\n        while (rounds < 5) {\n            rounds = Helper.next(rounds);\n      " +
+            "  }\n    }\n}\n",
     )
     private val helper = ProgramFile(
         "Helper.java",
-        "class Helper {\n\n    static int next(int number) {\n        number = number + 1;\n        return number;\n    }\n}\n",
+        "class Helper {\n\n    static int next(int number) {\n        number = number + 1;\n        return number;\n " +
+            "   }\n}\n",
     )
     private val alone = PupilProgram(
         "Alone.java",
@@ -44,46 +46,49 @@ class JavaDebuggingTest {
     }
 
     @Test
-    fun `a program of several files stops in the one with the breakpoint, which is turned to`() = workshop(several) { workshop ->
-        workshop.handle(ProgramEvent.FileChosen(1))
-        workshop.handle(ProgramEvent.BreakpointToggled(4))
-        workshop.handle(ProgramEvent.FileChosen(0))
-        workshop.handle(RunEvent.RunPressed)
-        repeat(3) {
-            workshop.advance(1_000)
-            assertEquals(WorkshopStatus.Paused(4), workshop.state.status)
-            assertEquals(listOf("Helper.java", 4), listOf(workshop.state.file.name, workshop.state.runningLine))
+    fun `a program of several files stops in the one with the breakpoint, which is turned to`() =
+        workshop(several) { workshop ->
+            workshop.handle(ProgramEvent.FileChosen(1))
+            workshop.handle(ProgramEvent.BreakpointToggled(4))
             workshop.handle(ProgramEvent.FileChosen(0))
-            workshop.advance(100)
-            assertEquals("Counting.java", workshop.state.file.name, "whoever looks elsewhere is left alone")
-            workshop.handle(RunEvent.PausePressed)
-        }
-        // Its first line stops as well, but line 4 of the other file does not.
-        workshop.handle(RunEvent.StopPressed)
-        workshop.handle(RunEvent.RunToLine(Breakpoint(5, "Counting.java")))
-        workshop.advance(1_000)
-        assertEquals(listOf("Counting.java", 5), listOf(workshop.state.file.name, workshop.state.runningLine))
-    }
-
-    @Test
-    fun `the first step shows the line that is about to run, and the next one runs it`() = workshop(several) { workshop ->
-        val lines = List(2) {
-            workshop.handle(RunEvent.StepPressed(StepKind.OVER))
+            workshop.handle(RunEvent.RunPressed)
+            repeat(3) {
+                workshop.advance(1_000)
+                assertEquals(WorkshopStatus.Paused(4), workshop.state.status)
+                assertEquals(listOf("Helper.java", 4), listOf(workshop.state.file.name, workshop.state.runningLine))
+                workshop.handle(ProgramEvent.FileChosen(0))
+                workshop.advance(100)
+                assertEquals("Counting.java", workshop.state.file.name, "whoever looks elsewhere is left alone")
+                workshop.handle(RunEvent.PausePressed)
+            }
+            // Its first line stops as well, but line 4 of the other file does not.
+            workshop.handle(RunEvent.StopPressed)
+            workshop.handle(RunEvent.RunToLine(Breakpoint(5, "Counting.java")))
             workshop.advance(1_000)
-            workshop.state.runningLine
+            assertEquals(listOf("Counting.java", 5), listOf(workshop.state.file.name, workshop.state.runningLine))
         }
-        assertEquals(listOf(5, 6), lines)
-        assertTrue(workshop.state.run.isPaused)
-    }
 
     @Test
-    fun `an exception that nobody catches is told at its line until the program is changed`() = workshop(alone) { workshop ->
-        workshop.handle(RunEvent.RunPressed)
-        workshop.advance(1_000)
-        assertEquals(5, assertNotNull(workshop.state.failure).sourceLine)
-        workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText + "\n"))
-        assertNull(workshop.state.failure)
-    }
+    fun `the first step shows the line that is about to run, and the next one runs it`() =
+        workshop(several) { workshop ->
+            val lines = List(2) {
+                workshop.handle(RunEvent.StepPressed(StepKind.OVER))
+                workshop.advance(1_000)
+                workshop.state.runningLine
+            }
+            assertEquals(listOf(5, 6), lines)
+            assertTrue(workshop.state.run.isPaused)
+        }
+
+    @Test
+    fun `an exception that nobody catches is told at its line until the program is changed`() =
+        workshop(alone) { workshop ->
+            workshop.handle(RunEvent.RunPressed)
+            workshop.advance(1_000)
+            assertEquals(5, assertNotNull(workshop.state.failure).sourceLine)
+            workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText + "\n"))
+            assertNull(workshop.state.failure)
+        }
 
     @Test
     fun `a failure in another file turns to that file`() {
@@ -101,13 +106,14 @@ class JavaDebuggingTest {
     }
 
     @Test
-    fun `a failure of Robolang is told at its line, too`() = workshop(PupilProgram("a.robo", "var x = 0\nbeep\nshow 10 / x")) { workshop ->
-        workshop.handle(RunEvent.RunPressed)
-        workshop.advance(1_000)
-        assertEquals(3, assertNotNull(workshop.state.failure).sourceLine)
-        workshop.handle(RunEvent.StartedOver)
-        assertNull(workshop.state.failure)
-    }
+    fun `a failure of Robolang is told at its line, too`() =
+        workshop(PupilProgram("a.robo", "var x = 0\nbeep\nshow 10 / x")) { workshop ->
+            workshop.handle(RunEvent.RunPressed)
+            workshop.advance(1_000)
+            assertEquals(3, assertNotNull(workshop.state.failure).sourceLine)
+            workshop.handle(RunEvent.StartedOver)
+            assertNull(workshop.state.failure)
+        }
 
     private fun workshop(program: PupilProgram, check: suspend (Workshop) -> Unit) = runBlocking {
         val workshop = openWorkshop(listOf(program))

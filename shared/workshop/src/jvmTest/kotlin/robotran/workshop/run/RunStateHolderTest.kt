@@ -239,7 +239,11 @@ class RunStateHolderTest {
     @Test
     fun `Run starts all robots, and each can be looked into`() {
         val first = BuiltInWorlds.plain.robots.first()
-        val other = first.copy(start = Pose(20.0, 55.0, 0.0), name = "other", program = "var n = 3\nforward 10\nn = 4\nforward 5")
+        val other = first.copy(
+            start = Pose(20.0, 55.0, 0.0),
+            name = "other",
+            program = "var n = 3\nforward 10\nn = 4\nforward 5",
+        )
         val world = BuiltInWorlds.plain.copy(robots = listOf(first, other))
         val mine = ProjectRobot(first.name, listOf(PupilProgram("way.robo", WAY).asProject()))
         workshop.openProject(Project(world, listOf(mine)))
@@ -247,7 +251,12 @@ class RunStateHolderTest {
         frames(500)
         assertTrue(workshop.state.session.robots.all { it.robot.pose != first.start && it.robot.pose != other.start })
         did(RunEvent.PausePressed)
-        assertEquals(listOf("n 3"), run.drawer.variables.scopes.flatMap { it.variables }.map { "${it.name} ${it.value}" })
+        assertEquals(
+            listOf("n 3"),
+            run.drawer.variables.scopes.flatMap {
+                it.variables
+            }.map { "${it.name} ${it.value}" },
+        )
         assertEquals(1, run.watched)
     }
 

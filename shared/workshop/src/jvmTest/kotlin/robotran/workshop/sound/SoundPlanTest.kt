@@ -14,7 +14,10 @@ import kotlin.test.assertTrue
 class SoundPlanTest {
     private val speaker = RememberingSpeaker()
     private val plan = SoundPlan(speaker)
-    private val melody = List(10) { SoundEvent.Tone(milliseconds = 1000L + it * 60, hertz = 500.0 + it * 100, durationMilliseconds = 60) }
+    private val melody =
+        List(10) {
+            SoundEvent.Tone(milliseconds = 1000L + it * 60, hertz = 500.0 + it * 100, durationMilliseconds = 60)
+        }
 
     /** Tells the plan of each event when the speaker's clock has come to [timeOf] its time, in steps of a frame. */
     private fun hear(events: List<SoundEvent>, timeOf: (Long) -> Double) {
@@ -116,7 +119,17 @@ class SoundPlanTest {
             for (gap in gaps) {
                 brick += gap
                 clock.milliseconds = brick / speed
-                planner.add(listOf(if (gap % 3 == 0) SoundEvent.Cut(brick) else SoundEvent.Tone(brick, 440.0, 10 + gap)))
+                planner.add(
+                    listOf(
+                        if (gap % 3 ==
+                            0
+                        ) {
+                            SoundEvent.Cut(brick)
+                        } else {
+                            SoundEvent.Tone(brick, 440.0, 10 + gap)
+                        },
+                    ),
+                )
                 clock.tones.lastOrNull()?.let { assertTrue(it.start <= clock.milliseconds + SoundPlan.MAX_AHEAD) }
             }
         }

@@ -29,7 +29,8 @@ class ToneWaveTest {
     /** How strongly [hertz] is in these samples. */
     private fun List<Int>.strengthOf(hertz: Double): Double {
         val turn = 2 * PI * hertz / ToneWave.SAMPLE_RATE
-        return 2 * hypot(indices.sumOf { this[it] * cos(turn * it) }, indices.sumOf { this[it] * sin(turn * it) }) / size
+        return 2 * hypot(indices.sumOf { this[it] * cos(turn * it) }, indices.sumOf { this[it] * sin(turn * it) }) /
+            size
     }
 
     @Test

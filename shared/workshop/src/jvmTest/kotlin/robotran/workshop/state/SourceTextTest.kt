@@ -9,7 +9,10 @@ import kotlin.test.assertNull
 class SourceTextTest {
     @Test
     fun `a fix replaces what it names`() {
-        assertEquals("beep\nforward 3\nbeep", "beep\nforwrd 3\nbeep".mendedBy(SourceFix(SourceRange(2, 1, 7), "forward")))
+        assertEquals(
+            "beep\nforward 3\nbeep",
+            "beep\nforwrd 3\nbeep".mendedBy(SourceFix(SourceRange(2, 1, 7), "forward")),
+        )
     }
 
     @Test

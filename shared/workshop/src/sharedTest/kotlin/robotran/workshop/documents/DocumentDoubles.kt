@@ -30,7 +30,10 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.ProjectListEntry
 import robotran.world.file.BuiltInWorlds
 
-/** Files in memory: [chosen] is what a person would choose to open, [place] where they would save to, null if they changed their mind. */
+/**
+ * Files in memory: [chosen] is what a person would choose to open, [place] where they would save to, null if they
+ * changed their mind.
+ */
 internal class MemoryFilePicker : FilePicker {
     val disk = mutableMapOf<String, ByteArray>()
     var chosen: List<OpenedFile> = emptyList()
@@ -60,7 +63,8 @@ internal class MemoryFilePicker : FilePicker {
 internal class FillingStore(private val disk: MemoryStore = MemoryStore()) : KeyValueStore by disk {
     var full = false
 
-    override suspend fun write(name: String, text: String): StoreResult = if (full) StoreResult.Full else disk.write(name, text)
+    override suspend fun write(name: String, text: String): StoreResult =
+        if (full) StoreResult.Full else disk.write(name, text)
 }
 
 internal class RememberingClipboard : Sharing {
@@ -87,7 +91,11 @@ internal class Machine {
     /** A tab of a browser, which remembers by [memory]. */
     fun tab(memory: WindowMemory, vararg arrivals: OpenRequest): Workshop {
         val waiting = OpenRequests().also { arrivals.forEach(it::bring) }
-        return runBlocking { openWorkshop(platform = MemoryPlatform(NoLoudSpeaker, store, files, clipboard, clock, waiting, memory, page)) }
+        return runBlocking {
+            openWorkshop(
+                platform = MemoryPlatform(NoLoudSpeaker, store, files, clipboard, clock, waiting, memory, page),
+            )
+        }
     }
 }
 

@@ -84,7 +84,9 @@ private class ArbitraryWorld(private val random: Random) {
         ports = List(3) { PortSensor.entries.shuffled(random).take(random.nextInt(3)) },
         lightFacing = maybe { LightFacing.entries.random(random) },
         beacon = number(0.0, 100.0),
-        program = maybe { List(random.nextInt(1, 5)) { if (random.nextBoolean()) "\t" + text() else "" }.joinToString("\n") },
+        program = maybe {
+            List(random.nextInt(1, 5)) { if (random.nextBoolean()) "\t" + text() else "" }.joinToString("\n")
+        },
         unknown = unknown(),
     )
 
@@ -92,7 +94,9 @@ private class ArbitraryWorld(private val random: Random) {
         val figure = when (random.nextInt(3)) {
             0 -> MarkFigure.Area(shape())
 
-            1 -> random.nextBoolean().let { closed -> MarkFigure.Line(way(if (closed) 3 else 2), number(0.1, 100.0), closed) }
+            1 -> random.nextBoolean().let { closed ->
+                MarkFigure.Line(way(if (closed) 3 else 2), number(0.1, 100.0), closed)
+            }
 
             else -> random.nextInt(1, 9).let { width ->
                 MarkFigure.GreyMap(point(), number(0.01, 100.0), List(random.nextInt(1, 5)) { greys(width) })
@@ -103,10 +107,21 @@ private class ArbitraryWorld(private val random: Random) {
     }
 
     private fun lamp() = Lamp(
-        point(), number(0.0, 100.0), number(-360.0, 360.0), number(1.0, 360.0), random.nextBoolean(), maybe(::name), unknown(),
+        point(),
+        number(0.0, 100.0),
+        number(-360.0, 360.0),
+        number(1.0, 360.0),
+        random.nextBoolean(),
+        maybe(::name),
+        unknown(),
     )
 
-    private inner class Goals(private val robots: List<String>, blocks: List<String>, marks: List<Mark>, private val template: Template?) {
+    private inner class Goals(
+        private val robots: List<String>,
+        blocks: List<String>,
+        marks: List<Mark>,
+        private val template: Template?,
+    ) {
         private val movable = robots + blocks
         private val lines = marks.filter { it.figure is MarkFigure.Line }.mapNotNull { it.name }
 
@@ -130,7 +145,18 @@ private class ArbitraryWorld(private val random: Random) {
 
         private fun playSound(): Goal {
             val lowest = maybe { random.nextInt(31, 440) }
-            return Goal(PlaySound(random.nextInt(1, 1001), lowest, maybe { 440 }, any(robots)), maybe(::text), unknown())
+            return Goal(
+                PlaySound(
+                    random.nextInt(1, 1001),
+                    lowest,
+                    maybe {
+                        440
+                    },
+                    any(robots),
+                ),
+                maybe(::text),
+                unknown(),
+            )
         }
 
         private fun drawTemplate() =
@@ -161,7 +187,12 @@ private class ArbitraryWorld(private val random: Random) {
         return Shape.Polygon(if (random.nextBoolean()) left + right else (left + right).reversed())
     }
 
-    private fun way(min: Int): List<Point> = List(random.nextInt(min, min + 4)) { Point(number(-1000.0, 2000.0), it * 20.0) }
+    private fun way(min: Int): List<Point> = List(random.nextInt(min, min + 4)) {
+        Point(
+            number(-1000.0, 2000.0),
+            it * 20.0,
+        )
+    }
 
     private fun point() = Point(number(0.0, 1000.0), number(500.0, 1000.0))
 
@@ -185,8 +216,13 @@ private class ArbitraryWorld(private val random: Random) {
 
     private fun text(): String = List(random.nextInt(1, 12)) { CHARACTERS.random(random) }.joinToString("")
 
-    private fun unknown(): UnknownFields =
-        if (random.nextInt(4) > 0) UnknownFields.NONE else UnknownFields(List(random.nextInt(1, 3)) { "_${text()}" to value(2) }.toMap())
+    private fun unknown(): UnknownFields = if (random.nextInt(4) >
+        0
+    ) {
+        UnknownFields.NONE
+    } else {
+        UnknownFields(List(random.nextInt(1, 3)) { "_${text()}" to value(2) }.toMap())
+    }
 
     private fun value(depth: Int): JsonElement = when (random.nextInt(if (depth == 0) 4 else 6)) {
         0 -> JsonPrimitive(random.nextInt())

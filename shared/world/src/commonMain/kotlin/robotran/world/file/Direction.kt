@@ -5,8 +5,8 @@ import robotran.world.geometry.RADIANS_PER_DEGREE
 import kotlin.math.floor
 
 /**
- * Cosine and sine of an angle, the same on every target and good enough to see what overlaps. Runs take theirs from the physics engine, which need
- * not be loaded for reading a file.
+ * Cosine and sine of an angle, the same on every target and good enough to see what overlaps. Runs take theirs from the
+ * physics engine, which need not be loaded for reading a file.
  */
 class Direction(degrees: Double) {
     private val quarters = floor(degrees / QUARTER_TURN + HALF).toInt()

@@ -92,7 +92,8 @@ internal class ElementReader(private val shapes: ShapeReader) {
 
     private fun colour(place: JsonCursor): Shade.Colour {
         val text = place.textOrNull().orEmpty()
-        val isColour = text.length == COLOUR_LENGTH && text[0] == '#' && text.drop(1).all { it.lowercaseChar() in HEXADECIMAL }
+        val isColour =
+            text.length == COLOUR_LENGTH && text[0] == '#' && text.drop(1).all { it.lowercaseChar() in HEXADECIMAL }
         if (!isColour) place.refuse(told { mustBeColour() })
         val (red, green, blue) = text.drop(1).chunked(2).map { it.toInt(radix = 16) }
         return Shade.Colour(red, green, blue)

@@ -33,7 +33,8 @@ internal object EnglishWorldFileMessages : WorldFileMessages {
 
     override fun mustHaveOnlyOneOf(words: List<String>) = "must have only one of ${alternatives(words, "and")}"
 
-    override fun tooManyCells(limit: Int) = "goes beyond the $limit cells that the grey maps of a world may have all together"
+    override fun tooManyCells(limit: Int) =
+        "goes beyond the $limit cells that the grey maps of a world may have all together"
 
     override fun rowLength(length: Int) = "must be as long as the first row, $length"
 
@@ -43,7 +44,8 @@ internal object EnglishWorldFileMessages : WorldFileMessages {
 
     override fun startsIn(thing: String) = "puts the robot into $thing"
 
-    override fun nameTaken(name: String, owner: String) = "must not be called \"$name\", since $owner is called so already"
+    override fun nameTaken(name: String, owner: String) =
+        "must not be called \"$name\", since $owner is called so already"
 
     override fun mustNameLine() = "must be the name of a mark that is a line"
 

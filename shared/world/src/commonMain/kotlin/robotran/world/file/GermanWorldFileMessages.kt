@@ -4,16 +4,20 @@ import robotran.json.alternatives
 
 /** The messages in German. */
 internal object GermanWorldFileMessages : WorldFileMessages {
-    override fun notAWorld(format: String) = "Das ist keine Welt von Robotran: In einer Weltdatei steht \"format\": \"$format\"."
+    override fun notAWorld(format: String) =
+        "Das ist keine Welt von Robotran: In einer Weltdatei steht \"format\": \"$format\"."
 
     override fun newerWorld(version: Int, known: Int) =
-        "Diese Welt wurde mit einem neueren Robotran gemacht (sie hat Version $version, dieses Robotran liest bis $known)."
+        "Diese Welt wurde mit einem neueren Robotran gemacht (sie hat Version $version, dieses Robotran liest bis " +
+            "$known)."
 
-    override fun ofVersion(version: Int) = "gehört zu Version $version des Formats, aber in dieser Datei steht Version 1"
+    override fun ofVersion(version: Int) =
+        "gehört zu Version $version des Formats, aber in dieser Datei steht Version 1"
 
     override fun besidePaper() = "liegt neben dem Papier"
 
-    override fun noSuchPort(name: String) = "darf \"$name\" nicht haben: Ein Stein hat die Anschlüsse \"1\", \"2\" und \"3\""
+    override fun noSuchPort(name: String) =
+        "darf \"$name\" nicht haben: Ein Stein hat die Anschlüsse \"1\", \"2\" und \"3\""
 
     override fun sensorTwice() = "darf denselben Sensor nicht zweimal haben"
 
@@ -33,7 +37,8 @@ internal object GermanWorldFileMessages : WorldFileMessages {
 
     override fun mustHaveOnlyOneOf(words: List<String>) = "darf nur eins davon haben: ${alternatives(words, "und")}"
 
-    override fun tooManyCells(limit: Int) = "ist mehr als die $limit Kästchen, die alle Graukarten einer Welt zusammen haben dürfen"
+    override fun tooManyCells(limit: Int) =
+        "ist mehr als die $limit Kästchen, die alle Graukarten einer Welt zusammen haben dürfen"
 
     override fun rowLength(length: Int) = "muss so lang wie die erste Reihe sein, $length"
 

@@ -20,7 +20,9 @@ import robotran.world.WorldLimits
 internal val GOAL_CODECS: List<GoalCodec> = listOf(
     codec<Reach>(
         "reach",
-        read = { Reach(stays = flag("stays"), region = region(), who = who(), whole = flag("whole"), within = within()) },
+        read = {
+            Reach(stays = flag("stays"), region = region(), who = who(), whole = flag("whole"), within = within())
+        },
         write = {
             actorInRegion(it)
             number("within", it.within)

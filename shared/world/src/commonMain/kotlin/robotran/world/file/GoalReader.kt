@@ -36,7 +36,11 @@ internal class GoalReader(private val shapes: ShapeReader) {
  *
  * @param parts reads the goals that this one is made of.
  */
-internal class GoalConditionFields(val place: JsonCursor, private val shapes: ShapeReader, private val parts: () -> List<Goal>) {
+internal class GoalConditionFields(
+    val place: JsonCursor,
+    private val shapes: ShapeReader,
+    private val parts: () -> List<Goal>,
+) {
     fun region(): Shape = shapes.shape(place.member("region"))
 
     fun who(): String? = place.optional("who")?.text(WorldLimits.MAXIMUM_NAME_CHARACTERS)
@@ -67,6 +71,10 @@ internal class GoalConditionFields(val place: JsonCursor, private val shapes: Sh
     fun <T : Comparable<T>> checkBounds(lower: Pair<String, T?>, upper: Pair<String, T?>) {
         val (lowerName, lowest) = lower
         val (upperName, highest) = upper
-        if (lowest != null && highest != null && lowest > highest) place.refuse(told { mustNotBeAbove(lowerName, upperName) })
+        if (lowest != null && highest != null &&
+            lowest > highest
+        ) {
+            place.refuse(told { mustNotBeAbove(lowerName, upperName) })
+        }
     }
 }

@@ -9,8 +9,8 @@ import robotran.json.JsonPath
 import robotran.json.JsonStep
 
 /**
- * Turns a world of version 1 into one of version 2: `name` became `title`, `start` the start of the first of `robots`, and the ends of a wall, once
- * `{"x": 1, "y": 2}`, became `[1, 2]`. All else stays as it is, so that nothing is lost.
+ * Turns a world of version 1 into one of version 2: `name` became `title`, `start` the start of the first of `robots`,
+ * and the ends of a wall, once `{"x": 1, "y": 2}`, became `[1, 2]`. All else stays as it is, so that nothing is lost.
  */
 internal class MigrationFromVersion1(private val file: JsonCursor) {
     val migrated: JsonObject = JsonObject(
@@ -40,17 +40,24 @@ internal class MigrationFromVersion1(private val file: JsonCursor) {
         return JsonPath.of(around + stepsBefore(steps))
     }
 
-    private fun stepsBefore(steps: List<JsonStep>): List<JsonStep> = when ((steps.firstOrNull() as? JsonStep.Member)?.name) {
-        "title" -> listOf(JsonStep.Member("name")) + steps.drop(1)
+    private fun stepsBefore(steps: List<JsonStep>): List<JsonStep> =
+        when ((steps.firstOrNull() as? JsonStep.Member)?.name) {
+            "title" -> listOf(JsonStep.Member("name")) + steps.drop(1)
 
-        "robots" -> steps.drop(ROBOTS_STEPS).ifEmpty { listOf(JsonStep.Member("start")) }
+            "robots" -> steps.drop(ROBOTS_STEPS).ifEmpty { listOf(JsonStep.Member("start")) }
 
-        "walls" -> steps.mapIndexed { number, step ->
-            if (number == COORDINATE_STEP && step is JsonStep.Item) JsonStep.Member(COORDINATES[step.number]) else step
+            "walls" -> steps.mapIndexed { number, step ->
+                if (number == COORDINATE_STEP &&
+                    step is JsonStep.Item
+                ) {
+                    JsonStep.Member(COORDINATES[step.number])
+                } else {
+                    step
+                }
+            }
+
+            else -> steps
         }
-
-        else -> steps
-    }
 
     private fun wall(place: JsonCursor): JsonElement = JsonObject(
         buildMap {

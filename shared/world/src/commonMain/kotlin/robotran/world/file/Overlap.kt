@@ -7,7 +7,10 @@ import robotran.world.geometry.cross
 import robotran.world.geometry.distance
 import robotran.world.geometry.side
 
-/** Whether two edges of the polygon cross or touch where they are not neighbours, or neighbours fold back onto each other. */
+/**
+ * Whether two edges of the polygon cross or touch where they are not neighbours, or neighbours fold back onto each
+ * other.
+ */
 fun edgesCross(corners: List<Point>): Boolean {
     val count = corners.size
     for (one in 0..<count) {
@@ -54,30 +57,36 @@ fun flat(shape: Shape): Outline = when (shape) {
 }
 
 /** What lies so far ahead and to the left of [origin]. */
-internal fun box(origin: Point, direction: Direction, along: ClosedRange<Double>, across: ClosedRange<Double>) = Outline.Angular(
-    listOf(
-        direction.from(origin, along.start, across.start),
-        direction.from(origin, along.endInclusive, across.start),
-        direction.from(origin, along.endInclusive, across.endInclusive),
-        direction.from(origin, along.start, across.endInclusive),
-    ),
-)
+internal fun box(origin: Point, direction: Direction, along: ClosedRange<Double>, across: ClosedRange<Double>) =
+    Outline.Angular(
+        listOf(
+            direction.from(origin, along.start, across.start),
+            direction.from(origin, along.endInclusive, across.start),
+            direction.from(origin, along.endInclusive, across.endInclusive),
+            direction.from(origin, along.start, across.endInclusive),
+        ),
+    )
 
-private fun overlap(one: Outline.Angular, other: Outline.Round): Boolean =
-    one.contains(other.centre) || edges(one.corners).any { (from, to) -> distance(other.centre, from, to) < other.radius }
+private fun overlap(one: Outline.Angular, other: Outline.Round): Boolean = one.contains(other.centre) ||
+    edges(one.corners).any { (from, to) -> distance(other.centre, from, to) < other.radius }
 
 private fun overlap(one: Outline.Angular, other: Outline.Angular): Boolean =
     one.contains(other.corners.first()) || other.contains(one.corners.first()) ||
-        edges(one.corners).any { (from, to) -> edges(other.corners).any { (otherFrom, otherTo) -> cross(from, to, otherFrom, otherTo) } }
+        edges(one.corners).any { (from, to) ->
+            edges(other.corners).any { (otherFrom, otherTo) -> cross(from, to, otherFrom, otherTo) }
+        }
 
 private fun Outline.contains(place: Point) = contains(place.x, place.y)
 
-private fun edges(corners: List<Point>): List<Pair<Point, Point>> = corners.indices.map { corners[it] to corners[(it + 1) % corners.size] }
+private fun edges(corners: List<Point>): List<Pair<Point, Point>> = corners.indices.map {
+    corners[it] to
+        corners[(it + 1) % corners.size]
+}
 
 private fun within(one: Point, other: Point, reach: Double): Boolean = distance(one, other, other) < reach
 
-private fun foldsBack(from: Point, corner: Point, to: Point): Boolean =
-    side(from, corner, to) == 0.0 && (corner.x - from.x) * (to.x - corner.x) + (corner.y - from.y) * (to.y - corner.y) < 0
+private fun foldsBack(from: Point, corner: Point, to: Point): Boolean = side(from, corner, to) == 0.0 &&
+    (corner.x - from.x) * (to.x - corner.x) + (corner.y - from.y) * (to.y - corner.y) < 0
 
 /** Whether two lines have a place in common. */
 private fun meet(from: Point, to: Point, otherFrom: Point, otherTo: Point): Boolean =

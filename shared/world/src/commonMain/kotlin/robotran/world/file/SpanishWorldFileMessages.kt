@@ -4,7 +4,8 @@ import robotran.json.alternatives
 
 /** The messages in Spanish. */
 internal object SpanishWorldFileMessages : WorldFileMessages {
-    override fun notAWorld(format: String) = "Esto no es un mundo de Robotran: un archivo de mundo dice \"format\": \"$format\"."
+    override fun notAWorld(format: String) =
+        "Esto no es un mundo de Robotran: un archivo de mundo dice \"format\": \"$format\"."
 
     override fun newerWorld(version: Int, known: Int) =
         "Este mundo se hizo con un Robotran más nuevo (tiene la versión $version, y este Robotran lee hasta la $known)."
@@ -13,7 +14,8 @@ internal object SpanishWorldFileMessages : WorldFileMessages {
 
     override fun besidePaper() = "está fuera del papel"
 
-    override fun noSuchPort(name: String) = "no puede tener \"$name\": un ladrillo tiene los puertos \"1\", \"2\" y \"3\""
+    override fun noSuchPort(name: String) =
+        "no puede tener \"$name\": un ladrillo tiene los puertos \"1\", \"2\" y \"3\""
 
     override fun sensorTwice() = "no puede tener dos veces el mismo sensor"
 
@@ -31,9 +33,11 @@ internal object SpanishWorldFileMessages : WorldFileMessages {
 
     override fun mustHaveOneOf(words: List<String>) = "tiene que tener ${alternatives(words, "o")}"
 
-    override fun mustHaveOnlyOneOf(words: List<String>) = "solo puede tener una de estas cosas: ${alternatives(words, "y")}"
+    override fun mustHaveOnlyOneOf(words: List<String>) =
+        "solo puede tener una de estas cosas: ${alternatives(words, "y")}"
 
-    override fun tooManyCells(limit: Int) = "pasa de los $limit cuadros que pueden tener en total los mapas de grises de un mundo"
+    override fun tooManyCells(limit: Int) =
+        "pasa de los $limit cuadros que pueden tener en total los mapas de grises de un mundo"
 
     override fun rowLength(length: Int) = "tiene que ser tan larga como la primera fila, $length"
 

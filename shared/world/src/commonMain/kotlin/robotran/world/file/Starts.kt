@@ -16,7 +16,9 @@ internal fun checkStarts(world: World, file: JsonCursor) {
     val obstacles = obstacles(world)
     robots.forEachIndexed { number, robot ->
         obstacles.firstOrNull { overlap(robot, it.shape) }?.let { starts[number].refuse(told { startsIn(it.what) }) }
-        (0..<number).firstOrNull { overlap(robot, robots[it]) }?.let { starts[number].refuse(told { startsIn("robots[$it]") }) }
+        (0..<number).firstOrNull {
+            overlap(robot, robots[it])
+        }?.let { starts[number].refuse(told { startsIn("robots[$it]") }) }
     }
 }
 

@@ -36,7 +36,11 @@ internal fun elementOf(mark: Mark) = jsonObject(mark.unknown.members) {
     text("name", mark.name)
     when (val shade = mark.shade) {
         is Shade.Grey -> number("grey", shade.reflectance, default = 0.0)
-        is Shade.Colour -> text("colour", "#" + listOf(shade.red, shade.green, shade.blue).joinToString("", transform = ::hexadecimal))
+
+        is Shade.Colour -> text(
+            "colour",
+            "#" + listOf(shade.red, shade.green, shade.blue).joinToString("", transform = ::hexadecimal),
+        )
     }
     when (val figure = mark.figure) {
         is MarkFigure.Area -> shape(figure.shape)

@@ -3,8 +3,8 @@ package robotran.world.file
 import robotran.language.Language
 
 /**
- * What is said of world files that cannot be used, beyond [robotran.json.JsonMessages]. Most are what is wrong with a value, and are read behind its
- * path, without a full stop. Fields and their words are quoted as the file has them.
+ * What is said of world files that cannot be used, beyond [robotran.json.JsonMessages]. Most are what is wrong with a
+ * value, and are read behind its path, without a full stop. Fields and their words are quoted as the file has them.
  */
 interface WorldFileMessages {
     /** A whole sentence. */

@@ -51,7 +51,9 @@ private class WorldReader(private val file: JsonCursor) {
         val paper = readPaper(file.member("paper"))
         val world = World(
             title = file.member("title").text(WorldLimits.MAXIMUM_TITLE_CHARACTERS),
-            task = file.optional("task")?.text(WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeEmpty = true, severalLines = true).orEmpty(),
+            task = file.optional(
+                "task",
+            )?.text(WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeEmpty = true, severalLines = true).orEmpty(),
             paper = paper,
             robots = file.member("robots").items(1..WorldLimits.MAXIMUM_ROBOTS).map { readRobot(it, paper) },
             walls = list("walls", WorldLimits.MAXIMUM_WALLS, things::wall),
@@ -60,8 +62,9 @@ private class WorldReader(private val file: JsonCursor) {
             marks = list("marks", WorldLimits.MAXIMUM_MARKS, things::mark),
             lamps = list("lamps", WorldLimits.MAXIMUM_LAMPS, things::lamp),
             ambientLight = file.optional("light")?.number(0.0..WorldLimits.MAXIMUM_BRIGHTNESS) ?: Light.DIM_ROOM,
-            temperature = file.optional("temperature")?.number(WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE)
-                ?: World.ROOM_TEMPERATURE,
+            temperature =
+                file.optional("temperature")?.number(WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE)
+                    ?: World.ROOM_TEMPERATURE,
             template = file.optional("template")?.let(::readTemplate),
             goals = file.optional("goals")?.let { GoalReader(shapes).read(it) }.orEmpty(),
             timeLimit = file.optional("timeLimit")?.wholeNumber(WorldLimits.SECONDS) ?: World.DEFAULT_TIME_LIMIT,
@@ -89,4 +92,5 @@ private class WorldReader(private val file: JsonCursor) {
 }
 
 /** What [place] has beyond what has been read of it. */
-fun unknownOf(place: JsonCursor): UnknownFields = place.rest().let { if (it.isEmpty()) UnknownFields.NONE else UnknownFields(it) }
+fun unknownOf(place: JsonCursor): UnknownFields =
+    place.rest().let { if (it.isEmpty()) UnknownFields.NONE else UnknownFields(it) }

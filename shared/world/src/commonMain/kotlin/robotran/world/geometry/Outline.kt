@@ -22,19 +22,23 @@ sealed class Outline {
             return toX * toX + toY * toY <= radius * radius
         }
 
-        override fun distanceToEdge(x: Double, y: Double): Double = kotlin.math.abs(length(x - centre.x, y - centre.y) - radius)
+        override fun distanceToEdge(x: Double, y: Double): Double =
+            kotlin.math.abs(length(x - centre.x, y - centre.y) - radius)
     }
 
     /** @property corners counter-clockwise. */
     class Angular(val corners: List<Point>) : Outline() {
-        override val bounds = Bounds(corners.minOf { it.x }, corners.minOf { it.y }, corners.maxOf { it.x }, corners.maxOf { it.y })
+        override val bounds =
+            Bounds(corners.minOf { it.x }, corners.minOf { it.y }, corners.maxOf { it.x }, corners.maxOf { it.y })
 
         override fun contains(x: Double, y: Double): Boolean {
             if (!bounds.contains(x, y)) return false
             var inside = false
             var before = corners.last()
             for (corner in corners) {
-                if ((corner.y > y) != (before.y > y) && x < (before.x - corner.x) * (y - corner.y) / (before.y - corner.y) + corner.x) {
+                if ((corner.y > y) != (before.y > y) &&
+                    x < (before.x - corner.x) * (y - corner.y) / (before.y - corner.y) + corner.x
+                ) {
                     inside = !inside
                 }
                 before = corner
@@ -50,12 +54,7 @@ sealed class Outline {
 }
 
 /** An upright rectangle, its edges included. */
-data class Bounds(
-    val left: Double,
-    val bottom: Double,
-    val right: Double,
-    val top: Double,
-) {
+data class Bounds(val left: Double, val bottom: Double, val right: Double, val top: Double) {
     fun contains(x: Double, y: Double): Boolean = x in left..right && y in bottom..top
 
     fun grownBy(margin: Double) = Bounds(left - margin, bottom - margin, right + margin, top + margin)
@@ -75,17 +74,19 @@ private fun Shape.Rectangle.corners(trigonometry: Trigonometry): List<Point> {
 
     fun corner(x: Double, y: Double) = Point(centre.x + x * cosine - y * sine, centre.y + x * sine + y * cosine)
     return listOf(
-        corner(-width / 2, -height / 2), corner(width / 2, -height / 2), corner(width / 2, height / 2), corner(-width / 2, height / 2),
+        corner(-width / 2, -height / 2),
+        corner(width / 2, -height / 2),
+        corner(width / 2, height / 2),
+        corner(-width / 2, height / 2),
     )
 }
 
 /** Twice the area within [corners]: positive if they go round counter-clockwise. */
-fun signedArea(corners: List<Point>): Double =
-    corners.indices.sumOf { number ->
-        val corner = corners[number]
-        val next = corners[(number + 1) % corners.size]
-        corner.x * next.y - next.x * corner.y
-    }
+fun signedArea(corners: List<Point>): Double = corners.indices.sumOf { number ->
+    val corner = corners[number]
+    val next = corners[(number + 1) % corners.size]
+    corner.x * next.y - next.x * corner.y
+}
 
 /** What a shape is turned about: the middle of a rectangle or circle, the centre of gravity of a polygon. */
 val Shape.centre: Point

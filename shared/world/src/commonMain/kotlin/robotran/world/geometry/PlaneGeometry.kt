@@ -14,7 +14,13 @@ fun distance(point: Point, from: Point, to: Point): Double {
     val alongX = to.x - from.x
     val alongY = to.y - from.y
     val squaredLength = alongX * alongX + alongY * alongY
-    val share = if (squaredLength == 0.0) 0.0 else ((point.x - from.x) * alongX + (point.y - from.y) * alongY) / squaredLength
+    val share = if (squaredLength ==
+        0.0
+    ) {
+        0.0
+    } else {
+        ((point.x - from.x) * alongX + (point.y - from.y) * alongY) / squaredLength
+    }
     val nearest = share.coerceIn(0.0, 1.0)
     return length(point.x - from.x - nearest * alongX, point.y - from.y - nearest * alongY)
 }
@@ -25,7 +31,8 @@ internal fun side(from: Point, to: Point, place: Point): Double =
 
 /** Whether two lines cross each other in the middle. */
 fun cross(from: Point, to: Point, otherFrom: Point, otherTo: Point): Boolean =
-    side(from, to, otherFrom) * side(from, to, otherTo) < 0 && side(otherFrom, otherTo, from) * side(otherFrom, otherTo, to) < 0
+    side(from, to, otherFrom) * side(from, to, otherTo) < 0 &&
+        side(otherFrom, otherTo, from) * side(otherFrom, otherTo, to) < 0
 
 /** Written out, since `hypot` may round differently from platform to platform and `sqrt` may not. */
 fun length(x: Double, y: Double): Double = sqrt(x * x + y * y)

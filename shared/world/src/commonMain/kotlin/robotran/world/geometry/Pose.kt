@@ -7,8 +7,4 @@ package robotran.world.geometry
  * @property y centimetres from there upwards.
  * @property heading degrees counter-clockwise from the x axis, above -180 and up to 180.
  */
-data class Pose(
-    val x: Double,
-    val y: Double,
-    val heading: Double,
-)
+data class Pose(val x: Double, val y: Double, val heading: Double)

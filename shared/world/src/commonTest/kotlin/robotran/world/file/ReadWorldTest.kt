@@ -67,7 +67,15 @@ class ReadWorldTest {
         val program = "repeat forever\n\tforward 5\nend"
         assertEquals(
             listOf(
-                RobotPlacement(Pose(40.0, 30.0, -90.0), "ann", RobotColour.BLUE, ports, LightFacing.FORWARD, 0.5, program),
+                RobotPlacement(
+                    Pose(40.0, 30.0, -90.0),
+                    "ann",
+                    RobotColour.BLUE,
+                    ports,
+                    LightFacing.FORWARD,
+                    0.5,
+                    program,
+                ),
                 RobotPlacement(Pose(80.0, 30.0, 0.0), "bob", RobotColour.RED),
             ),
             full.robots,
@@ -88,7 +96,11 @@ class ReadWorldTest {
         assertEquals(listOf(Block(Shape.Circle(Point(150.0, 20.0), 3.0), 0.2, 0.5, "brick")), full.blocks)
         assertEquals(
             listOf(
-                Mark(MarkFigure.Line(listOf(Point(10.0, 10.0), Point(30.0, 10.0), Point(30.0, 50.0)), 2.0, true), Shade.Grey(0.1), "loop"),
+                Mark(
+                    MarkFigure.Line(listOf(Point(10.0, 10.0), Point(30.0, 10.0), Point(30.0, 50.0)), 2.0, true),
+                    Shade.Grey(0.1),
+                    "loop",
+                ),
                 Mark(MarkFigure.Area(Shape.Rectangle(Point(150.0, 50.0), 10.0, 10.0)), Shade.Colour(0x11, 0x33, 0xaa)),
                 Mark(MarkFigure.GreyMap(Point(1.0, 1.0), 1.0, listOf("0f.", ".8f"))),
             ),
@@ -96,7 +108,12 @@ class ReadWorldTest {
         )
         assertEquals(listOf(Lamp(Point(1.0, 2.0), 2.0, 90.0, 60.0, false, "window")), full.lamps)
         assertEquals(
-            Template(listOf(listOf(Point(0.0, 0.0), Point(10.0, 0.0)), listOf(Point(0.0, 5.0), Point(10.0, 5.0), Point(12.0, 7.0)))),
+            Template(
+                listOf(
+                    listOf(Point(0.0, 0.0), Point(10.0, 0.0)),
+                    listOf(Point(0.0, 5.0), Point(10.0, 5.0), Point(12.0, 7.0)),
+                ),
+            ),
             full.template,
         )
     }
@@ -105,7 +122,9 @@ class ReadWorldTest {
     fun `goals of all kinds are read`() {
         val expected = listOf(
             Goal(Reach(Shape.Circle(Point(5.0, 5.0), 4.0), "brick", whole = true, within = 30, stays = true)),
-            Goal(StayOut(Shape.Polygon(listOf(Point(0.0, 0.0), Point(1.0, 0.0), Point(1.0, 1.0))), "ann", whole = true)),
+            Goal(
+                StayOut(Shape.Polygon(listOf(Point(0.0, 0.0), Point(1.0, 0.0), Point(1.0, 1.0))), "ann", whole = true),
+            ),
             Goal(StayIn(Shape.Rectangle(Point(0.0, 0.0), 9.0, 9.0)), says = "Stay at home."),
             Goal(NeverTouch(setOf(TouchKind.WALLS, TouchKind.ROBOTS), "bob")),
             Goal(DrawTemplate(2.0, 0.8, 0.3)),
@@ -135,7 +154,9 @@ class ReadWorldTest {
 
     @Test
     fun `a heading is brought into half a turn to either side`() {
-        val heading = { written: String -> loaded(FULL_WORLD.replaceFirst("\"heading\": 270", "\"heading\": $written")).start.heading }
+        val heading = { written: String ->
+            loaded(FULL_WORLD.replaceFirst("\"heading\": 270", "\"heading\": $written")).start.heading
+        }
         assertEquals(-90.0, heading("270"))
         assertEquals(180.0, heading("-180"))
         assertEquals(0.0, heading("-360"))

@@ -21,10 +21,16 @@ class RejectedElementsTest {
         assertEquals("title must not have more than 100 characters.", complaint("Everything", "e".repeat(101)))
         assertEquals("title must be one line of ordinary characters.", complaint("Everything", "Every\\nthing"))
         assertEquals("title must be one line of ordinary characters.", complaint("Everything", "Every\\ud800thing"))
-        assertEquals("walls must be a list in square brackets.", complaint("\"walls\": [{", "\"walls\": 7, \"fences\": [{"))
+        assertEquals(
+            "walls must be a list in square brackets.",
+            complaint("\"walls\": [{", "\"walls\": 7, \"fences\": [{"),
+        )
         assertEquals("lamps[0].on must be true or false.", complaint("\"on\": false", "\"on\": 0"))
         assertEquals("seed must be a whole number from 0 to 2147483647.", complaint("\"seed\": 7", "\"seed\": 1.5"))
-        assertEquals("walls[0].from must be a place such as [20, 30], first x and then y.", complaint("[0, 90]", "[0, 90, 5]"))
+        assertEquals(
+            "walls[0].from must be a place such as [20, 30], first x and then y.",
+            complaint("[0, 90]", "[0, 90, 5]"),
+        )
     }
 
     @Test
@@ -35,15 +41,22 @@ class RejectedElementsTest {
         assertEquals("barriers[1].circle.radius must be from 0.1 to 2000.", complaint("\"radius\": 3", "\"radius\": 0"))
         assertEquals("blocks[0].mass must be from 0.001 to 100.", complaint("\"mass\": 0.2", "\"mass\": -1"))
         assertEquals("lamps[0].cone must be from 1 to 360.", complaint("\"cone\": 60", "\"cone\": 0"))
-        assertEquals("timeLimit must be a whole number from 1 to 3600.", complaint("\"timeLimit\": 90", "\"timeLimit\": 0"))
+        assertEquals(
+            "timeLimit must be a whole number from 1 to 3600.",
+            complaint("\"timeLimit\": 90", "\"timeLimit\": 0"),
+        )
         assertEquals("realism must be from 0 to 1.", complaint("\"realism\": 0.3", "\"realism\": 1.01"))
     }
 
     @Test
     fun `a word that means nothing is refused with those that do`() {
-        assertEquals("robots[0].lightSensor must be \"down\" or \"forward\".", complaint("\"forward\", \"beacon\"", "\"up\", \"beacon\""))
         assertEquals(
-            "robots[0].ports.1 must be \"left bumper\", \"right bumper\", \"touch\", \"light\", \"left rotation\", \"right rotation\" or " +
+            "robots[0].lightSensor must be \"down\" or \"forward\".",
+            complaint("\"forward\", \"beacon\"", "\"up\", \"beacon\""),
+        )
+        assertEquals(
+            "robots[0].ports.1 must be \"left bumper\", \"right bumper\", \"touch\", \"light\", \"left rotation\", " +
+                "\"right rotation\" or " +
                 "\"temperature\".",
             complaint("\"left bumper\"", "\"bumper\""),
         )
@@ -56,12 +69,18 @@ class RejectedElementsTest {
             complaint("[\"light\", \"touch\"]", "[\"light\", \"light\"]"),
         )
         assertEquals("marks[1].colour must be a colour such as \"#1133aa\".", complaint("#1133AA", "#1133AG"))
-        assertEquals("goals[3].what[0] must be \"walls\", \"barriers\", \"blocks\" or \"robots\".", complaint("[\"walls\"", "[\"floor\""))
+        assertEquals(
+            "goals[3].what[0] must be \"walls\", \"barriers\", \"blocks\" or \"robots\".",
+            complaint("[\"walls\"", "[\"floor\""),
+        )
     }
 
     @Test
     fun `a thing has one shape`() {
-        assertEquals("barriers[1] must have \"rectangle\", \"circle\" or \"polygon\".", complaint("{ \"circle\"", "{ \"oval\""))
+        assertEquals(
+            "barriers[1] must have \"rectangle\", \"circle\" or \"polygon\".",
+            complaint("{ \"circle\"", "{ \"oval\""),
+        )
         assertEquals(
             "barriers[1] must have only one of \"circle\" and \"polygon\".",
             complaint("\"radius\": 3 }", "\"radius\": 3 }, \"polygon\": []"),
@@ -76,12 +95,18 @@ class RejectedElementsTest {
     fun `a polygon must have an inside and edges that do not cross`() {
         val corners = "[[100, 60], [110, 60], [105, 70]]"
         val crosses = "barriers[2].polygon must not have edges that cross or touch each other."
-        assertEquals("barriers[2].polygon has 2 entries, but at least 3 must be there.", complaint(corners, "[[100, 60], [110, 60]]"))
+        assertEquals(
+            "barriers[2].polygon has 2 entries, but at least 3 must be there.",
+            complaint(corners, "[[100, 60], [110, 60]]"),
+        )
         assertEquals(crosses, complaint(corners, "[[100, 60], [110, 70], [110, 60], [100, 70]]"))
         assertEquals(crosses, complaint(corners, "[[100, 60], [110, 60], [110, 60], [105, 70]]"))
         assertEquals(crosses, complaint(corners, "[[100, 60], [110, 60], [104, 60]]"))
         assertEquals(crosses, complaint(corners, "[[100, 60], [120, 60], [120, 70], [110, 60], [100, 70]]"))
-        assertEquals("barriers[2].polygon must cover some of the paper.", complaint(corners, "[[100, 60], [100.01, 60], [100, 60.01]]"))
+        assertEquals(
+            "barriers[2].polygon must cover some of the paper.",
+            complaint(corners, "[[100, 60], [100.01, 60], [100, 60.01]]"),
+        )
     }
 
     @Test
@@ -101,25 +126,49 @@ class RejectedElementsTest {
             "marks[0].line.points[3] must not be the first one again, since the line is closed anyway.",
             complaint("[[10, 10], [30, 10], [30, 50]]", "[[10, 10], [30, 10], [30, 50], [10, 10]]"),
         )
-        assertEquals("template.strokes[0] has 1 entry, but at least 2 must be there.", complaint("[[0, 0], [10, 0]]", "[[0, 0]]"))
+        assertEquals(
+            "template.strokes[0] has 1 entry, but at least 2 must be there.",
+            complaint("[[0, 0], [10, 0]]", "[[0, 0]]"),
+        )
     }
 
     @Test
     fun `grey maps have rows of the same length and of greys`() {
         assertEquals("marks[2].greyMap.rows[1] must be as long as the first row, 3.", complaint("\".8f\"", "\".8\""))
-        assertEquals("marks[2].greyMap.rows[1] must be made of 0 to 9, a to f and points.", complaint("\".8f\"", "\".8g\""))
+        assertEquals(
+            "marks[2].greyMap.rows[1] must be made of 0 to 9, a to f and points.",
+            complaint("\".8f\"", "\".8g\""),
+        )
     }
 
     @Test
     fun `robots start on the paper and clear of everything`() {
         val bob = "\"x\": 80, \"y\": 30, \"heading\": 0"
         assertEquals("robots[1].start is beside the paper.", complaint(bob, "\"x\": 201, \"y\": 30, \"heading\": 0"))
-        assertEquals("robots[1].start puts the robot into walls[0].", complaint(bob, "\"x\": 80, \"y\": 83, \"heading\": 0"))
-        assertEquals("robots[1].start puts the robot into walls[0].", complaint(bob, "\"x\": 60, \"y\": 80.1, \"heading\": 90"))
-        assertEquals("robots[1].start puts the robot into barriers[2].", complaint(bob, "\"x\": 105, \"y\": 63, \"heading\": 0"))
-        assertEquals("robots[1].start puts the robot into barriers[1].", complaint(bob, "\"x\": 20, \"y\": 70, \"heading\": 45"))
-        assertEquals("robots[1].start puts the robot into blocks[0].", complaint(bob, "\"x\": 150, \"y\": 20, \"heading\": 45"))
-        assertEquals("robots[1].start puts the robot into robots[0].", complaint(bob, "\"x\": 54, \"y\": 30, \"heading\": 90"))
+        assertEquals(
+            "robots[1].start puts the robot into walls[0].",
+            complaint(bob, "\"x\": 80, \"y\": 83, \"heading\": 0"),
+        )
+        assertEquals(
+            "robots[1].start puts the robot into walls[0].",
+            complaint(bob, "\"x\": 60, \"y\": 80.1, \"heading\": 90"),
+        )
+        assertEquals(
+            "robots[1].start puts the robot into barriers[2].",
+            complaint(bob, "\"x\": 105, \"y\": 63, \"heading\": 0"),
+        )
+        assertEquals(
+            "robots[1].start puts the robot into barriers[1].",
+            complaint(bob, "\"x\": 20, \"y\": 70, \"heading\": 45"),
+        )
+        assertEquals(
+            "robots[1].start puts the robot into blocks[0].",
+            complaint(bob, "\"x\": 150, \"y\": 20, \"heading\": 45"),
+        )
+        assertEquals(
+            "robots[1].start puts the robot into robots[0].",
+            complaint(bob, "\"x\": 54, \"y\": 30, \"heading\": 90"),
+        )
         loaded(FULL_WORLD.replace(bob, "\"x\": 54.5, \"y\": 30, \"heading\": 90"))
         loaded(FULL_WORLD.replace(bob, "\"x\": 60, \"y\": 80, \"heading\": 90"))
         loaded(FULL_WORLD.replace(bob, "\"x\": 60, \"y\": 79.9, \"heading\": -270"))
@@ -129,7 +178,10 @@ class RejectedElementsTest {
     fun `names are had once and goals name what is there`() {
         val already = "barriers[0] must not be called \"ann\", since robots[0] is called so already."
         assertEquals(already, complaint("\"name\": \"box\"", "\"name\": \"ann\""))
-        assertEquals("goals[0].who must be the name of a robot or a block.", complaint("\"who\": \"brick\"", "\"who\": \"box\""))
+        assertEquals(
+            "goals[0].who must be the name of a robot or a block.",
+            complaint("\"who\": \"brick\"", "\"who\": \"box\""),
+        )
         assertEquals(
             "goals[3].who must be the name of a robot.",
             complaint("\"robots\"], \"who\": \"bob\"", "\"robots\"], \"who\": \"brick\""),
@@ -138,17 +190,26 @@ class RejectedElementsTest {
             "goals[5].goals[1].line must be the name of a mark that is a line.",
             complaint("\"line\": \"loop\"", "\"line\": \"box\""),
         )
-        assertEquals("goals[4] needs a template, and this world has none.", complaint("\"template\"", "\"pattern\"", line = 36))
+        assertEquals(
+            "goals[4] needs a template, and this world has none.",
+            complaint("\"template\"", "\"pattern\"", line = 36),
+        )
     }
 
     @Test
     fun `bounds of goals must leave room`() {
-        assertEquals("goals[5].goals[0] must not have \"atLeast\" above \"atMost\".", complaint("\"atLeast\": 10", "\"atLeast\": 30"))
+        assertEquals(
+            "goals[5].goals[0] must not have \"atLeast\" above \"atMost\".",
+            complaint("\"atLeast\": 10", "\"atLeast\": 30"),
+        )
         assertEquals(
             "goals[5].goals[0] must have \"atLeast\" or \"atMost\" or both.",
             complaint("\"atLeast\": 10, \"atMost\": 20", "\"about\": 20"),
         )
-        assertEquals("goals[7].goals[1] must not have \"lowest\" above \"highest\".", complaint("\"lowest\": 400", "\"lowest\": 600"))
+        assertEquals(
+            "goals[7].goals[1] must not have \"lowest\" above \"highest\".",
+            complaint("\"lowest\": 400", "\"lowest\": 600"),
+        )
     }
 
     @Test

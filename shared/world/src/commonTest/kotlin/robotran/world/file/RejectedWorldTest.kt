@@ -8,8 +8,14 @@ import kotlin.test.assertTrue
 class RejectedWorldTest {
     @Test
     fun `text that is not JSON is refused with its line`() {
-        assertEquals("Line 5 cannot be read: something is missing or out of place there.", refusalWith("\"Everything\",", "\"Everything\""))
-        assertEquals("Line 4 has a text that is not closed with a quote.", refusalWith("\"Everything\",", "\"Everything,"))
+        assertEquals(
+            "Line 5 cannot be read: something is missing or out of place there.",
+            refusalWith("\"Everything\",", "\"Everything\""),
+        )
+        assertEquals(
+            "Line 4 has a text that is not closed with a quote.",
+            refusalWith("\"Everything\",", "\"Everything,"),
+        )
         assertEquals("Line 1 cannot be read: something is missing or out of place there.", refusal("").message)
         assertEquals("Line 2 cannot be read: something is missing or out of place there.", refusal("{\n\n").message)
         assertTrue(refusal("\u0000\uD800").message.startsWith("Line 1 cannot be read"))
@@ -54,7 +60,10 @@ class RejectedWorldTest {
         val sentence = "must be a number, a text in quotes, true, false or null."
         assertEquals("Line 6: paper.width $sentence", refusalWith("\"width\": 200", "\"width\": NaN"))
         assertEquals("Line 6: paper.width $sentence", refusalWith("\"width\": 200", "\"width\": 0x64"))
-        assertEquals("Line 6: paper.depth $sentence", refusalWith("\"width\": 200", "\"width\": 200, \"depth\": Infinity"))
+        assertEquals(
+            "Line 6: paper.depth $sentence",
+            refusalWith("\"width\": 200", "\"width\": 200, \"depth\": Infinity"),
+        )
     }
 
     @Test
@@ -66,7 +75,10 @@ class RejectedWorldTest {
 
     @Test
     fun `a bracket in a text does not count as nesting`() {
-        assertEquals("[".repeat(50) + "\"", loaded(FULL_WORLD.replaceFirst("Everything", "[".repeat(50) + "\\\"")).title)
+        assertEquals(
+            "[".repeat(50) + "\"",
+            loaded(FULL_WORLD.replaceFirst("Everything", "[".repeat(50) + "\\\"")).title,
+        )
     }
 
     @Test

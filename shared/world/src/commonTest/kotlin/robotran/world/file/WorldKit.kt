@@ -75,13 +75,20 @@ internal fun refusalWith(old: String, new: String): String {
 /**
  * What is said about it behind the line, after a check that this is [line]: where [old] is, if nothing else is said.
  */
-internal fun complaint(old: String, new: String, line: Int = FULL_WORLD.substringBefore(old).count { it == '\n' } + 1): String {
+internal fun complaint(
+    old: String,
+    new: String,
+    line: Int = FULL_WORLD.substringBefore(old).count { it == '\n' } + 1,
+): String {
     val message = refusalWith(old, new)
     assertTrue(message.startsWith("Line $line: "), "$message is about line $line")
     return message.substringAfter(": ")
 }
 
-/** Checks what is true of whatever is read: a world is written and read as the same one, a refusal has a sentence and places that fit. */
+/**
+ * Checks what is true of whatever is read: a world is written and read as the same one, a refusal has a sentence and
+ * places that fit.
+ */
 internal fun holds(result: WorldFileResult) {
     when (result) {
         is WorldFileResult.Loaded -> {

@@ -7,7 +7,9 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class GoalCodecsTest {
-    private val kinds = GoalCondition::class.java.declaredClasses.filter(GoalCondition::class.java::isAssignableFrom).toSet()
+    private val kinds = GoalCondition::class.java.declaredClasses.filter(
+        GoalCondition::class.java::isAssignableFrom,
+    ).toSet()
 
     @Test
     fun `there is a codec for each kind of goal, each with a word of its own`() {

@@ -33,7 +33,15 @@ internal object WorldSchema {
     private fun closed(element: JsonElement): JsonElement = when (element) {
         is JsonObject -> {
             val inner = element.mapValues { closed(it.value) }
-            JsonObject(if (element["type"] == JsonPrimitive("object")) inner + ("unevaluatedProperties" to JsonPrimitive(false)) else inner)
+            JsonObject(
+                if (element["type"] ==
+                    JsonPrimitive("object")
+                ) {
+                    inner + ("unevaluatedProperties" to JsonPrimitive(false))
+                } else {
+                    inner
+                },
+            )
         }
 
         is JsonArray -> {
@@ -47,7 +55,13 @@ internal object WorldSchema {
 
     private fun fieldsOf(element: JsonElement): Set<String> = when (element) {
         is JsonObject -> element.flatMap { (name, value) ->
-            if (name == "properties") value.jsonObject.keys + value.jsonObject.values.flatMap(::fieldsOf) else fieldsOf(value)
+            if (name ==
+                "properties"
+            ) {
+                value.jsonObject.keys + value.jsonObject.values.flatMap(::fieldsOf)
+            } else {
+                fieldsOf(value)
+            }
         }.toSet()
 
         is JsonArray -> element.flatMap(::fieldsOf).toSet()

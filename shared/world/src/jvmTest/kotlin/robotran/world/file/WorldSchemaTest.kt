@@ -62,29 +62,57 @@ class WorldSchemaTest {
 
     /** What a value might be by mistake; null for not being there at all. */
     private fun others(value: JsonElement): List<JsonElement?> = listOf(
-        null, JsonNull, JsonPrimitive(true), JsonPrimitive(""), JsonPrimitive(" "), JsonPrimitive("x"), JsonPrimitive("#12345g"),
-        JsonPrimitive(-1), JsonPrimitive(0), JsonPrimitive(0.05), JsonPrimitive(1.5), JsonPrimitive(19),
-        JsonPrimitive(1e9), JsonPrimitive(-1e9),
-        JsonPrimitive(3), JsonPrimitive("e".repeat(501)), JsonArray(emptyList()), JsonObject(emptyMap()), JsonArray(listOf(value)),
-        JsonArray(listOf(value, value)), JsonArray(List(1001) { value }),
+        null,
+        JsonNull,
+        JsonPrimitive(true),
+        JsonPrimitive(""),
+        JsonPrimitive(" "),
+        JsonPrimitive("x"),
+        JsonPrimitive("#12345g"),
+        JsonPrimitive(-1),
+        JsonPrimitive(0),
+        JsonPrimitive(0.05),
+        JsonPrimitive(1.5),
+        JsonPrimitive(19),
+        JsonPrimitive(1e9),
+        JsonPrimitive(-1e9),
+        JsonPrimitive(3),
+        JsonPrimitive("e".repeat(501)),
+        JsonArray(emptyList()),
+        JsonObject(emptyMap()),
+        JsonArray(listOf(value)),
+        JsonArray(listOf(value, value)),
+        JsonArray(List(1001) { value }),
         (value as? JsonArray)?.let { JsonArray(it.dropLast(1)) } ?: JsonNull,
         (value as? JsonPrimitive)?.let { JsonPrimitive(it.content) } ?: JsonNull,
     )
 
     /** [element] with each value in it, one after the other, put in place of by each of [others]. */
-    private fun changes(element: JsonElement, others: (JsonElement) -> List<JsonElement?>): List<JsonElement> = when (element) {
-        is JsonObject -> element.filterKeys { !it.startsWith("_") }.flatMap { (name, value) ->
-            val replaced = others(value).map { other -> JsonObject(if (other == null) element - name else element + (name to other)) }
-            replaced + changes(value, others).map { JsonObject(element + (name to it)) }
-        }
+    private fun changes(element: JsonElement, others: (JsonElement) -> List<JsonElement?>): List<JsonElement> =
+        when (element) {
+            is JsonObject -> element.filterKeys { !it.startsWith("_") }.flatMap { (name, value) ->
+                val replaced = others(value).map { other ->
+                    JsonObject(
+                        if (other ==
+                            null
+                        ) {
+                            element - name
+                        } else {
+                            element + (name to other)
+                        },
+                    )
+                }
+                replaced + changes(value, others).map { JsonObject(element + (name to it)) }
+            }
 
-        is JsonArray -> element.indices.flatMap { number ->
-            fun with(other: JsonElement?) = JsonArray(element.take(number) + listOfNotNull(other) + element.drop(number + 1))
-            others(element[number]).map(::with) + changes(element[number], others).map(::with)
-        }
+            is JsonArray -> element.indices.flatMap { number ->
+                fun with(other: JsonElement?) =
+                    JsonArray(element.take(number) + listOfNotNull(other) + element.drop(number + 1))
+                others(element[number]).map(::with) + changes(element[number], others).map(::with)
+            }
 
-        else -> emptyList()
-    }
+            else -> emptyList()
+        }
 
     /** Arbitrary unknown fields begin with an underscore. */
     private fun withoutUnknown(element: JsonElement): JsonElement = when (element) {

@@ -34,7 +34,8 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.InlineDiagnostic
 
 /**
- * The text of a program to write in: only what is in sight is laid out and drawn, so that a long program is as quick to write in as a short one.
+ * The text of a program to write in: only what is in sight is laid out and drawn, so that a long program is as quick to
+ * write in as a short one.
  *
  * @param hint what stands there as long as there is no text.
  * @param notes what is told about the lines, in their order.
@@ -67,12 +68,17 @@ internal fun CodeEditor(
     val hasFocus = control.hasFocus
     var composing by remember { mutableStateOf<TextSpan?>(null) }
     val shownNotes = notesBesideTyping(notes, draft, hasFocus && !pointedOut)
-    val paint = remember(draft, marks, hasFocus, composing) { EditorPaint(draft, marks.copy(composing = composing), hasFocus) }
+    val paint =
+        remember(draft, marks, hasFocus, composing) { EditorPaint(draft, marks.copy(composing = composing), hasFocus) }
     val touch = rememberTouch(control, view, layouts, pieces, draft, focus, onBreakpoint, onZoom)
     KeepInSight(view, draft, layouts, pieces, marks, hasFocus)
     Box(modifier.padding(top = 6.dp)) {
         EditorField(
-            draft, control, view, layouts, { composing = it },
+            draft,
+            control,
+            view,
+            layouts,
+            { composing = it },
             Modifier.fillMaxSize().editorInput(control, focus, draft, onCommand, onBreakpoint) {
                 control.hasFocus = it
                 if (!it) {
@@ -82,7 +88,11 @@ internal fun CodeEditor(
             },
         )
         EditorSurface(
-            paint, pieces, view, layouts, shownNotes.map { it.line ?: 1 },
+            paint,
+            pieces,
+            view,
+            layouts,
+            shownNotes.map { it.line ?: 1 },
             Modifier
                 .fillMaxSize()
                 .pointerHoverIcon(PointerIcon.Text)
@@ -99,14 +109,24 @@ internal fun CodeEditor(
 }
 
 @Composable
-private fun KeepInSight(view: EditorView, draft: Draft, layouts: LineLayouts, pieces: CodeTokens, marks: EditorMarks, hasFocus: Boolean) {
+private fun KeepInSight(
+    view: EditorView,
+    draft: Draft,
+    layouts: LineLayouts,
+    pieces: CodeTokens,
+    marks: EditorMarks,
+    hasFocus: Boolean,
+) {
     val runningLine = marks.runningLine
     LaunchedEffect(draft, view.size, layouts) {
         // The lines have their places only once they were laid out.
         withFrameNanos { }
         val line = draft.lines.lineOf(draft.selection.caret)
         if ((!hasFocus && draft.selection.caret == 0) || line >= view.geometry.lines) return@LaunchedEffect
-        val x = layouts.of(draft.lines.line(line), pieces.startsInComment(line)).x(draft.lines.columnOf(draft.selection.caret))
+        val x = layouts.of(
+            draft.lines.line(line),
+            pieces.startsInComment(line),
+        ).x(draft.lines.columnOf(draft.selection.caret))
         view.bringIntoSight(line, x)
     }
     LaunchedEffect(runningLine) {
@@ -170,7 +190,9 @@ private fun Overlays(
     if (hasFocus && control.hasNothingToOffer) NothingOffered { place(draft.selection.caret) }
 }
 
-/** [notes] without those of the line that somebody is typing in: it cannot be right yet. They come when the keys rest. */
+/**
+ * [notes] without those of the line that somebody is typing in: it cannot be right yet. They come when the keys rest.
+ */
 @Composable
 private fun notesBesideTyping(notes: List<InlineDiagnostic>, draft: Draft, isWriting: Boolean): List<InlineDiagnostic> {
     var restingText by remember { mutableStateOf(draft.text) }

@@ -44,7 +44,13 @@ import robotran.ui.theme.LocalRobotranColours
 
 /** What may be meant at the caret, under it or, where there is more room, above it. */
 @Composable
-internal fun CompletionPanel(list: CompletionList, chosen: Int, size: Float, caret: CaretLocator, onChoose: (Completion) -> Unit) {
+internal fun CompletionPanel(
+    list: CompletionList,
+    chosen: Int,
+    size: Float,
+    caret: CaretLocator,
+    onChoose: (Completion) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val words = stringResource(Res.string.editor_completions)
     val scroll = rememberLazyListState()
@@ -104,7 +110,14 @@ private fun CompletionRow(item: Completion, isChosen: Boolean, size: Float, onCh
     ) {
         Text(item.label, style = editorStyle(size), maxLines = 1, overflow = TextOverflow.Ellipsis)
         item.help?.let {
-            Text(it, color = colours.quiet, fontSize = 13.sp, lineHeight = 17.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
+            Text(
+                it,
+                color = colours.quiet,
+                fontSize = 13.sp,
+                lineHeight = 17.sp,
+                maxLines = 2,
+                overflow = TextOverflow.Ellipsis,
+            )
         }
     }
 }
@@ -121,11 +134,18 @@ private fun Modifier.besideCaret(caret: CaretLocator) = layout { measurable, con
     val below = constraints.maxHeight - place.bottom.toInt() - margin
     val above = place.top.toInt() - margin
     val isBelow = below >= minOf(above, 2 * Dimensions.TARGET.roundToPx()) || below >= above
-    val height = (if (isBelow) below else above).coerceAtLeast(Dimensions.TARGET.roundToPx()).coerceAtMost(constraints.maxHeight)
-    val placed = measurable.measure(constraints.copy(minWidth = width, maxWidth = width, minHeight = 0, maxHeight = height))
+    val height = (if (isBelow) below else above).coerceAtLeast(
+        Dimensions.TARGET.roundToPx(),
+    ).coerceAtMost(constraints.maxHeight)
+    val placed = measurable.measure(
+        constraints.copy(minWidth = width, maxWidth = width, minHeight = 0, maxHeight = height),
+    )
     layout(constraints.maxWidth, constraints.maxHeight) {
         val x = place.left.toInt().coerceIn(margin, (constraints.maxWidth - margin - width).coerceAtLeast(margin))
-        placed.place(x, if (isBelow) place.bottom.toInt() + 4 else (place.top.toInt() - placed.height - 4).coerceAtLeast(0))
+        placed.place(
+            x,
+            if (isBelow) place.bottom.toInt() + 4 else (place.top.toInt() - placed.height - 4).coerceAtLeast(0),
+        )
     }
 }
 

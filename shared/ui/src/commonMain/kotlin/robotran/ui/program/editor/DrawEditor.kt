@@ -108,7 +108,14 @@ internal class EditorDrawing(
 
     private fun DrawScope.drawCaret() {
         val place = view.caretPlace(caretLine, draft.lines.columnOf(draft.selection.caret), draft, layouts, pieces)
-        drawRect(colours.focus, Offset(place.left - 1.dp.toPx(), place.top + 1.dp.toPx()), Size(2.dp.toPx(), place.height - 2.dp.toPx()))
+        drawRect(
+            colours.focus,
+            Offset(place.left - 1.dp.toPx(), place.top + 1.dp.toPx()),
+            Size(
+                2.dp.toPx(),
+                place.height - 2.dp.toPx(),
+            ),
+        )
     }
 
     private fun DrawScope.span(range: SourceRange, laidOut: LaidOutLine, left: Float): Pair<Float, Float> {

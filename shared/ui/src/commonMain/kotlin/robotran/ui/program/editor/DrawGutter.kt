@@ -27,7 +27,10 @@ internal class NumberLayouts(private val measurer: TextMeasurer, private val sty
     }
 }
 
-/** Draws the numbers of the lines in sight, with a sign beside those that are mistaken or have failed, doubtful, running or to stop before. */
+/**
+ * Draws the numbers of the lines in sight, with a sign beside those that are mistaken or have failed, doubtful, running
+ * or to stop before.
+ */
 internal class GutterDrawing(
     private val marks: EditorMarks,
     private val view: EditorView,
@@ -40,7 +43,12 @@ internal class GutterDrawing(
 
     fun DrawScope.draw(lines: Int) {
         val visible = view.visibleLines
-        for (line in visible.first..minOf(visible.last, lines - 1)) drawNumber(line + 1, view.geometry.top(line) - view.scrollY)
+        for (line in visible.first..minOf(visible.last, lines - 1)) {
+            drawNumber(
+                line + 1,
+                view.geometry.top(line) - view.scrollY,
+            )
+        }
     }
 
     private fun DrawScope.drawNumber(line: Int, top: Float) {

@@ -34,7 +34,8 @@ import robotran.textediting.wordErasedBackwards
 import robotran.textediting.wordErasedForwards
 
 /**
- * What keys, fingers and buttons do to the text of one file. It has the newest text even while several keys come between two pictures.
+ * What keys, fingers and buttons do to the text of one file. It has the newest text even while several keys come
+ * between two pictures.
  *
  * @param hasRoom whether the text may become so.
  * @param onWritten is told what the text is now, or would have become.
@@ -71,7 +72,10 @@ internal class EditorControl(
     /** Whether it was a finger that came here last, so that the keyboard is probably one on the screen. */
     var isTouched by mutableStateOf(false)
 
-    /** Whether it was a finger that was put somewhere here last, also beside the text, and whether the keyboard wrote here then. */
+    /**
+     * Whether it was a finger that was put somewhere here last, also beside the text, and whether the keyboard wrote
+     * here then.
+     */
     var isPressedByFinger = false
     var hadFocus = false
 
@@ -150,11 +154,26 @@ internal class EditorControl(
         }
         val list = offered ?: return false
         when {
-            command == EditorCommand.Move(CaretMove.DOWN, false) -> chosen = (chosen + 1) % list.items.size
-            command == EditorCommand.Move(CaretMove.UP, false) -> chosen = (chosen + list.items.size - 1) % list.items.size
-            isEnter || command == EditorCommand.Plain.INDENT -> takeOffered(list.items[chosen])
-            command == EditorCommand.Plain.LEAVE -> closeOffered()
-            else -> return false
+            command == EditorCommand.Move(CaretMove.DOWN, false) -> {
+                chosen = (chosen + 1) % list.items.size
+            }
+
+            command == EditorCommand.Move(CaretMove.UP, false) -> {
+                chosen =
+                    (chosen + list.items.size - 1) % list.items.size
+            }
+
+            isEnter || command == EditorCommand.Plain.INDENT -> {
+                takeOffered(list.items[chosen])
+            }
+
+            command == EditorCommand.Plain.LEAVE -> {
+                closeOffered()
+            }
+
+            else -> {
+                return false
+            }
         }
         return true
     }

@@ -23,8 +23,8 @@ import robotran.textediting.text.TextSelection
 import robotran.textediting.text.TextSpan
 
 /**
- * What a keyboard writes into: it holds the part of [draft] around the caret, lies unseen where the caret is, so that an input method shows its
- * proposals there, and is what a screen reader reads.
+ * What a keyboard writes into: it holds the part of [draft] around the caret, lies unseen where the caret is, so that
+ * an input method shows its proposals there, and is what a screen reader reads.
  *
  * @param onComposing is told what an input method is still working on.
  */
@@ -47,7 +47,14 @@ internal fun EditorField(
             last = it
             val written = Draft(it.text, TextSelection(it.selection.start, it.selection.end))
             control.received(written, isComposing = it.composition != null)
-            onComposing(it.composition?.let { span -> TextSpan(control.link.start + span.min, control.link.start + span.max) })
+            onComposing(
+                it.composition?.let { span ->
+                    TextSpan(
+                        control.link.start + span.min,
+                        control.link.start + span.max,
+                    )
+                },
+            )
         },
         modifier = modifier,
         textStyle = layouts.style.copy(color = Color.Transparent),

@@ -5,11 +5,7 @@ package robotran.ui.program.editor
  *
  * @property notes the notes in the order of their lines, several of one line one below the other.
  */
-internal data class EditorGeometry(
-    val lineHeight: Float,
-    val lines: Int,
-    val notes: List<NoteBounds> = emptyList(),
-) {
+internal data class EditorGeometry(val lineHeight: Float, val lines: Int, val notes: List<NoteBounds> = emptyList()) {
     /** The heights of all notes before each, and of all at the end. */
     private val heightsBefore: FloatArray = FloatArray(notes.size + 1).also { sums ->
         notes.forEachIndexed { index, note -> sums[index + 1] = sums[index] + note.height }

@@ -80,7 +80,9 @@ private suspend fun AwaitPointerEventScope.finger(down: PointerInputChange, taps
     }
 }
 
-/** Two fingers, or the wheel of a mouse with Ctrl, make the text larger and smaller; whatever goes down is told first. */
+/**
+ * Two fingers, or the wheel of a mouse with Ctrl, make the text larger and smaller; whatever goes down is told first.
+ */
 internal suspend fun PointerInputScope.listenForZoom(touch: EditorTouch) = awaitPointerEventScope {
     while (true) {
         val event = awaitPointerEvent(PointerEventPass.Initial)

@@ -91,4 +91,5 @@ private fun handleKey(
 private fun leavesToField(command: EditorCommand, control: EditorControl): Boolean =
     command in CLIPBOARD && control.link.holdsSelection
 
-private val CLIPBOARD = setOf<EditorCommand>(EditorCommand.Plain.CUT, EditorCommand.Plain.COPY, EditorCommand.Plain.PASTE)
+private val CLIPBOARD =
+    setOf<EditorCommand>(EditorCommand.Plain.CUT, EditorCommand.Plain.COPY, EditorCommand.Plain.PASTE)

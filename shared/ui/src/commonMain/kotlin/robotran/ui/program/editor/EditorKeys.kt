@@ -132,7 +132,8 @@ private val CONTROL_SHIFT = mapOf(
 )
 
 /** On some keyboards these signs take Shift. */
-private val SAME_WITH_SHIFT = setOf(EditorCommand.Plain.LARGER, EditorCommand.Plain.TOGGLE_COMMENT, EditorCommand.Plain.DEFAULT_SIZE)
+private val SAME_WITH_SHIFT =
+    setOf(EditorCommand.Plain.LARGER, EditorCommand.Plain.TOGGLE_COMMENT, EditorCommand.Plain.DEFAULT_SIZE)
 
 private val ALT = mapOf(
     Key.DirectionUp to EditorCommand.Plain.MOVE_LINES_UP,

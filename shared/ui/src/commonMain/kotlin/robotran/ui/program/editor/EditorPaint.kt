@@ -29,8 +29,4 @@ internal data class EditorMarks(
 
 /** All that is drawn of a text. */
 @Immutable
-internal class EditorPaint(
-    val draft: Draft,
-    val marks: EditorMarks,
-    val hasFocus: Boolean,
-)
+internal class EditorPaint(val draft: Draft, val marks: EditorMarks, val hasFocus: Boolean)

@@ -38,10 +38,15 @@ internal fun EditorSurface(
     val lines = paint.draft.lines
     val density = LocalDensity.current
     val digits = maxOf(2, lines.count.toString().length)
-    val gutter = with(density) { (layouts.characterWidth * digits * NUMBER_SIZE + (SIGN + GAP).toPx()).coerceAtLeast(GUTTER.toPx()) }
+    val gutter =
+        with(density) {
+            (layouts.characterWidth * digits * NUMBER_SIZE + (SIGN + GAP).toPx()).coerceAtLeast(GUTTER.toPx())
+        }
     val longest = remember(lines) { (0..<lines.count).maxOf { lines.end(it) - lines.start(it) } }
-    val drawing = remember(paint, pieces, layouts, colours, code) { EditorDrawing(paint, pieces, view, layouts, colours, code) }
-    val gutterDrawing = remember(paint, numbers, colours, code) { GutterDrawing(paint.marks, view, numbers, colours, code) }
+    val drawing =
+        remember(paint, pieces, layouts, colours, code) { EditorDrawing(paint, pieces, view, layouts, colours, code) }
+    val gutterDrawing =
+        remember(paint, numbers, colours, code) { GutterDrawing(paint.marks, view, numbers, colours, code) }
     Layout(
         content = notes,
         modifier = modifier.clipToBounds().drawBehind {

@@ -80,7 +80,9 @@ internal class EditorView {
         }
     }
 
-    /** Scrolls as little as it takes to have [line] in sight with the notes under it, as far as there is room for both. */
+    /**
+     * Scrolls as little as it takes to have [line] in sight with the notes under it, as far as there is room for both.
+     */
     fun bringNotesIntoSight(line: Int) {
         val top = geometry.top(line)
         val below = geometry.top(line + 1) - size.height
@@ -98,7 +100,10 @@ internal class EditorView {
     /** The place of the text nearest to [position] on the screen. */
     fun offsetAt(position: Offset, draft: Draft, layouts: LineLayouts, pieces: CodeTokens): Int {
         val line = geometry.lineAt(position.y + scrollY).coerceIn(0, draft.lines.count - 1)
-        val column = layouts.of(draft.lines.line(line), pieces.startsInComment(line)).column(position.x - gutter + scrollX)
+        val column = layouts.of(
+            draft.lines.line(line),
+            pieces.startsInComment(line),
+        ).column(position.x - gutter + scrollX)
         return draft.lines.offset(line, column.coerceAtLeast(0))
     }
 

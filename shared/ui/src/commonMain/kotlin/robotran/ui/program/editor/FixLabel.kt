@@ -48,6 +48,12 @@ private fun mendedWords(diagnostic: ProgramDiagnostic, fix: SourceFix, line: Str
     return (line.substring(start, from) + fix.replacement + line.substring(to, end)).trim()
 }
 
-private fun shortened(words: String) = if (words.length <= MAX_CHARACTERS) words else words.take(MAX_CHARACTERS - 1) + "…"
+private fun shortened(words: String) = if (words.length <=
+    MAX_CHARACTERS
+) {
+    words
+} else {
+    words.take(MAX_CHARACTERS - 1) + "…"
+}
 
 private const val MAX_CHARACTERS = 30

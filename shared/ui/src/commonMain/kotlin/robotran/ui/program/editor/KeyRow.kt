@@ -66,5 +66,6 @@ private fun TouchKey(sign: String, words: String, onClick: () -> Unit) {
 private const val SIZE = 18f
 private val SIGNS = mapOf(
     ProgramLanguage.ROBOLANG to listOf("(", ")", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", ","),
-    ProgramLanguage.JAVA to listOf("(", ")", "{", "}", ";", ".", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", "&", "|", "!"),
+    ProgramLanguage.JAVA to
+        listOf("(", ")", "{", "}", ";", ".", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", "&", "|", "!"),
 )

@@ -31,7 +31,10 @@ internal class LineLayouts(
     val lineHeight: Float = with(density) { style.lineHeight.toPx() }.let { ceil(it) }
 
     /** Pixels that an ordinary character takes. */
-    val characterWidth: Float by lazy(LazyThreadSafetyMode.NONE) { measurer.measure(SAMPLE, style).size.width / SAMPLE.length.toFloat() }
+    val characterWidth: Float by lazy(LazyThreadSafetyMode.NONE) {
+        measurer.measure(SAMPLE, style).size.width /
+            SAMPLE.length.toFloat()
+    }
 
     /** [text] as it is drawn. */
     fun of(text: String, startsInComment: Boolean): LaidOutLine {
@@ -46,7 +49,10 @@ internal class LineLayouts(
         val spans = piecesOf(text, language, startsInComment).map {
             AnnotatedString.Range(SpanStyle(colours.of(it.kind)), shown.column(it.start), shown.column(it.end))
         }
-        return LaidOutLine(shown, measurer.measure(AnnotatedString(shown.text, spans), style, softWrap = false, maxLines = 1))
+        return LaidOutLine(
+            shown,
+            measurer.measure(AnnotatedString(shown.text, spans), style, softWrap = false, maxLines = 1),
+        )
     }
 
     private data class LineKey(val text: String, val startsInComment: Boolean)
@@ -62,7 +68,8 @@ internal class LineLayouts(
 /** A line that was laid out. */
 internal class LaidOutLine(private val shown: ShownLine, val layout: TextLayoutResult) {
     /** How far right [column] of the line is, in pixels. */
-    fun x(column: Int): Float = layout.getHorizontalPosition(shown.column(column.coerceIn(0, shown.length)), usePrimaryDirection = true)
+    fun x(column: Int): Float =
+        layout.getHorizontalPosition(shown.column(column.coerceIn(0, shown.length)), usePrimaryDirection = true)
 
     /** The column whose left edge is nearest to [x]. */
     fun column(x: Float): Int {
@@ -115,11 +122,14 @@ internal fun rememberLineLayouts(language: ProgramLanguage, size: Float): LineLa
     val colours = codeColours()
     val density = LocalDensity.current
     val style = editorStyle(size)
-    return remember(measurer, colours, density, style, language) { LineLayouts(measurer, style, colours, language, density) }
+    return remember(measurer, colours, density, style, language) {
+        LineLayouts(measurer, style, colours, language, density)
+    }
 }
 
 /** How the text of an editor is set, [size] in sp. */
 @Composable
-internal fun editorStyle(size: Float): TextStyle = codeStyle().copy(fontSize = size.sp, lineHeight = (size * LINE_HEIGHT).sp)
+internal fun editorStyle(size: Float): TextStyle =
+    codeStyle().copy(fontSize = size.sp, lineHeight = (size * LINE_HEIGHT).sp)
 
 private const val LINE_HEIGHT = 1.4f

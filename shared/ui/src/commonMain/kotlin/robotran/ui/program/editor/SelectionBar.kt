@@ -56,7 +56,9 @@ internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> U
         for ((command, words) in BUTTONS) {
             val tag = "selection-${command.name.lowercase()}"
             // With the focus gone from the text the bar would be gone too.
-            val modifier = Modifier.focusProperties { canFocus = false }.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag)
+            val modifier = Modifier.focusProperties {
+                canFocus = false
+            }.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag)
             TextButton({ onCommand(command) }, modifier) {
                 Text(stringResource(words), color = colours.onPane, fontSize = 15.sp)
             }
@@ -91,7 +93,9 @@ internal fun SelectionHandle(place: () -> Rect, tag: String, onDrag: (Offset) ->
                 }
             },
     ) {
-        Canvas(Modifier.size(Dimensions.TARGET)) { drawCircle(colour, 10.dp.toPx(), Offset(size.width / 2, 11.dp.toPx())) }
+        Canvas(Modifier.size(Dimensions.TARGET)) {
+            drawCircle(colour, 10.dp.toPx(), Offset(size.width / 2, 11.dp.toPx()))
+        }
     }
 }
 
@@ -103,7 +107,10 @@ private fun Modifier.beside(selection: () -> Rect) = layout { measurable, constr
         val above = place.top.toInt() - placed.height - margin
         val below = place.bottom.toInt() + Dimensions.TARGET.roundToPx()
         val y = if (above >= 0) above else minOf(below, constraints.maxHeight - placed.height)
-        val x = (place.left.toInt() - placed.width / 2).coerceIn(0, (constraints.maxWidth - placed.width).coerceAtLeast(0))
+        val x = (place.left.toInt() - placed.width / 2).coerceIn(
+            0,
+            (constraints.maxWidth - placed.width).coerceAtLeast(0),
+        )
         placed.place(x, y.coerceAtLeast(0))
     }
 }

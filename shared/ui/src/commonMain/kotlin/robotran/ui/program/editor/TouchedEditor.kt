@@ -76,7 +76,9 @@ internal fun rememberTouch(
 
             override fun zoomed(factor: Float) = zoom(factor)
 
-            private fun offsetAt(position: Offset) = now.let { (text, lines, parts) -> view.offsetAt(position, text, lines, parts) }
+            private fun offsetAt(position: Offset) = now.let { (text, lines, parts) ->
+                view.offsetAt(position, text, lines, parts)
+            }
         }
     }
 }

@@ -11,7 +11,10 @@ import robotran.world.Wall
 import robotran.world.World
 import robotran.world.geometry.Point
 
-/** Writes the sheet with all that lies, stands, shines and drives on it as an SVG picture; a unit is a centimetre, y goes down. */
+/**
+ * Writes the sheet with all that lies, stands, shines and drives on it as an SVG picture; a unit is a centimetre, y
+ * goes down.
+ */
 internal class SheetSvg(private val world: World, private val state: SessionState) {
     private val svg = SvgWriter()
     private val shapes = SvgShapes(svg, world.paper.height)
@@ -22,17 +25,31 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
         val wide = paper.width + 2 * MARGIN
         val high = paper.height + 2 * MARGIN
         svg.element(
-            "svg", "xmlns" to "http://www.w3.org/2000/svg",
+            "svg",
+            "xmlns" to "http://www.w3.org/2000/svg",
             "viewBox" to "${figure(-MARGIN)} ${figure(-MARGIN)} ${figure(wide)} ${figure(high)}",
-            "width" to WIDTH, "height" to WIDTH * high / wide, "role" to "img", "font-family" to "sans-serif",
+            "width" to WIDTH,
+            "height" to WIDTH * high / wide,
+            "role" to "img",
+            "font-family" to "sans-serif",
         ) {
             svg.words("title", world.title)
             if (world.task.isNotEmpty()) svg.words("desc", world.task)
             things.definitions(paper)
             svg.element(
-                "rect", "x" to -MARGIN, "y" to -MARGIN, "width" to wide, "height" to high, "fill" to hex(SheetColours.LIGHT.desk),
+                "rect",
+                "x" to -MARGIN,
+                "y" to -MARGIN,
+                "width" to wide,
+                "height" to high,
+                "fill" to hex(SheetColours.LIGHT.desk),
             )
-            svg.element("rect", "width" to paper.width, "height" to paper.height, "fill" to hex(SheetColours.LIGHT.paper))
+            svg.element(
+                "rect",
+                "width" to paper.width,
+                "height" to paper.height,
+                "fill" to hex(SheetColours.LIGHT.paper),
+            )
             svg.element("g", "clip-path" to "url(#paper)") { world.marks.forEach(things::mark) }
             world.template?.let(things::template)
             for (region in goalRegions(world.goals)) things.region(region, region.isMet(state.goals))
@@ -41,7 +58,11 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
             world.walls.forEach(::wall)
             for (barrier in world.barriers) for (fill in SOLID) shapes.shape(barrier.shape, "fill" to fill)
             for ((block, moved) in world.blocks.zip(state.blocks)) things.block(block.shape, moved)
-            for ((place, now) in world.robots.zip(state.robots)) SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y))
+            for ((place, now) in world.robots.zip(
+                state.robots,
+            )) {
+                SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y))
+            }
             for ((lamp, now) in world.lamps.zip(state.lamps)) things.lamp(lamp, now)
             if (world.robots.size > 1) names()
         }
@@ -52,14 +73,24 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
         val colour = hex(RobotColours.ink(stroke.robot, world.robots))
         val single = stroke.points.singleOrNull()
         if (single != null) {
-            svg.element("circle", "cx" to single.x, "cy" to shapes.down(single.y), "r" to Penbot.PEN_LINE_WIDTH / 2, "fill" to colour)
+            svg.element(
+                "circle",
+                "cx" to single.x,
+                "cy" to shapes.down(single.y),
+                "r" to Penbot.PEN_LINE_WIDTH / 2,
+                "fill" to colour,
+            )
         } else {
             shapes.line(stroke.points, closed = false, Penbot.PEN_LINE_WIDTH, "stroke" to colour)
         }
     }
 
     private fun glows() {
-        for ((lamp, now) in world.lamps.zip(state.lamps)) if (now.on) things.glow(now.place, lamp.brightness, lamp.direction, lamp.cone)
+        for ((lamp, now) in world.lamps.zip(
+            state.lamps,
+        )) {
+            if (now.on) things.glow(now.place, lamp.brightness, lamp.direction, lamp.cone)
+        }
         for ((place, now) in world.robots.zip(state.robots)) {
             things.glow(Point(now.robot.pose.x, now.robot.pose.y), place.beacon, direction = 0.0, cone = Lamp.ALL_ROUND)
         }
@@ -69,8 +100,14 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
     private fun wall(wall: Wall) {
         for (colour in SOLID) {
             svg.element(
-                "line", "x1" to wall.from.x, "y1" to shapes.down(wall.from.y), "x2" to wall.to.x, "y2" to shapes.down(wall.to.y),
-                "stroke" to colour, "stroke-width" to wall.thickness, "stroke-linecap" to "square",
+                "line",
+                "x1" to wall.from.x,
+                "y1" to shapes.down(wall.from.y),
+                "x2" to wall.to.x,
+                "y2" to shapes.down(wall.to.y),
+                "stroke" to colour,
+                "stroke-width" to wall.thickness,
+                "stroke-linecap" to "square",
             )
         }
     }

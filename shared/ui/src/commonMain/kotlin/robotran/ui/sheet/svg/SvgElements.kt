@@ -27,13 +27,24 @@ import kotlin.math.sqrt
 internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgShapes) {
     /** What the others fill with. */
     fun definitions(paper: Paper) = svg.element("defs") {
-        svg.element("clipPath", "id" to "paper") { svg.element("rect", "width" to paper.width, "height" to paper.height) }
+        svg.element("clipPath", "id" to "paper") {
+            svg.element("rect", "width" to paper.width, "height" to paper.height)
+        }
         pattern("hatching", HATCHING_STEP, "rotate(45)") {
-            svg.element("rect", "width" to HATCHING_STEP / 3, "height" to HATCHING_STEP, "fill" to hex(SheetColours.WALL_HATCHING))
+            svg.element(
+                "rect",
+                "width" to HATCHING_STEP / 3,
+                "height" to HATCHING_STEP,
+                "fill" to hex(SheetColours.WALL_HATCHING),
+            )
         }
         pattern("dots", DOT_STEP, null) {
             svg.element(
-                "circle", "cx" to DOT_STEP / 2, "cy" to DOT_STEP / 2, "r" to DOT_SIZE / 2, "fill" to hex(SheetColours.MARK_DOTS),
+                "circle",
+                "cx" to DOT_STEP / 2,
+                "cy" to DOT_STEP / 2,
+                "r" to DOT_SIZE / 2,
+                "fill" to hex(SheetColours.MARK_DOTS),
                 "fill-opacity" to SheetColours.MARK_DOTS.alpha,
             )
         }
@@ -42,13 +53,23 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
         }
         svg.element("radialGradient", "id" to "glow") {
             for ((place, strength) in GLOW) {
-                svg.element("stop", "offset" to place, "stop-color" to hex(SheetColours.LAMP), "stop-opacity" to strength)
+                svg.element(
+                    "stop",
+                    "offset" to place,
+                    "stop-color" to hex(SheetColours.LAMP),
+                    "stop-opacity" to strength,
+                )
             }
         }
     }
 
     private fun pattern(name: String, step: Double, transform: String?, content: () -> Unit) = svg.element(
-        "pattern", "id" to name, "width" to step, "height" to step, "patternUnits" to "userSpaceOnUse", "patternTransform" to transform,
+        "pattern",
+        "id" to name,
+        "width" to step,
+        "height" to step,
+        "patternUnits" to "userSpaceOnUse",
+        "patternTransform" to transform,
         content = content,
     )
 
@@ -63,8 +84,12 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
                 shapes.line(figure.points, figure.closed, figure.width, "stroke" to hex(mark.shade.colour))
                 if (mark.shade.isBlue) {
                     shapes.line(
-                        figure.points, figure.closed, min(DOT_SIZE, figure.width / 2), "stroke" to hex(SheetColours.MARK_DOTS),
-                        "stroke-opacity" to SheetColours.MARK_DOTS.alpha, "stroke-dasharray" to "0 ${figure(DOT_STEP)}",
+                        figure.points,
+                        figure.closed,
+                        min(DOT_SIZE, figure.width / 2),
+                        "stroke" to hex(SheetColours.MARK_DOTS),
+                        "stroke-opacity" to SheetColours.MARK_DOTS.alpha,
+                        "stroke-dasharray" to "0 ${figure(DOT_STEP)}",
                     )
                 }
             }
@@ -83,8 +108,12 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
                 while (to < cells.length && cells[to] == cells[from]) to++
                 cells[from].digitToIntOrNull(HEXADECIMAL)?.let { grey ->
                     svg.element(
-                        "rect", "x" to map.corner.x + from * map.cell, "y" to shapes.down(map.corner.y + (map.rows.size - row) * map.cell),
-                        "width" to (to - from) * map.cell, "height" to map.cell, "fill" to hex(greyColour(grey / (HEXADECIMAL - 1.0))),
+                        "rect",
+                        "x" to map.corner.x + from * map.cell,
+                        "y" to shapes.down(map.corner.y + (map.rows.size - row) * map.cell),
+                        "width" to (to - from) * map.cell,
+                        "height" to map.cell,
+                        "fill" to hex(greyColour(grey / (HEXADECIMAL - 1.0))),
                     )
                 }
                 from = to
@@ -94,7 +123,13 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
 
     fun template(template: Template) {
         for (stroke in template.strokes) {
-            shapes.line(stroke, closed = false, TEMPLATE_WIDTH, "stroke" to hex(SheetColours.TEMPLATE), "stroke-dasharray" to "0 1")
+            shapes.line(
+                stroke,
+                closed = false,
+                TEMPLATE_WIDTH,
+                "stroke" to hex(SheetColours.TEMPLATE),
+                "stroke-dasharray" to "0 1",
+            )
         }
     }
 
@@ -117,7 +152,14 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
             shapes.shape(region.shape, *inside, *edge)
         } else {
             shapes.shape(Shape.Polygon(polygon.corners), *inside)
-            for (piece in pieces) svg.element("polyline", "points" to figures(shapes.down(piece)), "fill" to "none", *edge)
+            for (piece in pieces) {
+                svg.element(
+                    "polyline",
+                    "points" to figures(shapes.down(piece)),
+                    "fill" to "none",
+                    *edge,
+                )
+            }
         }
         if (region.role == RegionRole.TARGET) flag(region)
     }
@@ -133,7 +175,13 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
             svg.element("rect", "x" to left, "y" to top, "width" to 4 * cell, "height" to 3 * cell, "fill" to "#ffffff")
             for (row in 0 until FLAG_ROWS) {
                 for (column in row % 2 until FLAG_COLUMNS step 2) {
-                    svg.element("rect", "x" to left + column * cell, "y" to top + row * cell, "width" to cell, "height" to cell)
+                    svg.element(
+                        "rect",
+                        "x" to left + column * cell,
+                        "y" to top + row * cell,
+                        "width" to cell,
+                        "height" to cell,
+                    )
                 }
             }
         }
@@ -153,8 +201,15 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
         val round = PI * reach
         val lit = round * cone / Lamp.ALL_ROUND
         svg.element(
-            "circle", "cx" to place.x, "cy" to y, "r" to reach / 2, "fill" to "none", "stroke" to hex(SheetColours.LAMP),
-            "stroke-opacity" to CONE_OPACITY, "stroke-width" to reach, "stroke-dasharray" to "${figure(lit)} ${figure(round - lit)}",
+            "circle",
+            "cx" to place.x,
+            "cy" to y,
+            "r" to reach / 2,
+            "fill" to "none",
+            "stroke" to hex(SheetColours.LAMP),
+            "stroke-opacity" to CONE_OPACITY,
+            "stroke-width" to reach,
+            "stroke-dasharray" to "${figure(lit)} ${figure(round - lit)}",
             "transform" to "rotate(${figure(-direction - cone / 2)} ${figure(place.x)} ${figure(y)})",
         )
     }
@@ -165,13 +220,23 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
             val round = 2 * PI * SHADE_RADIUS
             val closed = round * (Lamp.ALL_ROUND - lamp.cone) / Lamp.ALL_ROUND
             svg.element(
-                "circle", "cx" to now.place.x, "cy" to y, "r" to SHADE_RADIUS, "fill" to "none", "stroke" to hex(SheetColours.LAMP_SHADE),
-                "stroke-width" to 0.65, "stroke-dasharray" to "${figure(closed)} ${figure(round - closed)}",
+                "circle",
+                "cx" to now.place.x,
+                "cy" to y,
+                "r" to SHADE_RADIUS,
+                "fill" to "none",
+                "stroke" to hex(SheetColours.LAMP_SHADE),
+                "stroke-width" to 0.65,
+                "stroke-dasharray" to "${figure(closed)} ${figure(round - closed)}",
                 "transform" to "rotate(${figure(-lamp.direction + lamp.cone / 2)} ${figure(now.place.x)} ${figure(y)})",
             )
         }
         svg.element(
-            "circle", "cx" to now.place.x, "cy" to y, "r" to BULB_RADIUS, "stroke-width" to 0.22,
+            "circle",
+            "cx" to now.place.x,
+            "cy" to y,
+            "r" to BULB_RADIUS,
+            "stroke-width" to 0.22,
             "fill" to hex(if (now.on) SheetColours.LAMP else SheetColours.LAMP_OFF),
             "stroke" to hex(if (now.on) SheetColours.LAMP_EDGE else SheetColours.LAMP_SHADE),
         )
@@ -184,7 +249,12 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
         svg.element("g", "transform" to move) {
             shapes.shape(shape, "fill" to hex(SheetColours.BLOCK))
             if (shape is Shape.Circle) {
-                for (part in RINGS) shapes.shape(shape.copy(radius = shape.radius * part), *outline(SheetColours.BLOCK_GRAIN, GRAIN_WIDTH))
+                for (part in RINGS) {
+                    shapes.shape(
+                        shape.copy(radius = shape.radius * part),
+                        *outline(SheetColours.BLOCK_GRAIN, GRAIN_WIDTH),
+                    )
+                }
             } else {
                 shapes.shape(shape, "fill" to "url(#grain)")
             }
@@ -194,8 +264,17 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
 
     /** Words in the middle over a place, with a rim of paper that makes them readable on everything. */
     fun label(words: String, place: Point, size: Double) = svg.words(
-        "text", words, "x" to place.x, "y" to shapes.down(place.y), "font-size" to size, "text-anchor" to "middle", "font-weight" to "bold",
-        "fill" to hex(SheetColours.LABEL), "stroke" to "#ffffff", "stroke-width" to size / 6, "paint-order" to "stroke",
+        "text",
+        words,
+        "x" to place.x,
+        "y" to shapes.down(place.y),
+        "font-size" to size,
+        "text-anchor" to "middle",
+        "font-weight" to "bold",
+        "fill" to hex(SheetColours.LABEL),
+        "stroke" to "#ffffff",
+        "stroke-width" to size / 6,
+        "paint-order" to "stroke",
     )
 
     private fun outline(colour: Color, width: Double) =

@@ -26,7 +26,11 @@ internal class SvgRobot(private val svg: SvgWriter) {
             disc(RobotPlan.PEN, RobotPlan.CLIP_RADIUS, RobotColours.CLIP, RobotColours.CHASSIS_EDGE)
             val tip = if (robot.penDown) RobotColours.PEN_TIP_DOWN else RobotColours.PEN_TIP_UP
             disc(RobotPlan.PEN, RobotPlan.PEN_RADIUS, tip, RobotColours.CHASSIS_EDGE)
-            if (build.beacon > 0) disc(RobotPlan.BEACON, RobotPlan.BEACON_RADIUS, SheetColours.LAMP, SheetColours.LAMP_EDGE)
+            if (build.beacon >
+                0
+            ) {
+                disc(RobotPlan.BEACON, RobotPlan.BEACON_RADIUS, SheetColours.LAMP, SheetColours.LAMP_EDGE)
+            }
         }
     }
 
@@ -56,13 +60,25 @@ internal class SvgRobot(private val svg: SvgWriter) {
     }
 
     private fun plate(place: Rect, colour: Color, corner: Double, edge: Color? = null) = svg.element(
-        "rect", "x" to place.left, "y" to place.top, "width" to place.width, "height" to place.height, "rx" to corner,
-        "fill" to hex(colour), "stroke" to edge?.let(::hex), "stroke-width" to EDGE_WIDTH.takeIf { edge != null },
+        "rect",
+        "x" to place.left,
+        "y" to place.top,
+        "width" to place.width,
+        "height" to place.height,
+        "rx" to corner,
+        "fill" to hex(colour),
+        "stroke" to edge?.let(::hex),
+        "stroke-width" to EDGE_WIDTH.takeIf { edge != null },
     )
 
     private fun disc(middle: Offset, radius: Float, colour: Color, edge: Color? = null) = svg.element(
-        "circle", "cx" to middle.x, "cy" to middle.y, "r" to radius,
-        "fill" to hex(colour), "stroke" to edge?.let(::hex), "stroke-width" to EDGE_WIDTH.takeIf { edge != null },
+        "circle",
+        "cx" to middle.x,
+        "cy" to middle.y,
+        "r" to radius,
+        "fill" to hex(colour),
+        "stroke" to edge?.let(::hex),
+        "stroke-width" to EDGE_WIDTH.takeIf { edge != null },
     )
 
     private companion object {

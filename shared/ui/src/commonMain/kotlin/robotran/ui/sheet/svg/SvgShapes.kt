@@ -3,7 +3,10 @@ package robotran.ui.sheet.svg
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
-/** Writes shapes and lines of a sheet that is [paperHeight] high. What is turned is turned by the picture's viewer, so nothing has to be rounded. */
+/**
+ * Writes shapes and lines of a sheet that is [paperHeight] high. What is turned is turned by the picture's viewer, so
+ * nothing has to be rounded.
+ */
 internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Double) {
     /** How far down the picture a place is that lies so far up the paper. */
     fun down(y: Double): Double = paperHeight - y
@@ -13,14 +16,24 @@ internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Do
     fun shape(shape: Shape, vararg attributes: Pair<String, Any?>) {
         when (shape) {
             is Shape.Circle -> {
-                svg.element("circle", "cx" to shape.centre.x, "cy" to down(shape.centre.y), "r" to shape.radius, *attributes)
+                svg.element(
+                    "circle",
+                    "cx" to shape.centre.x,
+                    "cy" to down(shape.centre.y),
+                    "r" to shape.radius,
+                    *attributes,
+                )
             }
 
             is Shape.Rectangle -> {
                 svg.element(
-                    "rect", "x" to shape.centre.x - shape.width / 2, "y" to down(shape.centre.y) - shape.height / 2,
-                    "width" to shape.width, "height" to shape.height,
-                    "transform" to turned(shape.angle, shape.centre), *attributes,
+                    "rect",
+                    "x" to shape.centre.x - shape.width / 2,
+                    "y" to down(shape.centre.y) - shape.height / 2,
+                    "width" to shape.width,
+                    "height" to shape.height,
+                    "transform" to turned(shape.angle, shape.centre),
+                    *attributes,
                 )
             }
 
@@ -36,7 +49,12 @@ internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Do
 
     /** A line with round ends and bends. */
     fun line(points: List<Point>, closed: Boolean, width: Double, vararg attributes: Pair<String, Any?>) = svg.element(
-        if (closed) "polygon" else "polyline", "points" to figures(down(points)), "fill" to "none", "stroke-width" to width,
-        "stroke-linecap" to "round", "stroke-linejoin" to "round", *attributes,
+        if (closed) "polygon" else "polyline",
+        "points" to figures(down(points)),
+        "fill" to "none",
+        "stroke-width" to width,
+        "stroke-linecap" to "round",
+        "stroke-linejoin" to "round",
+        *attributes,
     )
 }

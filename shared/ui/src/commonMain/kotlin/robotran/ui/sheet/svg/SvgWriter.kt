@@ -11,7 +11,9 @@ internal class SvgWriter {
     private val text = StringBuilder()
     private var depth = 0
 
-    /** An element with [attributes] as `name` to `value`, those without a value left out, around what [content] writes. */
+    /**
+     * An element with [attributes] as `name` to `value`, those without a value left out, around what [content] writes.
+     */
     fun element(name: String, vararg attributes: Pair<String, Any?>, content: (() -> Unit)? = null) {
         begin(name, attributes)
         if (content == null) {
@@ -34,7 +36,11 @@ internal class SvgWriter {
     private fun begin(name: String, attributes: Array<out Pair<String, Any?>>) {
         text.append("  ".repeat(depth)).append('<').append(name)
         for ((attribute, value) in attributes) {
-            if (value != null) text.append(' ').append(attribute).append("=\"").append(escaped(written(value))).append('"')
+            if (value !=
+                null
+            ) {
+                text.append(' ').append(attribute).append("=\"").append(escaped(written(value))).append('"')
+            }
         }
     }
 
@@ -59,20 +65,45 @@ internal fun figure(number: Double): String {
 internal fun figures(points: List<Point>): String = points.joinToString(" ") { "${figure(it.x)},${figure(it.y)}" }
 
 /** Such as `#16307a`; how far one can see through it has to be said apart from that. */
-internal fun hex(colour: Color): String = "#" + (colour.toArgb() and RGB).toString(HEXADECIMAL).padStart(RGB_DIGITS, '0')
+internal fun hex(colour: Color): String =
+    "#" + (colour.toArgb() and RGB).toString(HEXADECIMAL).padStart(RGB_DIGITS, '0')
 
 /** What XML can hold of [words]: no control characters, no halves of characters. */
 private fun escaped(words: String): String = buildString {
     for ((place, letter) in words.withIndex()) {
         when {
             letter == '&' -> append("&amp;")
+
             letter == '<' -> append("&lt;")
+
             letter == '>' -> append("&gt;")
+
             letter == '"' -> append("&quot;")
-            letter.isHighSurrogate() -> append(if (words.getOrNull(place + 1)?.isLowSurrogate() == true) letter else MISSING)
-            letter.isLowSurrogate() -> append(if (words.getOrNull(place - 1)?.isHighSurrogate() == true) letter else MISSING)
+
+            letter.isHighSurrogate() -> append(
+                if (words.getOrNull(place + 1)?.isLowSurrogate() ==
+                    true
+                ) {
+                    letter
+                } else {
+                    MISSING
+                },
+            )
+
+            letter.isLowSurrogate() -> append(
+                if (words.getOrNull(place - 1)?.isHighSurrogate() ==
+                    true
+                ) {
+                    letter
+                } else {
+                    MISSING
+                },
+            )
+
             letter < ' ' && letter != '\n' && letter != '\t' -> append(' ')
+
             letter == '\uFFFE' || letter == '\uFFFF' -> append(MISSING)
+
             else -> append(letter)
         }
     }

@@ -42,7 +42,11 @@ class EditorControlTest {
 
     @Test
     fun `what there is no room for is told but not written, and the field is as it was`() {
-        val small = EditorControl(ProgramLanguage.ROBOLANG, EditorView(), { it.text.length <= 8 }) { draft, _ -> written += draft }
+        val small =
+            EditorControl(ProgramLanguage.ROBOLANG, EditorView(), { it.text.length <= 8 }) { draft, _ ->
+                written +=
+                    draft
+            }
         small.follow(Draft("beep").withCaret(4))
         assertEquals("beep", small.link.fieldFor(small.draft).text)
         small.received(Draft("beep and more", TextSelection(13)), isComposing = false)

@@ -24,6 +24,9 @@ class EditorGeometryTest {
 
     @Test
     fun `every place belongs to the line it is in, or to the line of its note`() {
-        assertEquals(listOf(0, 1, 1, 1, 2, 99, 99), listOf(-5f, 25f, 41f, 117f, 119f, 2_060f, 9_999f).map(noted::lineAt))
+        assertEquals(
+            listOf(0, 1, 1, 1, 2, 99, 99),
+            listOf(-5f, 25f, 41f, 117f, 119f, 2_060f, 9_999f).map(noted::lineAt),
+        )
     }
 }

@@ -13,9 +13,18 @@ import kotlin.test.assertNotNull
 
 class FixLabelTest {
     private fun labelOf(source: String): FixLabel {
-        val diagnostic = assertIs<RobolangResult.HasErrors>(compileRobolang("a.robo", source, PENBOT_CALIBRATION)).diagnostics.first()
+        val diagnostic = assertIs<RobolangResult.HasErrors>(
+            compileRobolang("a.robo", source, PENBOT_CALIBRATION),
+        ).diagnostics.first()
         val fix = assertNotNull(diagnostic.fix, source)
-        return fixLabelOf(ProgramDiagnostic("a.robo", diagnostic.range, diagnostic.message, fix), fix, source.lines()[fix.range.line - 1])
+        return fixLabelOf(
+            ProgramDiagnostic("a.robo", diagnostic.range, diagnostic.message, fix),
+            fix,
+            source.lines()[
+                fix.range.line -
+                    1,
+            ],
+        )
     }
 
     @Test
