@@ -6,6 +6,7 @@ import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.cli.messages.CommandMessages
 import robotran.language.Language
+import robotran.language.listed
 
 /**
  * What language a command tells things in. The machine's own does not count, so that scripts read the same everywhere
@@ -14,13 +15,16 @@ import robotran.language.Language
 internal class LanguageOption : OptionGroup() {
     val language by option(
         "--language",
-        metavar = "en|es|de",
+        metavar = Language.entries.joinToString("|") { it.tag },
         envvar = "ROBOTRAN_LANGUAGE",
-        help =
-            "tells mistakes and results in English, Spanish or German; English if neither this nor ROBOTRAN_LANGUAGE " +
-                "is given",
+        help = "tells mistakes and results in $NAMES; English if neither this nor ROBOTRAN_LANGUAGE is given",
     ).convert { text -> Language.of(text) ?: fail("$text is none of ${Language.entries.joinToString { it.tag }}") }
         .default(Language.ENGLISH)
+
+    private companion object {
+        /** In English, as all help is. */
+        val NAMES = listed(Language.entries.map { it.name.lowercase().replaceFirstChar(Char::uppercase) }, "or")
+    }
 }
 
 /** This console, spoken to in [language]. */

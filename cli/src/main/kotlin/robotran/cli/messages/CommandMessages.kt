@@ -1,6 +1,7 @@
 package robotran.cli.messages
 
 import robotran.language.Language
+import robotran.language.choose
 
 /**
  * The table of what the command line tells a person, one function a message; the words of options and of files that
@@ -12,11 +13,8 @@ internal interface CommandMessages :
     GradeMessages,
     WebMessages {
     companion object {
-        fun of(language: Language): CommandMessages = when (language) {
-            Language.ENGLISH -> EnglishCommandMessages
-            Language.SPANISH -> SpanishCommandMessages
-            Language.GERMAN -> GermanCommandMessages
-        }
+        fun of(language: Language): CommandMessages =
+            language.choose(EnglishCommandMessages, SpanishCommandMessages, GermanCommandMessages)
     }
 }
 

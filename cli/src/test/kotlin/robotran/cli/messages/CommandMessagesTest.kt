@@ -21,7 +21,7 @@ class CommandMessagesTest {
             val arguments = argumentsOf(message)
             val markers = arguments.flatMap { if (it is List<*>) it else listOf(it) }.map { "$it" }
             val english = told(message, Language.ENGLISH, arguments)
-            listOf(Language.SPANISH, Language.GERMAN).flatMap { language ->
+            (Language.entries - Language.ENGLISH).flatMap { language ->
                 val other = told(message, language, arguments)
                 markers.filter {
                     (it in english) != (it in other)

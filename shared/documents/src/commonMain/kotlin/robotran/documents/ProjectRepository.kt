@@ -1,5 +1,6 @@
 package robotran.documents
 
+import robotran.documents.messages.DocumentMessages
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
 import robotran.projects.writeProject

@@ -1,7 +1,7 @@
 package robotran.documents
 
+import robotran.documents.messages.DocumentMessages
 import robotran.language.Language
-import robotran.language.choose
 
 /**
  * What [name] is as the name of a work: one line, without blanks around it, not too long; null if nothing is left of
@@ -12,8 +12,10 @@ fun workName(name: String): String? =
         .withoutHalfCharacters().trim().ifEmpty { null }
 
 /** What a work is called that nobody has given a name. */
-fun newWorkName(language: Language): String =
-    language.choose("My first work", "Mi primer trabajo", "Meine erste Arbeit")
+fun newWorkName(language: Language): String = DocumentMessages.of(language).newWorkName()
+
+/** What the work is called in which somebody follows the tutorial. */
+fun tutorialWorkName(language: Language): String = DocumentMessages.of(language).tutorialWorkName()
 
 /** [name] if none of [taken] is the same, otherwise with the least number behind it that makes it another: `Maze 2`. */
 fun freeWorkName(name: String, taken: Collection<String>): String {

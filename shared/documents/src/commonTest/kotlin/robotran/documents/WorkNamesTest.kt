@@ -28,8 +28,9 @@ class WorkNamesTest {
     }
 
     @Test
-    fun `a new work has a name in every language`() {
-        assertEquals(3, Language.entries.map(::newWorkName).toSet().size)
+    fun `a new work and that of the tutorial have a name in every language`() {
+        assertEquals(Language.entries.size, Language.entries.map(::newWorkName).toSet().size)
+        assertEquals(Language.entries.size, Language.entries.map(::tutorialWorkName).toSet().size)
         for (language in Language.entries) assertNotEquals("", newWorkName(language))
     }
 }

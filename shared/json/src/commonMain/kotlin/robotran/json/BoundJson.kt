@@ -1,5 +1,6 @@
 package robotran.json
 
+import robotran.json.messages.told
 import robotran.language.Language
 
 /** A file is not even to be taken apart. */

@@ -2,6 +2,7 @@ package robotran.json
 
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
+import robotran.json.messages.JsonMessages
 import robotran.language.Language
 
 /** What came of reading a JSON file. */

@@ -25,7 +25,10 @@ enum class Language(val tag: String, val ownName: String) {
     }
 }
 
-/** One of three things said in three languages. */
+/**
+ * The one of these that is said in this language. Every module chooses its table of messages by it, so a new language
+ * is a new parameter here, and the compiler names each module that does not speak it yet.
+ */
 fun <T> Language.choose(english: T, spanish: T, german: T): T = when (this) {
     Language.ENGLISH -> english
     Language.SPANISH -> spanish

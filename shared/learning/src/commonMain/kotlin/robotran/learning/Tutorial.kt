@@ -1,7 +1,6 @@
 package robotran.learning
 
 import robotran.language.Language
-import robotran.language.choose
 import robotran.programs.SourceFile
 import robotran.world.World
 import robotran.world.file.WorldFileResult
@@ -17,9 +16,6 @@ object Tutorial {
         tutorialTexts.entries.groupBy({ it.key.substringBefore('/') }) { it.key.substringAfter('/') to it.value }
             .toList().sortedBy { it.first }.map { (name, files) -> stepOf(name, files.toMap()) }
     }
-
-    /** What the tutorial is called. */
-    fun name(language: Language): String = language.choose("Tutorial", "Guía paso a paso", "Anleitung")
 
     /** The step whose world [world] is, in whatever language; null if it is none of theirs. */
     fun stepIn(world: World): TutorialStep? = steps.firstOrNull { it.world(Language.ENGLISH).isSamePlaceAs(world) }

@@ -1,7 +1,8 @@
 package robotran.projects
 
 import robotran.json.JsonCursor
-import robotran.json.JsonMessages
+import robotran.json.messages.JsonMessages
+import robotran.projects.messages.told
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.world.World

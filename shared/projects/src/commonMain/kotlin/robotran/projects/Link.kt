@@ -4,6 +4,8 @@ import kotlinx.serialization.json.JsonElement
 import robotran.json.JsonLimits
 import robotran.json.writeCompactJson
 import robotran.language.Language
+import robotran.projects.messages.LinkMessages
+import robotran.projects.messages.ProjectMessages
 import robotran.world.World
 import robotran.world.file.WorldFileResult
 import robotran.world.file.elementOf

@@ -1,11 +1,12 @@
 package robotran.projects
 
 import robotran.json.JsonCursor
-import robotran.json.JsonMessages
 import robotran.json.JsonValidationException
+import robotran.json.messages.JsonMessages
 import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
+import robotran.projects.messages.told
 import robotran.rcxrom.Brick
 import robotran.world.World
 import robotran.world.file.FACINGS

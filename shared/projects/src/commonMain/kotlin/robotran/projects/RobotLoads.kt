@@ -4,6 +4,8 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
+import robotran.projects.messages.ProjectMessages
+import robotran.projects.messages.RobotMessages
 import robotran.rcxrom.Brick
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.LightSensorFacing

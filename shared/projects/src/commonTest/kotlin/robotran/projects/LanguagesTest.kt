@@ -26,6 +26,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class LanguagesTest {
+    private val toldIn = listOf(Language.ENGLISH, Language.SPANISH, Language.GERMAN)
     private val reader =
         ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     private val world = BuiltInWorlds.plain.copy(
@@ -67,13 +68,13 @@ class LanguagesTest {
                 "No existe la variable \"spped\". Declárala antes, por ejemplo con \"int spped = 0;\".",
                 "Es gibt keine Variable \"spped\". Leg sie vorher an, zum Beispiel mit \"int spped = 0;\".",
             ),
-            Language.entries.map { mistakeIn(it, java) },
+            toldIn.map { mistakeIn(it, java) },
         )
     }
 
     @Test
     fun `a run is the same in every language and only told in another`() = runTest {
-        val sessions = Language.entries.map { sessionIn(it, "pen down\nforward 30\nvar zero = 0\nshow 1 / zero") }
+        val sessions = toldIn.map { sessionIn(it, "pen down\nforward 30\nvar zero = 0\nshow 1 / zero") }
         val (english, spanish, german) = sessions
         assertEquals(1, sessions.map { it.traceHash }.toSet().size)
         assertEquals(1, sessions.map { session -> session.state.robots.map { it.robot.pose } }.toSet().size)
@@ -91,7 +92,7 @@ class LanguagesTest {
             ),
             sessions.map { it.state.brick.explanation },
         )
-        assertEquals(3, sessions.map { session -> session.explain().map { it.sentence } }.toSet().size)
+        assertEquals(toldIn.size, sessions.map { session -> session.explain().map { it.sentence } }.toSet().size)
         assertEquals(1, sessions.map { session -> session.explain().map { it.cause to it.amount } }.toSet().size)
     }
 
@@ -104,7 +105,7 @@ class LanguagesTest {
                 "Línea 5: paper.width tiene que ser un número.",
                 "Zeile 5: paper.width muss eine Zahl sein.",
             ),
-            Language.entries.map { assertIs<WorldFileResult.Rejected>(readWorld(file, it)).message },
+            toldIn.map { assertIs<WorldFileResult.Rejected>(readWorld(file, it)).message },
         )
     }
 
@@ -129,7 +130,7 @@ class LanguagesTest {
                 "Ningún robot de este mundo se llama anna. Solo hay uno, que se llama yellow.",
                 "Kein Roboter in dieser Welt heißt anna. Es gibt nur einen, der heißt yellow.",
             ),
-            Language.entries.map {
+            toldIn.map {
                 assertIs<RobotLoads.HasErrors>(
                     readRobotLoads(world, reader.telling(it), given),
                 ).diagnostics.single().message

@@ -4,7 +4,7 @@ import robotran.robolang.check.Checker
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.messages.EnglishMessages
+import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.Calibration
 import robotran.robolang.syntax.Parser
@@ -24,7 +24,7 @@ fun compileRobolang(
     name: String,
     source: String,
     calibration: Calibration,
-    messages: RobolangMessages = EnglishMessages,
+    messages: RobolangMessages = EnglishRobolangMessages,
 ): RobolangResult {
     val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {

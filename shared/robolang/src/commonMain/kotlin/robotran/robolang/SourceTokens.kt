@@ -2,7 +2,7 @@ package robotran.robolang
 
 import robotran.robolang.check.BuiltIn
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.messages.EnglishMessages
+import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.syntax.Token
 import robotran.robolang.syntax.TokenKind
 import robotran.robolang.syntax.lowercaseKeyword
@@ -20,7 +20,7 @@ enum class SourceTokenKind { KEYWORD, BUILT_IN, NAME, NUMBER, TEXT, SIGN, COMMEN
 
 /** Takes one [line] apart as the scanner does; what it does not know is left out. Never throws. */
 fun robolangPieces(line: String): List<SourceToken> {
-    val scanned = scan(line, DiagnosticSink(EnglishMessages)).first()
+    val scanned = scan(line, DiagnosticSink(EnglishRobolangMessages)).first()
     return (scanned.tokens + listOfNotNull(scanned.comment)).map {
         SourceToken(
             kindOf(it),

@@ -2,7 +2,7 @@ package robotran.robolang
 
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.messages.EnglishMessages
+import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.RobolangLimits
 import kotlin.test.Test
@@ -81,7 +81,7 @@ class DiagnosticTest {
 
     @Test
     fun `the messages can be in another language`() {
-        val german = object : RobolangMessages by EnglishMessages {
+        val german = object : RobolangMessages by EnglishRobolangMessages {
             override fun extraEnd() = "Dieses \"end\" schließt nichts."
         }
         val result = compileRobolang("test", "end", testCalibration, german) as RobolangResult.HasErrors

@@ -1,7 +1,7 @@
 package robotran.robolang
 
 import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.messages.EnglishRunMessages
+import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.syntax.Keyword
 import kotlin.test.Test
@@ -68,7 +68,7 @@ class DocumentTest {
 
     @Test
     fun `what is said when a run fails is documented in the same words`() {
-        val said = with(EnglishRunMessages) {
+        val said = with(EnglishRobolangMessages) {
             listOf(
                 divisionByZero("7"),
                 indexOutside(7, 5),

@@ -9,7 +9,7 @@ import robotran.rcxrom.messages.BrickMessages
 import robotran.simulation.config.TraceHash
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.explain.Explanation
-import robotran.simulation.explain.InfluenceMessages
+import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.robot.InputPorts
 import robotran.simulation.state.RobotSnapshot
@@ -44,7 +44,7 @@ internal class RobotInSession(
         val hasLightSensor = world.robots[number].ports.any { PortSensor.LIGHT in it }
         val realism = if (hasLightSensor) world.realism else 0.0
         val bias = if (hasLightSensor) ports.lightBias else 0.0
-        return Explanation(world.robots[number], machine, bias, realism, InfluenceMessages.of(language)).influences()
+        return Explanation(world.robots[number], machine, bias, realism, SimulationMessages.of(language)).influences()
     }
 
     /** Measures what is plugged in; to be done just before the firmware reads it. */

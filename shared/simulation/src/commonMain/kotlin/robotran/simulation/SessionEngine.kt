@@ -9,7 +9,7 @@ import robotran.simulation.config.SimulationLimits
 import robotran.simulation.config.TraceHash
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.goal.GoalJudge
-import robotran.simulation.goal.GoalMessages
+import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.AmbientConditions
 import robotran.simulation.state.LampState
@@ -27,7 +27,7 @@ internal class SessionEngine(
     private val simulation = Simulation(world, physics)
     private val air = InfraredAir(::reaches)
     private val hash = TraceHash()
-    private val judge = GoalJudge(world, physics.trigonometry, GoalMessages.of(language))
+    private val judge = GoalJudge(world, physics.trigonometry, SimulationMessages.of(language))
     private val tonesJudged = LongArray(world.robots.size)
     private var nextToTick = 0
     private var latest: SessionState? = null

@@ -1,6 +1,7 @@
 package robotran.javacompiler.messages
 
 import robotran.language.Language
+import robotran.language.choose
 
 /**
  * The table of everything the Java compiler says to a pupil, one function a message. Another language is another
@@ -13,11 +14,8 @@ interface JavaMessages :
     JavaClassMessages,
     UnsupportedOnBrickMessages {
     companion object {
-        fun of(language: Language): JavaMessages = when (language) {
-            Language.ENGLISH -> EnglishJavaMessages
-            Language.SPANISH -> SpanishJavaMessages
-            Language.GERMAN -> GermanJavaMessages
-        }
+        fun of(language: Language): JavaMessages =
+            language.choose(EnglishJavaMessages, SpanishJavaMessages, GermanJavaMessages)
     }
 }
 

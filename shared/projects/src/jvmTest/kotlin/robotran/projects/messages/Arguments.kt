@@ -1,9 +1,9 @@
 package robotran.projects.messages
 
 import robotran.rcxrom.program.ProgramFailure
-import robotran.simulation.goal.Mover
-import robotran.simulation.goal.PaperPlace
-import robotran.simulation.goal.Region
+import robotran.simulation.messages.Mover
+import robotran.simulation.messages.PaperPlace
+import robotran.simulation.messages.Region
 import java.lang.reflect.Method
 import java.lang.reflect.ParameterizedType
 import java.lang.reflect.Type

@@ -1,6 +1,7 @@
 package robotran.rcxrom.messages
 
 import robotran.language.Language
+import robotran.language.choose
 import robotran.rcxrom.call.RomCallText
 import robotran.rcxrom.call.RomGap
 import robotran.rcxrom.controls.BrickButton
@@ -136,11 +137,8 @@ interface BrickMessages {
     fun wrongMessageLength(bytes: Int, longest: Int): String
 
     companion object {
-        fun of(language: Language): BrickMessages = when (language) {
-            Language.ENGLISH -> EnglishBrickMessages
-            Language.SPANISH -> SpanishBrickMessages
-            Language.GERMAN -> GermanBrickMessages
-        }
+        fun of(language: Language): BrickMessages =
+            language.choose(EnglishBrickMessages, SpanishBrickMessages, GermanBrickMessages)
     }
 }
 

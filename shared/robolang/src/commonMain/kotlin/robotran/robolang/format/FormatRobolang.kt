@@ -3,7 +3,7 @@ package robotran.robolang.format
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.messages.EnglishMessages
+import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.RobolangLimits
@@ -17,7 +17,7 @@ import robotran.robolang.syntax.scan
  *
  * @param messages the language that mistakes are told in.
  */
-fun formatRobolang(source: String, messages: RobolangMessages = EnglishMessages): FormatResult {
+fun formatRobolang(source: String, messages: RobolangMessages = EnglishRobolangMessages): FormatResult {
     val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
         val start = SourceRange(line = 1, column = 1, endColumn = 1)

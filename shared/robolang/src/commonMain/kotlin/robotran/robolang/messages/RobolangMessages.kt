@@ -1,6 +1,7 @@
 package robotran.robolang.messages
 
 import robotran.language.Language
+import robotran.language.choose
 
 /**
  * The table of everything Robolang says to a learner, one function a message. Another language is another
@@ -12,10 +13,7 @@ interface RobolangMessages :
     WarningMessages,
     RunMessages {
     companion object {
-        fun of(language: Language): RobolangMessages = when (language) {
-            Language.ENGLISH -> EnglishMessages
-            Language.SPANISH -> SpanishMessages
-            Language.GERMAN -> GermanMessages
-        }
+        fun of(language: Language): RobolangMessages =
+            language.choose(EnglishRobolangMessages, SpanishRobolangMessages, GermanRobolangMessages)
     }
 }

@@ -1,7 +1,7 @@
 package robotran.robolang.format
 
 import robotran.robolang.diagnostic.DiagnosticSink
-import robotran.robolang.messages.EnglishMessages
+import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.scan
@@ -15,7 +15,7 @@ internal fun checkFormatting(source: String) {
 }
 
 internal fun treeOf(source: String): SyntaxTree {
-    val diagnostics = DiagnosticSink(EnglishMessages)
+    val diagnostics = DiagnosticSink(EnglishRobolangMessages)
     return Parser(scan(source, diagnostics), diagnostics).program().tree
 }
 

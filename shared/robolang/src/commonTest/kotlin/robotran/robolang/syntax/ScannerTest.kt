@@ -2,7 +2,7 @@ package robotran.robolang.syntax
 
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.messages.EnglishMessages
+import robotran.robolang.messages.EnglishRobolangMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull
@@ -38,11 +38,11 @@ class ScannerTest {
 
     @Test
     fun `the tree keeps every comment`() {
-        val diagnostics = DiagnosticSink(EnglishMessages)
+        val diagnostics = DiagnosticSink(EnglishRobolangMessages)
         val tree = Parser(scan("// one\nbeep // two\n\n//", diagnostics), diagnostics).program().tree
         assertEquals(listOf("// one", "// two", "//"), tree.comments.map { it.text })
         assertEquals(listOf(1, 2, 4), tree.comments.map { it.range.line })
     }
 
-    private fun scan(source: String): List<ScannedLine> = scan(source, DiagnosticSink(EnglishMessages))
+    private fun scan(source: String): List<ScannedLine> = scan(source, DiagnosticSink(EnglishRobolangMessages))
 }

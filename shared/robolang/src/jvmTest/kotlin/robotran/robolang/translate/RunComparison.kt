@@ -4,7 +4,7 @@ import robotran.rcxrom.program.ProgramStatus
 import robotran.robolang.RecordingRom
 import robotran.robolang.RobolangProgram
 import robotran.robolang.SensorEvent
-import robotran.robolang.messages.EnglishRunMessages
+import robotran.robolang.messages.EnglishRobolangMessages
 
 /**
  * Translates, compiles and runs programs beside the interpreter: both must make the same ROM calls at the same times,
@@ -95,4 +95,4 @@ internal fun isReacting(program: RobolangProgram): Boolean = program.checked.tre
 
 /** [program] in Java as the class [className]. */
 internal fun translatedAs(className: String, program: RobolangProgram): Translation =
-    translateRobolang(RobolangProgram(className, program.checked, program.calibration, EnglishRunMessages))
+    translateRobolang(RobolangProgram(className, program.checked, program.calibration, EnglishRobolangMessages))

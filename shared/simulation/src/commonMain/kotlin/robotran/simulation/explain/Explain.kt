@@ -1,5 +1,6 @@
 package robotran.simulation.explain
 
+import robotran.simulation.messages.InfluenceMessages
 import robotran.simulation.noise.Realism
 import robotran.simulation.robot.SimulatedRobot
 import robotran.world.Penbot

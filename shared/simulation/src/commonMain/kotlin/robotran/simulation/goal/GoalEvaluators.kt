@@ -1,5 +1,7 @@
 package robotran.simulation.goal
 
+import robotran.simulation.messages.GoalMessages
+import robotran.simulation.messages.number
 import robotran.world.Goal
 import robotran.world.GoalCondition
 import robotran.world.World

@@ -1,13 +1,19 @@
 package robotran.simulation.goal
 
 import robotran.rcxrom.sound.SoundEvent
+import robotran.simulation.messages.EnglishSimulationMessages
+import robotran.simulation.messages.GoalMessages
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.SessionState
 import robotran.world.World
 import robotran.world.geometry.Trigonometry
 
 /** Judges how far the goals of [world] are met in one run, from its beginning. */
-internal class GoalJudge(world: World, trigonometry: Trigonometry, messages: GoalMessages = EnglishGoalMessages) {
+internal class GoalJudge(
+    world: World,
+    trigonometry: Trigonometry,
+    messages: GoalMessages = EnglishSimulationMessages,
+) {
     private val places = Places(world, trigonometry)
     private val evaluators = GoalEvaluators(world, places, messages, SentenceParts(world, trigonometry)).let {
         world.goals.map(it::of)

@@ -1,5 +1,8 @@
 package robotran.simulation.goal
 
+import robotran.simulation.messages.Mover
+import robotran.simulation.messages.PaperPlace
+import robotran.simulation.messages.Region
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.World
@@ -7,7 +10,6 @@ import robotran.world.geometry.Bounds
 import robotran.world.geometry.Shape
 import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.outline
-import robotran.world.writeThousandths
 
 /** What sentences of goals name, as they name it. */
 internal class SentenceParts(private val world: World, private val trigonometry: Trigonometry) {
@@ -48,8 +50,5 @@ internal class SentenceParts(private val world: World, private val trigonometry:
         val MIDDLE = 0.4..0.6
     }
 }
-
-/** As a person writes it, such as `1.5` or `20`. */
-internal fun number(value: Double): String = writeThousandths(value).removeSuffix(".0")
 
 internal fun percent(share: Double): Int = (share * 100 + 0.5).toInt()

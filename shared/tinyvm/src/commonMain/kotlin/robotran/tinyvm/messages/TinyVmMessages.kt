@@ -1,6 +1,7 @@
 package robotran.tinyvm.messages
 
 import robotran.language.Language
+import robotran.language.choose
 import robotran.tinyvm.config.Quirk
 
 /**
@@ -12,11 +13,8 @@ interface TinyVmMessages :
     LinkMessages,
     RunMessages {
     companion object {
-        fun of(language: Language): TinyVmMessages = when (language) {
-            Language.ENGLISH -> EnglishTinyVmMessages
-            Language.SPANISH -> SpanishTinyVmMessages
-            Language.GERMAN -> GermanTinyVmMessages
-        }
+        fun of(language: Language): TinyVmMessages =
+            language.choose(EnglishTinyVmMessages, SpanishTinyVmMessages, GermanTinyVmMessages)
     }
 }
 

@@ -21,8 +21,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.simulation.goal.GoalMessages
-import robotran.simulation.goal.wordFor
+import robotran.simulation.messages.SimulationMessages
+import robotran.simulation.messages.wordFor
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.ui.language.LocalLanguage
@@ -59,7 +59,7 @@ internal fun GoalsView(goals: List<GoalProgress>, modifier: Modifier = Modifier,
 @Composable
 private fun GoalRow(goal: GoalProgress) {
     val colours = LocalRobotranColours.current
-    val word = GoalMessages.of(LocalLanguage.current).wordFor(goal.status)
+    val word = SimulationMessages.of(LocalLanguage.current).wordFor(goal.status)
     Row(
         Modifier.testTag("goal").semantics(mergeDescendants = true) { stateDescription = word },
         Arrangement.spacedBy(12.dp),

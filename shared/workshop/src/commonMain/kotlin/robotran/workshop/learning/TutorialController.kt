@@ -2,6 +2,7 @@ package robotran.workshop.learning
 
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
+import robotran.documents.tutorialWorkName
 import robotran.learning.Tutorial
 import robotran.learning.TutorialStep
 import robotran.programs.SourceFile
@@ -93,7 +94,7 @@ internal class TutorialController(
         if (stepOnDesk() != null) return open(step, file)
         scope.launch {
             val project = step.project(preferences.language, listOf(file))
-            val result = switcher.beginProject(Tutorial.name(preferences.language), project, progress().tutorialWork)
+            val result = switcher.beginProject(tutorialWorkName(preferences.language), project, progress().tutorialWork)
             if (result is SwitchResult.Switched) {
                 isSolutionOnDesk = file === step.solution
                 keep(progress().copy(ownWork = result.left, tutorialWork = result.opened))

@@ -9,6 +9,7 @@ import robotran.world.MarkFigure
 import robotran.world.Shade
 import robotran.world.Wall
 import robotran.world.WorldLimits
+import robotran.world.messages.told
 
 /** Reads what lies, stands and shines on the paper. */
 internal class ElementReader(private val shapes: ShapeReader) {

@@ -15,6 +15,7 @@ import robotran.world.GoalCondition.ShowOnDisplay
 import robotran.world.GoalCondition.StayIn
 import robotran.world.GoalCondition.StayOut
 import robotran.world.WorldLimits
+import robotran.world.messages.told
 
 /** One for each kind of condition, in the order in which a refusal lists their words. */
 internal val GOAL_CODECS: List<GoalCodec> = listOf(

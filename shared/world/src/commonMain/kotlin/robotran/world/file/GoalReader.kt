@@ -5,6 +5,7 @@ import robotran.world.Goal
 import robotran.world.TouchKind
 import robotran.world.WorldLimits
 import robotran.world.geometry.Shape
+import robotran.world.messages.told
 
 /** Reads goals, and counts them. */
 internal class GoalReader(private val shapes: ShapeReader) {

@@ -7,6 +7,7 @@ import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.JsonCursor
 import robotran.json.JsonPath
 import robotran.json.JsonStep
+import robotran.world.messages.told
 
 /**
  * Turns a world of version 1 into one of version 2: `name` became `title`, `start` the start of the first of `robots`,

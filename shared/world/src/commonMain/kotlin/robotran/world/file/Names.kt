@@ -8,6 +8,7 @@ import robotran.world.HasParts
 import robotran.world.MarkFigure
 import robotran.world.NeedsTemplate
 import robotran.world.World
+import robotran.world.messages.told
 
 /** Refuses a name that two things have, and goals that name what is not there. */
 internal fun checkNames(world: World, file: JsonCursor) {

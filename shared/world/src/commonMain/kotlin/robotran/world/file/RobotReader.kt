@@ -1,7 +1,7 @@
 package robotran.world.file
 
 import robotran.json.JsonCursor
-import robotran.json.JsonMessages
+import robotran.json.messages.JsonMessages
 import robotran.json.nearestDecimal
 import robotran.world.Paper
 import robotran.world.PortSensor
@@ -10,6 +10,7 @@ import robotran.world.RobotPlacement
 import robotran.world.WorldLimits
 import robotran.world.geometry.Pose
 import robotran.world.geometry.normalHeading
+import robotran.world.messages.told
 
 internal fun readRobot(place: JsonCursor, paper: Paper) = RobotPlacement(
     start = readStart(place.member("start"), paper),

@@ -5,6 +5,7 @@ import robotran.world.WorldLimits
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 import robotran.world.geometry.signedArea
+import robotran.world.messages.told
 import kotlin.math.abs
 
 /** Reads points and shapes, and counts the points of a whole file. */

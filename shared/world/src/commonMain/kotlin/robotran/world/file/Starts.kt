@@ -8,6 +8,7 @@ import robotran.world.geometry.Outline
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.length
+import robotran.world.messages.told
 
 /** Refuses a robot that would start in something that stops it, or in another robot. */
 internal fun checkStarts(world: World, file: JsonCursor) {

@@ -1,15 +1,16 @@
 package robotran.world.file
 
 import robotran.json.JsonCursor
-import robotran.json.JsonMessages
 import robotran.json.JsonPath
 import robotran.json.JsonValidationException
+import robotran.json.messages.JsonMessages
 import robotran.world.Light
 import robotran.world.Paper
 import robotran.world.Template
 import robotran.world.UnknownFields
 import robotran.world.World
 import robotran.world.WorldLimits
+import robotran.world.messages.told
 
 /**
  * The world that is in a file, or in a part of one, written in any version of the format.
