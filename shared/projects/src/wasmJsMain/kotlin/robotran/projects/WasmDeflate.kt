@@ -37,7 +37,7 @@ private fun throughStream(stream: JsAny, input: String, max: Int): Promise<JsStr
                 const { done, value } = await reader.read();
                 if (done) break;
                 length += value.length;
-                if (length > most) {
+                if (length > max) {
                     await reader.cancel();
                     return null;
                 }

@@ -238,4 +238,4 @@ private fun replaceSelection(field: HTMLTextAreaElement, text: String): Unit =
 
 private fun pastedLength(event: Event): Int = js("event.clipboardData ? event.clipboardData.getData('text').length : 0")
 
-private fun pastedText(event: Event, max: Int): String = js("event.clipboardData.getData('text').slice(0, most)")
+private fun pastedText(event: Event, max: Int): String = js("event.clipboardData.getData('text').slice(0, max)")
