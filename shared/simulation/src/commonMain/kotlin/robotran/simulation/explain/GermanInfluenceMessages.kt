@@ -2,7 +2,6 @@ package robotran.simulation.explain
 
 import robotran.language.withComma
 
-/** In German. */
 internal object GermanInfluenceMessages : InfluenceMessages {
     override fun startPlace(centimetres: String) =
         "Der Roboter wurde ${withComma(centimetres)} cm neben seinen Platz gestellt."

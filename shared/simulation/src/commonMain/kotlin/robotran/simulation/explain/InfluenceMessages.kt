@@ -2,20 +2,20 @@ package robotran.simulation.explain
 
 import robotran.language.Language
 
-/** The sentences of [DeviationCause]s in one language; numbers come as text, rounded as they are to be read. */
+/** The sentences of [DeviationCause]s in one language; numbers are text, already rounded. */
 interface InfluenceMessages {
     fun startPlace(centimetres: String): String
 
-    /** @param left whether it looked too far to the left. */
+    /** @param left whether the robot faced too far to the left. */
     fun startHeading(degrees: String, left: Boolean): String
 
     /**
-     * @param leftMotor whether it is the left motor, otherwise the right one.
-     * @param weak whether it is weaker than it should be, otherwise stronger.
+     * @param leftMotor true for the left motor, false for the right one.
+     * @param weak true if weaker than nominal, false if stronger.
      */
     fun strength(leftMotor: Boolean, weak: Boolean, perCent: String, centimetres: String): String
 
-    /** @param left whether that turned the robot to the left. */
+    /** @param left whether the effect turned the robot to the left. */
     fun flutter(centimetres: String, degrees: String, left: Boolean): String
 
     fun slip(centimetres: String): String
@@ -24,7 +24,7 @@ interface InfluenceMessages {
 
     fun battery(volts: String, centimetres: String): String
 
-    /** @param dark whether everything looks darker to it than it is. */
+    /** @param dark whether everything looks darker to the sensor than it is. */
     fun lightBias(raw: String, dark: Boolean): String
 
     fun lightNoise(raw: String): String
@@ -40,7 +40,6 @@ interface InfluenceMessages {
     }
 }
 
-/** In English. */
 internal object EnglishInfluenceMessages : InfluenceMessages {
     override fun startPlace(centimetres: String) = "The robot was put down $centimetres cm beside its place."
 

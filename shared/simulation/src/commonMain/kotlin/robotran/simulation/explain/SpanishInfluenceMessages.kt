@@ -2,7 +2,6 @@ package robotran.simulation.explain
 
 import robotran.language.withComma
 
-/** In Spanish. */
 internal object SpanishInfluenceMessages : InfluenceMessages {
     override fun startPlace(centimetres: String) = "El robot se colocó a ${withComma(centimetres)} cm de su sitio."
 

@@ -3,7 +3,6 @@ package robotran.simulation.goal
 import robotran.language.listed
 import robotran.world.TouchKind
 
-/** The goals in English. */
 object EnglishGoalMessages : GoalMessages {
     override fun reach(who: Mover, region: Region, whole: Boolean, within: Int?, stays: Boolean): String {
         val verb = if (who is Mover.Block) "Push" else "Drive"

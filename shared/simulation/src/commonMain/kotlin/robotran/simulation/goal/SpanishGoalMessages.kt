@@ -5,8 +5,8 @@ import robotran.language.withComma
 import robotran.world.TouchKind
 
 /**
- * The goals in Spanish; one thing has one word: area - zona, barrier - obstáculo, block - bloque, line - línea,
- * template - plantilla.
+ * The goals in Spanish. One term per concept: area - zona, barrier - obstáculo, block - bloque, line - línea, template
+ * - plantilla.
  */
 object SpanishGoalMessages : GoalMessages {
     override fun reach(who: Mover, region: Region, whole: Boolean, within: Int?, stays: Boolean): String {
