@@ -10,7 +10,7 @@ import robotran.world.Shade
 import robotran.world.Wall
 import robotran.world.WorldLimits
 
-/** Reads what lies, stands and shines on the paper. */
+/** Reads all elements of a world file except robots and goals. */
 internal class ElementReader(private val shapes: ShapeReader) {
     private var cells = 0
 

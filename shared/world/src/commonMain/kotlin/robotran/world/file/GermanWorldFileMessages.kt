@@ -2,7 +2,6 @@ package robotran.world.file
 
 import robotran.json.alternatives
 
-/** The messages in German. */
 internal object GermanWorldFileMessages : WorldFileMessages {
     override fun notAWorld(format: String) =
         "Das ist keine Welt von Robotran: In einer Weltdatei steht \"format\": \"$format\"."

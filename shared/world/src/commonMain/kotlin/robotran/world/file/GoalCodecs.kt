@@ -16,7 +16,7 @@ import robotran.world.GoalCondition.StayIn
 import robotran.world.GoalCondition.StayOut
 import robotran.world.WorldLimits
 
-/** One for each kind of condition, in the order in which a refusal lists their words. */
+/** One for each kind of condition, in the order in which error messages list them. */
 internal val GOAL_CODECS: List<GoalCodec> = listOf(
     codec<Reach>(
         "reach",
