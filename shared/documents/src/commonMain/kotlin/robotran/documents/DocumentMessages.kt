@@ -2,11 +2,11 @@ package robotran.documents
 
 import robotran.language.Language
 
-/** What is said of kept works that cannot be opened, in whole sentences. */
+/** The error messages for saved projects that cannot be opened, in whole sentences. */
 interface DocumentMessages {
     fun keptByNewer(): String
 
-    /** Each work is kept twice. */
+    /** The store holds two copies of each project. */
     fun copiesBroken(): String
 
     companion object {
