@@ -1,8 +1,8 @@
 package robotran.rcxrom.infrared
 
 /**
- * The medium between bricks. What one sends arrives at all others within [reach], one millisecond after its last bit.
- * Bytes that overlap in time arrive damaged. All bricks and towers in the same air must be ticked together, once each a
+ * The medium between bricks. Light arrives at all other ports within [reach], one millisecond after its last bit. Bytes
+ * that overlap in time arrive damaged. All bricks and towers in the same air must be ticked together, once each a
  * millisecond.
  */
 class InfraredAir(private val reach: InfraredReach = InfraredReach.EVERYWHERE) {

@@ -84,5 +84,5 @@ internal class EndToEnd(length: Double, private val goal: GoalCondition.FollowLi
     }
 }
 
-/** The allowance is at most this fraction of the line. */
+/** The allowance is at most the length of the line divided by this. */
 private const val MIN_PARTS = 4.0
